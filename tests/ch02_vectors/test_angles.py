@@ -51,26 +51,25 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
     for a in (long, (0.01 * long[0], 0.01 * long[1], 0.01 * long[2])):
         about.call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
         about.cause = (
-            "Return two results as a pair: first the scalar product a . b, and then the word that "
-            "says which kind of angle it is."
+            "Return a pair: the scalar product a . b, followed by the word for the kind of angle."
         )
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
         name = f"{about.call}, the first"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
         divided = (
-            "The result is the cosine of the angle, which is the scalar product divided by both "
-            "lengths. Return the scalar product itself, without this division."
+            "The result is the cosine of the angle, because you divided by both lengths. Return "
+            "the scalar product itself."
         )
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
         about.cause = (
-            "The sign of the scalar product decides which word is right. A positive product means "
-            "an acute angle, and a negative product means an obtuse angle."
+            "The sign of the scalar product tells you which word to return. If it is positive, the "
+            "angle is acute, and if it is negative, the angle is obtuse."
         )
         if got == "right":
             about.cause = (
                 "Only a scalar product of exactly 0 means a right angle. This product is small, "
-                "but its sign still decides between acute and obtuse, so do not round it."
+                "but its sign still decides between acute and obtuse, so don't round it."
             )
         expect_exactly(got, word, then=", the second")
 
@@ -95,8 +94,8 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
 def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
     about.call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.cause = (
-        "This scalar product is NaN, which is neither positive nor negative, so it does not tell "
-        "you the kind of angle. Raise ValueError."
+        "This scalar product is NaN, which is neither positive nor negative, so it tells you "
+        "nothing about the angle. Raise ValueError."
     )
     about.read = "the docstring of scalar_product_and_angle"
     good = Vector3(1.0, 2.0, 3.0)
@@ -115,21 +114,21 @@ def test_the_angles_of_the_book() -> None:
     a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
     about.call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     about.cause = (
-        "Divide a . b by both lengths to get the cosine of the angle, and then return math.acos of "
-        "this cosine, which is the angle in radians."
+        "Divide a . b by both lengths to get the cosine of the angle, and return math.acos of that "
+        "cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(a, b)
     mistakes = [
         (
             135.0,
-            "The angle is in degrees, but this function must return radians. math.acos already "
-            "returns radians, so do not convert its result.",
+            "The angle is in degrees, but it should be in radians. math.acos already returns "
+            "radians, so leave its result as it is.",
         ),
         (
             math.pi,
-            "The result is the arccosine of a . b itself, but a . b is the cosine only for unit "
-            "vectors. Divide it by both lengths first.",
+            "You took the arccosine of a . b itself, but a . b is the cosine only if both vectors "
+            "have length 1. Divide it by both lengths first.",
         ),
         (
             -math.sqrt(0.5),
@@ -138,12 +137,12 @@ def test_the_angles_of_the_book() -> None:
         (
             0.25 * math.pi,
             "The scalar product is negative here, so the angle must be obtuse, but its sign was "
-            "lost on the way. Check whether you take an absolute value somewhere.",
+            "lost on the way. Perhaps you took an absolute value somewhere.",
         ),
         (
             -0.25 * math.pi,
-            "The result is math.asin of the cosine. The function that turns a cosine "
-            "into an angle is math.acos.",
+            "You passed the cosine to math.asin. The function that turns a cosine into an angle "
+            "is math.acos.",
         ),
     ]
     blame(got, mistakes)
@@ -151,7 +150,7 @@ def test_the_angles_of_the_book() -> None:
     about.call = "angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     about.cause = (
         "Two angles between 0 and pi have the same sine, because sin t = sin(pi - t). Return both "
-        "as a pair, with the smaller angle first."
+        "of them as a pair, the smaller one first."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     angles = exercises.angles_by_vector_product(a, b)
@@ -160,27 +159,26 @@ def test_the_angles_of_the_book() -> None:
         (
             (0.0, math.pi),
             "sqrt(1 - (a . b)^2) is the sine of the angle only if a and b are unit vectors. "
-            "Normalize both vectors first, or divide |a x b| by both lengths.",
+            "Normalize both vectors first, or divide |a x b| by both lengths instead.",
         ),
         (
             (0.5 * math.pi, 0.5 * math.pi),
-            "The length |a x b| was used as the sine of the angle, but it also contains the "
-            "lengths of a and b. Divide it by both lengths first.",
+            "|a x b| was used as the sine of the angle, but it also contains the lengths of a and "
+            "b. Divide it by both lengths first.",
         ),
         (
             (45.0, 135.0),
-            "The angles are in degrees, but this function must return radians. "
-            "math.asin already returns radians, so do not convert its result.",
+            "The angles are in degrees, but they should be in radians. math.asin already returns "
+            "radians, so leave its result as it is.",
         ),
         (
             wanted[::-1],
-            "Both angles are right, but they are in the wrong order. Return the smaller "
-            "angle first.",
+            "Both angles are right, but in the wrong order. Return the smaller one first.",
         ),
         (
             wanted[0],
-            "Only one of the two possible angles was returned. Because pi - t has the same sine "
-            "as t, return both as a pair.",
+            "You returned only one of the two possible angles. Since pi - t has the same sine as "
+            "t, return both as a pair.",
         ),
     ]
     blame(angles, mistakes)
@@ -195,14 +193,14 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angle_by_scalar_product(v, w)"
     about.cause = (
-        "Divide v . w by both lengths to get the cosine of the angle, and then return math.acos of "
-        "this cosine, which is the angle in radians."
+        "Divide v . w by both lengths to get the cosine of the angle, and return math.acos of that "
+        "cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(v, w)
     other = (
-        "The result is pi minus the angle, so the sign of the scalar product was lost or reversed. "
-        "Check where your code changes the sign of a . b."
+        "The result is pi minus the angle, so the sign of the scalar product was lost or flipped. "
+        "Check where your code changes the sign of v . w."
     )
     blame(got, [(math.pi - angle, other)])
     # Rounding errors are divided by sin t, at least 0.3, and drawing the vectors adds its own.
@@ -219,9 +217,9 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
     about.cause = (
-        "The sine of the angle is |v x w| divided by both lengths. Compute the arcsine t of this "
-        "number, and return t and pi - t in radians. The formula sqrt(1 - (v . w)^2) does not help "
-        "here, because it gives the sine for unit vectors only."
+        "The sine of the angle is |v x w| divided by both lengths. Compute its arcsine t, and "
+        "return t and pi - t in radians. Don't use sqrt(1 - (v . w)^2), which is the sine only for "
+        "unit vectors."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)
@@ -236,9 +234,8 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
 def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None:
     # In many of the 40 pairs, rounding leaves a cosine or a sine slightly above 1.
     about.cause = (
-        "Rounding can leave a cosine or a sine slightly above 1 or below -1, and math.acos and "
-        "math.asin raise an error for such a number. Clamp the cosine and the sine to the range "
-        "from -1 to 1 first."
+        "Rounding can push a cosine or a sine slightly above 1 or below -1, and then math.acos or "
+        "math.asin raises an error. Clamp the cosine and the sine to the range from -1 to 1 first."
     )
     about.read = "the hints of exercise 2.5"
     for _ in range(40):
@@ -268,7 +265,7 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
         return function(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0))
 
     about.cause = (
-        "A zero vector has no direction, so there is no angle between it and another vector. Raise "
+        "A zero vector has no direction, so it makes no angle with another vector. Raise "
         "ValueError."
     )
     about.read = f"the docstring of {name}"
@@ -286,8 +283,8 @@ def test_nan_has_no_angle() -> None:
     lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
     about.call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.cause = (
-        "A clamp can hide NaN, because min(1.0, nan) is 1.0 while min(nan, 1.0) is nan. Pass the "
-        "number that you clamp as the first argument of min and max."
+        "Your clamp may be hiding the NaN, because min(1.0, nan) is 1.0 while min(nan, 1.0) is "
+        "nan. Pass the number that you clamp as the first argument of min and max."
     )
     about.read = "the docstring of angle_by_scalar_product"
     got = exercises.angle_by_scalar_product(lost, good)
@@ -299,8 +296,7 @@ def test_nan_has_no_angle() -> None:
         len(angles),
         2,
         call=f"len({about.call})",
-        cause="The angle between a NaN vector and another vector is unknown. Return a pair in "
-        "which both numbers are NaN.",
+        cause="If a component is NaN, the angle is unknown. Return a pair of two NaNs.",
     )
     for angle in angles:
         expect_nan(angle)

@@ -28,7 +28,7 @@ X_AXIS, Y_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 def basis_of(
     a: Components,
     b: Components,
-    cause: str = "The basis consists of three vectors, so return all three of them.",
+    cause: str = "A basis has three vectors. Return all three of them.",
 ) -> list[Components]:
     """Return the three vectors of the basis as plain numbers."""
     about(f"make_orthonormal_basis(Vector3{a}, Vector3{b})", cause=cause)
@@ -46,24 +46,24 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
         for j in range(i, 3):
             name = f"{about.call}; the scalar product of vectors {i + 1} and {j + 1}"
             about.cause = (
-                "The three vectors of the basis must be perpendicular to each other. Check vector "
-                "2 first: it should be c x a."
+                "The three vectors of a basis must be perpendicular to each other. Check vector 2 "
+                "first, which should be c x a."
             )
             if i == j:
                 about.cause = (
-                    f"Vector {i + 1} must have length 1, so its squared length, which was compared "
-                    "here, must be 1 as well. Check that you normalize the vector."
+                    f"Vector {i + 1} must have length 1. The check compares its squared length, "
+                    "which must then be 1 too. Make sure that you normalize this vector."
                 )
             along = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
             mistakes = [
                 (
                     along,
-                    "Vector 2 is the normalized b, which is in general not perpendicular to a. "
-                    "Compute vector 2 as c x a instead.",
+                    "Vector 2 is the normalized b, which is usually not perpendicular to a. "
+                    "Compute it as c x a instead.",
                 ),
                 (
                     1.0 - along**2,
-                    "The vector a x b was not normalized. Even for unit vectors, its length is "
+                    "You didn't normalize a x b. Even if a and b are unit vectors, its length is "
                     "only the sine of the angle between them, so divide it by its length.",
                 ),
             ]
@@ -80,16 +80,15 @@ def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Rando
         a, b = components(rng), components(rng)
         about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
         about.cause = (
-            "Vector 1 must be the normalized a. Of the two arguments, only b may change its "
-            "direction, because vector 2 has to be perpendicular to a."
+            "Vector 1 must be the normalized a. Only b may be turned, to make vector 2 "
+            "perpendicular to a."
         )
         first, second, _ = basis_of(a, b)
         length = math.sqrt(dot(a, a))
         wanted = (a[0] / length, a[1] / length, a[2] / length)
         expect_close(first, wanted, then=", vector 1", tolerance=1e-12)
         about.cause = (
-            "Vector 2 points away from b. Compute c = a x b first, and then compute vector 2 as c "
-            "x a."
+            "Vector 2 points away from b. Compute c = a x b first, and then vector 2 as c x a."
         )
         leans = dot(second, b) > 0.0
         expect_exactly(leans, True, then="; (vector 2) . b > 0")
@@ -100,8 +99,8 @@ def test_the_basis_is_right_handed(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
     about.cause = (
-        "The basis is left-handed, because the factors of a vector product are in the wrong order. "
-        "First compute c = a x b, and then compute b = c x a."
+        "The basis is left-handed, because you swapped the factors of a vector product. Compute c "
+        "= a x b first, and then b = c x a."
     )
     about.read = "book 2.1.9"
     (ax, ay, az), (bx, by, bz), third = basis_of(a, b)
@@ -115,8 +114,8 @@ def test_the_arguments_stay_as_they_were(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; make_orthonormal_basis(v, w)"
     about.cause = (
-        "One of the arguments was changed, because normalize changes a vector in place, as the "
-        "book's function does. Use normalized, which returns a new vector."
+        "One of the arguments was changed. normalize works in place, as the book's function does, "
+        "so use normalized, which returns a new vector."
     )
     about.read = "the docstring of make_orthonormal_basis"
     first, _, _ = make_orthonormal_basis(v, w)
@@ -134,8 +133,8 @@ def expect_same_basis(a: Components, b: Components, scale: float) -> None:
     short = (b[0] / scale, b[1] / scale, b[2] / scale)
     about.call = f"make_orthonormal_basis(Vector3{long}, Vector3{short})"
     about.cause = (
-        "The lengths of a and b must not affect the basis. Normalize both vectors before you "
-        "multiply them."
+        "The lengths of a and b must not affect the basis. Normalize both vectors before you take "
+        "their vector product."
     )
     about.read = "the docstring of make_orthonormal_basis"
     wanted, got = basis_of(a, b), basis_of(long, short, about.cause)
@@ -170,8 +169,8 @@ def expect_refusal(a: Components, b: Components) -> None:
 @pytest.mark.robust
 def test_vectors_along_one_axis_are_refused() -> None:
     about.cause = (
-        "Parallel vectors do not span a plane, even if they point in opposite directions, so they "
-        "do not define a basis. Raise ValueError."
+        "Parallel vectors, even those that point in opposite directions, don't span a plane and so "
+        "don't define a basis. Raise ValueError."
     )
     for scale in (2.0, -3.0):
         expect_refusal(Y_AXIS, (0.0, scale, 0.0))
@@ -181,8 +180,8 @@ def test_vectors_along_one_axis_are_refused() -> None:
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = (
-        "These vectors are parallel, but rounding errors leave a vector product of about 1e-16. "
-        "Compare its length with a small limit instead of 0."
+        "These vectors are parallel, but rounding leaves a vector product of about 1e-16. Compare "
+        "its length with a small limit instead of 0."
     )
     # In nearly all of the 40 pairs, rounding leaves a vector product that is not exactly zero.
     for _ in range(40):
@@ -194,8 +193,8 @@ def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
 def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
     x, y, z = components(rng)
     about.cause = (
-        "These vectors are nearly parallel, but not parallel. The sine of the angle between them "
-        "is far above 1e-12, so return a basis here."
+        "These vectors are nearly parallel but not quite. The sine of the angle between them is "
+        "well above 1e-12, so return a basis."
     )
     about.read = "the docstring of make_orthonormal_basis"
     # Rounding errors of 1e-16 are divided by the angle, which is at least 1/30 of the change.
@@ -211,7 +210,7 @@ def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
 @pytest.mark.robust
 def test_the_zero_vector_is_refused() -> None:
     about.cause = (
-        "A zero vector has no direction, so it does not span a plane with another vector. Raise "
+        "A zero vector has no direction, so it cannot span a plane with another vector. Raise "
         "ValueError."
     )
     expect_refusal((0.0, 0.0, 0.0), Y_AXIS)
@@ -223,8 +222,8 @@ def test_the_zero_vector_is_refused() -> None:
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_vectors_that_are_not_finite_are_refused(bad: float) -> None:
     about.cause = (
-        "A vector with an infinite component has no well-defined direction, so there is no basis. "
-        "Raise ValueError."
+        "A vector with an infinite component has no well-defined direction, so it cannot be part "
+        "of a basis. Raise ValueError."
     )
     expect_refusal((bad, 0.0, 0.0), Y_AXIS)
     expect_refusal(X_AXIS, (0.0, bad, 0.0))

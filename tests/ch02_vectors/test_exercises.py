@@ -31,23 +31,22 @@ ZERO = (0.0, 0.0, 0.0)
 def test_split_the_vector_of_the_book() -> None:
     about.call = "split(Vector3(2, -2, -2))"
     about.cause = (
-        "Return two results as a pair: first the length of v, and then a new unit vector that "
-        "points in the same direction."
+        "Return a pair: the length of v, and a new unit vector that points in the same direction."
     )
     about.read = "book 2.1"
     magnitude, unit = exercises.split(Vector3(2.0, -2.0, -2.0))
     if not is_plain(magnitude):
         about.cause = (
-            "Both results are right, but they are in the wrong order. Return the length first and "
-            "the direction second."
+            "Both results are right, but in the wrong order. Return the length first and the "
+            "direction second."
         )
     blame(
         magnitude,
         [
             (
                 12.0,
-                "The first result is the squared length of v, but it should be the "
-                "length. Return v.magnitude() instead.",
+                "The first result is the squared length of v. Return the length itself, which is "
+                "v.magnitude().",
             )
         ],
     )
@@ -57,13 +56,13 @@ def test_split_the_vector_of_the_book() -> None:
     mistakes = [
         (
             (2.0, -2.0, -2.0),
-            "The second result is v itself, but it should be the direction of v, which is a vector "
-            "of length 1. Divide v by its length.",
+            "The second result is v itself. Divide v by its length to get its direction, which is "
+            "a vector of length 1.",
         ),
         (
             (1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0),
-            "The second result is v divided by its squared length. Divide by the length instead, "
-            "because the result must be a unit vector.",
+            "You divided v by its squared length. Divide it by its length instead, so that the "
+            "result is a unit vector.",
         ),
     ]
     blame(xyz(unit), mistakes)
@@ -76,8 +75,7 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; split(v)"
     about.cause = (
-        "Return two results as a pair: first the length of v, and then a new unit vector that "
-        "points in the same direction."
+        "Return a pair: the length of v, and a new unit vector that points in the same direction."
     )
     about.read = "book 2.1"
     magnitude, unit = exercises.split(v)
@@ -86,8 +84,8 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
     wanted = (a[0] / length, a[1] / length, a[2] / length)
     expect_close(xyz(unit), wanted, then=", the second")
     about.cause = (
-        "The call changed v, because normalize works in place. Use normalized instead, which "
-        "returns a new vector."
+        "This call changed v, because normalize works in place. Use normalized, which returns a "
+        "new vector."
     )
     expect_unchanged("v", xyz(v), a, read="the docstring of split")
 
@@ -96,7 +94,7 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
 def test_split_the_zero_vector() -> None:
     about.call = "split(Vector3(0, 0, 0))"
     about.cause = (
-        "This vector has length 0, so do not divide by its length. Return the zero vector as its "
+        "The length of this vector is 0, so don't divide by it. Return the zero vector as the "
         "direction."
     )
     about.read = "the docstring of split"
@@ -112,7 +110,7 @@ def test_split_the_zero_vector() -> None:
 def test_the_perpendicular_vector_of_the_book() -> None:
     about.call = "make_perpendicular(Vector3(1, 2, 3), 7, -2)"
     about(
-        cause="Two vectors are perpendicular if their scalar product is 0. Solve 1 * 7 + 2 * "
+        cause="Two vectors are perpendicular if their scalar product is 0, so solve 1 * 7 + 2 * "
         "(-2) + 3 z = 0 for z.",
         read="book 2.1.7",
     )
@@ -120,13 +118,12 @@ def test_the_perpendicular_vector_of_the_book() -> None:
     mistakes = [
         (
             1.0,
-            "The sign of z is wrong. When you move the x and y terms to the other side of the "
-            "equation, their signs change: 3 z = -(1 * 7 + 2 * (-2)).",
+            "The sign of z is wrong. The x and y terms change sign when you move them to the "
+            "other side of the equation: 3 z = -(1 * 7 + 2 * (-2)).",
         ),
         (
             -3.0,
-            "The result is 3 z, because the last step of the solution is missing. Divide by a.z "
-            "to get z.",
+            "The result is 3 z, so one last step is missing. Divide by a.z to get z.",
         ),
     ]
     blame(got, mistakes)
@@ -137,8 +134,8 @@ def test_the_perpendicular_vector_of_the_book() -> None:
 def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
     about(
-        cause="Solve a.x x + a.y y + a.z z = 0 for z. This works for every a.z except 0, so do not "
-        "refuse an a.z that is merely small.",
+        cause="Solve a.x x + a.y y + a.z z = 0 for z. This works for every a.z except 0, so don't "
+        "reject an a.z that is merely small.",
         read="book 2.1.7",
     )
     for z in (az, -az, az * 1e-12, az * -1e-12):
@@ -154,11 +151,11 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
 @pytest.mark.robust
 def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
     x, y, _ = components(rng)
-    about.call = (
-        "If a.z is 0, no choice of z can change the scalar product, so the equation has no "
-        "solution for z. Raise ValueError."
+    about.call = f"make_perpendicular(Vector3({x}, {y}, 0), 1, 2)"
+    about.cause = (
+        "If a.z is 0, the scalar product is the same for every z, so the equation has no solution "
+        "for z. Raise ValueError."
     )
-    about.cause = "the docstring of make_perpendicular"
     about.read = "the docstring of make_perpendicular"
     expect_error(
         lambda: exercises.make_perpendicular(Vector3(x, y, 0.0), 1.0, 2.0),
@@ -177,8 +174,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; remove_projection(v, w)"
     about.cause = (
-        "Apart from rounding errors, both arguments are unit vectors, so accept them. Compare "
-        "their lengths with 1 using the tolerance 1e-6 instead of ==."
+        "Both arguments are unit vectors to within rounding, so accept them. Instead of comparing "
+        "their lengths with 1 by ==, allow a tolerance of 1e-6."
     )
     about.read = "book 2.1.7"
     c, d, angle = exercises.remove_projection(v, w)
@@ -199,13 +196,12 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         ),
         (
             tuple(-n for n in wanted),
-            "The result is c a - b, so the subtraction is the wrong way "
-            "around. Return d = b - c a.",
+            "The result is c a - b, so you subtracted the wrong way around. Return d = b - c a.",
         ),
         (
             tuple(b[i] + along * a[i] for i in range(3)),
-            "The result is b + c a, so the projection "
-            "was added to b. Subtract it instead, because d = b - c a.",
+            "The result is b + c a, so you added the projection to b. Subtract it instead: d = b "
+            "- c a.",
         ),
         (
             tuple(a[i] - along * b[i] for i in range(3)),
@@ -218,7 +214,7 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     # A sine gives a right angle only to the root of a rounding error: 5e-8 for 1e-15.
     name = f"{about.call}, the third"
     mistakes = [
-        (90.0, "The angle is in degrees, but this function must return it in radians."),
+        (90.0, "The angle is in degrees, but it should be in radians."),
         (
             math.acos(max(-1.0, min(along, 1.0))),
             "The result is the angle between a and b. Return the angle between a and d instead.",
@@ -227,12 +223,12 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     about.cause = cause_of(
         angle,
         mistakes,
-        "The vector d is perpendicular to a, so the angle between a and d must be pi / 2.",
+        "d is perpendicular to a, so the angle between them must be pi / 2.",
     )
     expect_close(angle, math.pi / 2.0, call=name, tolerance=1e-7)
     about.cause = (
-        "The caller's vector was changed. add_scaled, -= and *= change a vector in place, so write "
-        "b - a * c instead, which creates a new vector."
+        "You changed one of the caller's vectors. add_scaled, -= and *= work in place, so write b "
+        "- a * c, which creates a new vector."
     )
     expect_unchanged("v", xyz(v), a, read="the docstring of remove_projection")
     expect_unchanged("w", xyz(w), b, read="the docstring of remove_projection")
@@ -247,16 +243,16 @@ def remove_projection_of_length(length: float) -> object:
 @pytest.mark.robust
 def test_what_is_not_a_unit_vector_is_refused() -> None:
     about.cause = (
-        "A length that differs from 1 by 5e-7 is within the tolerance of 1e-6, so accept it. Do "
-        "not compare lengths with ==."
+        "This length differs from 1 by only 5e-7, which is within the tolerance of 1e-6, so accept "
+        "it. Don't compare lengths with ==."
     )
     about.read = "the docstring of remove_projection"
     for length in (1.0 - 5e-7, 1.0 + 5e-7):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
     about.cause = (
-        "The vector c a is the projection of b only if a is a unit vector. Check the lengths of "
-        "both a and b before you compute anything."
+        "c a is the projection of b only if a is a unit vector. Check the lengths of both a and b "
+        "before you compute anything."
     )
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
@@ -278,8 +274,8 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 def test_nan_is_not_a_unit_vector() -> None:
     about.call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
     about(
-        cause="If a component is NaN, the length of the vector is NaN too, so it is not a unit "
-        "vector. Raise ValueError.",
+        cause="If a component is NaN, so is the length, and the vector is not a unit vector. "
+        "Raise ValueError.",
         read="the docstring of remove_projection",
     )
     expect_error(
@@ -294,8 +290,8 @@ def test_nan_is_not_a_unit_vector() -> None:
 def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
     a = direction(rng)
     about.cause = (
-        "The vectors are parallel, so d consists only of rounding errors and has no meaningful "
-        "direction. Raise ValueError."
+        "These vectors are parallel, so d is nothing but rounding error and its direction means "
+        "nothing. Raise ValueError."
     )
     about.read = "the docstring of remove_projection"
     for b in (a, (-a[0], -a[1], -a[2])):
@@ -327,22 +323,21 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
 def test_ten_seconds_with_the_velocity_of_the_book() -> None:
     about.call = "position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)"
     about(
-        cause="At a constant velocity, the position after a time t is p' = p + v t. Return it as "
-        "a new vector.",
+        cause="At a constant velocity v, the position after a time t is p' = p + v t. Return it "
+        "as a new vector.",
         read="book 2.2, Eq. 2.7",
     )
     got = exercises.position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     mistakes = [
         (
             (4, 4, -2),
-            "The velocity was added as if one second had passed. Multiply the velocity by the "
-            "time t before you add it.",
+            "You added the velocity as if one second had passed. Multiply it by the time t first.",
         ),
-        ((10, -10, 20), "The result is only the displacement v t. Add it to the position p."),
+        ((10, -10, 20), "The result is only v t, the displacement. Add it to the position p."),
         (
             (40, 40, -20),
-            "The result is (p + v) t, so the position was multiplied by the time as "
-            "well. Multiply only the velocity by t.",
+            "The result is (p + v) t, so you multiplied the position by the time as well. "
+            "Multiply only the velocity by t.",
         ),
     ]
     blame(xyz(got), mistakes)
@@ -355,8 +350,8 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     p, v = Vector3(*start), Vector3(*velocity)
     about.call = f"p, v = Vector3{start}, Vector3{velocity}; position_after(p, v, {duration})"
     about(
-        cause="At a constant velocity, the position after a time t is p' = p + v t. Return it as "
-        "a new vector.",
+        cause="At a constant velocity v, the position after a time t is p' = p + v t. Return it "
+        "as a new vector.",
         read="book 2.2, Eq. 2.7",
     )
     got = exercises.position_after(p, v, duration)
@@ -365,8 +360,8 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     expect_close(xyz(got), wanted, tolerance=1e-12)
     about.read = "the docstring of position_after"
     about.cause = (
-        "The caller's vector was changed. add_scaled, += and *= change a vector in place, so write "
-        "p + v * t instead, which creates a new vector."
+        "You changed one of the caller's vectors. add_scaled, += and *= work in place, so write p "
+        "+ v * t, which creates a new vector."
     )
     expect_unchanged("p", xyz(p), start)
     expect_unchanged("v", xyz(v), velocity)
@@ -378,7 +373,7 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
 def test_a_duration_must_be_positive_and_finite(duration: float) -> None:
     about.call = f"position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), {duration})"
     about.cause = (
-        "A duration must be positive and finite, but this one was accepted. Pass it to "
+        "A duration must be positive and finite, but your code accepted this one. Pass it to "
         "checked_duration before you use it."
     )
     about.read = "the docstring of position_after"

@@ -28,8 +28,8 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = Vector3(*a)
     about.cause = (
-        "Multiply each component by the number and return the products as a new vector. The number "
-        "may be an int or a float."
+        "Multiply each component by the number, which may be an int or a float, and return the "
+        "products as a new vector."
     )
     about.read = "book 2.1.3"
     for factor in (scale, 2):
@@ -49,8 +49,8 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     made, step = f"v = Vector3{a}", f"v *= {scale}"
     about.call = f"{made}; {step}"
     about.cause = (
-        "Multiply each component of self by the number and end the method with return self, "
-        "because Python assigns the returned value to v."
+        "Multiply each component of self by the number, and end the method with return self, "
+        "because Python assigns its result to v."
     )
     about.read = "book 2.1.3, and the docstring of Vector3.__imul__"
     v *= scale
@@ -67,18 +67,17 @@ def test_division_by_a_number(rng: Random) -> None:
     mistakes = [
         (
             tuple(n // divisor for n in a),
-            "The operator // rounds down to a whole number. Divide with / instead.",
+            "The operator // rounds down to a whole number. Use / instead.",
         ),
         (
             scaled(a, divisor),
-            "The result is v times the number, but this operator must divide each component by the "
-            "number.",
+            "You multiplied by the number. This operator must divide each component by it.",
         ),
     ]
     made, step = f"v = Vector3{a}", f"v /= {divisor}"
     about(
         f"{made}; v / {divisor}",
-        cause="Divide each component by the number and return the results as a new vector.",
+        cause="Divide each component by the number, and return the quotients as a new vector.",
     )
     about.read = "the docstring of Vector3.__truediv__"
     got = xyz(v / divisor)
@@ -87,8 +86,8 @@ def test_division_by_a_number(rng: Random) -> None:
     expect_unchanged("v", xyz(v), a, cause=reads)
     about.call = f"{made}; {step}"
     about.cause = (
-        "Divide each component of self by the number and end the method with return self, because "
-        "Python assigns the returned value to v."
+        "Divide each component of self by the number, and end the method with return self, because "
+        "Python assigns its result to v."
     )
     about.read = "the docstring of Vector3.__itruediv__"
     w /= divisor
@@ -109,8 +108,8 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "Division by zero has no meaningful result. Python raises ZeroDivisionError in this case, "
-        "so let the error pass to the caller and do not catch it."
+        "Division by zero has no meaningful result. Python raises ZeroDivisionError for you, so "
+        "don't catch it."
     )
     about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (
@@ -137,12 +136,11 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
         return changed
 
     asked = (
-        "In this method, check isinstance(..., Vector3) first, and raise TypeError if the other "
-        "operand is a vector."
+        "Check isinstance(..., Vector3) first, and raise TypeError if the other operand is a "
+        "vector."
     )
     product = (
-        "The expression v * w could mean three different products, so * accepts only numbers. "
-        f"{asked}"
+        f"v * w could mean any of three different products, so * accepts only numbers. {asked}"
     )
     about.read = "the docstring of Vector3.__mul__"
     for call, attempt, allowed, cause in (

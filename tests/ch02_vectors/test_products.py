@@ -56,28 +56,27 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     wanted = (a[0] + b[0] * scale, a[1] + b[1] * scale, a[2] + b[2] * scale)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.add_scaled(w, {scale})"
     about(
-        cause="Multiply w by scale and add the result to v itself, but leave the vector w "
-        "unchanged.",
+        cause="Multiply w by scale and add the product to v itself, but leave w unchanged.",
         read="book 2.1.4",
     )
     v.add_scaled(w, scale)
     mistakes = [
         (a, LOST),
         (tuple(a[i] * scale + b[i] for i in range(3)), "Your code multiplies v by the number "
-        "instead of w. Multiply w by the number, and add the product to v."),
-        (tuple((a[i] + b[i]) * scale for i in range(3)), "The whole sum was multiplied by the "
-            "number. Multiply only w by it, and then add the product to v."),
-        (tuple(a[i] + b[i] for i in range(3)), "The vector w was added as it is, without the "
-        "number. Multiply w by the number before you add it."),
-        (tuple(b[i] * scale for i in range(3)), "The result is only w times the number. Add this "
-                                                "product to the components that v already has."),
+         "instead of w. Multiply w by it, and add the product to v."),
+        (tuple((a[i] + b[i]) * scale for i in range(3)), "You multiplied the whole sum by the "
+         "number. Multiply only w by it, and then add the product to v."),
+        (tuple(a[i] + b[i] for i in range(3)), "You added w as is, without the number. Multiply w "
+         "by the number first."),
+        (tuple(b[i] * scale for i in range(3)), "The result is only w times the number. Add that "
+         "product to the components that v already has."),
     ]  # fmt: skip
     blame(xyz(v), mistakes)
     # The rounding errors of numbers up to 100.
     expect_close(xyz(v), wanted, tolerance=1e-12)
     about.cause = (
-        "The vector w was changed, but it belongs to the caller. w *= number changes w in place, "
-        "so use w * number or multiply the components one by one."
+        "You changed w, which belongs to the caller. w *= number works in place, so use w * "
+        "number, or multiply the components one by one."
     )
     expect_unchanged("w", xyz(w), b)
 
@@ -88,8 +87,8 @@ def test_add_scaled_with_itself(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.add_scaled(v, 2)"
     about.cause = (
-        "Here self and the argument are the same vector, v, so changing self also changes the "
-        "argument. Read every component of the argument before you change it."
+        "Here self and the argument are the same vector, v, so a change to one is also a change to "
+        "the other. Read every component of the argument before you change it."
     )
     about.read = "the docstring of Vector3.add_scaled"
     v.add_scaled(v, 2.0)
@@ -102,7 +101,7 @@ def test_add_scaled_frame_after_frame(rng: Random) -> None:
     wanted = tuple(p + 10.0 * v for p, v in zip(start, velocity, strict=True))
     about.call = f"p, v = Vector3{start}, Vector3{velocity}; 600 times p.add_scaled(v, 1 / 60)"
     about(
-        cause="Each call must add v times 1/60 s to the position, so that p' = p + v h.",
+        cause="Each call must add v times 1/60 s to the position: p' = p + v h.",
         read="book 2.2, Eq. 2.7",
     )
     got = walk(start, velocity, 1.0 / 60.0, 600)
@@ -126,19 +125,19 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product(w)"
     about.cause = (
-        "Multiply matching components: x by x, y by y and z by z. Return the three products as a "
-        "new vector."
+        "Multiply the matching components: x by x, y by y and z by z. Return the three products as "
+        "a new vector."
     )
     about.read = "book 2.1.6"
     got = xyz(v.component_product(w))
     scalar = (
-        "The result is the scalar product, which is a number. The component product is a vector, "
-        "so do not add the three products."
+        "The result is the scalar product, a single number. The component product is a vector, so "
+        "don't add up the three products."
     )
     mistakes = [
         (dot(a, b), scalar),
-        (tuple(a[i] + b[i] for i in range(3)), "The result is v + w, so the components were added. "
-                                               "Multiply matching components instead."),
+        (tuple(a[i] + b[i] for i in range(3)), "The result is v + w. Multiply the matching "
+        "components instead of adding them."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, wanted)
@@ -157,8 +156,7 @@ def test_the_component_product_in_place(rng: Random) -> None:
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product_update(w)"
     about(
-        cause="This method must change v itself, so store the three products in the components of "
-        "v.",
+        cause="This method must change v itself, so store the three products in its components.",
         read="book 2.1.6",
     )
     v.component_product_update(w)
@@ -174,8 +172,8 @@ def test_the_component_product_with_itself(rng: Random) -> None:
     wanted = (a[0] * a[0], a[1] * a[1], a[2] * a[2])
     about.call = f"v = Vector3{a}; v.component_product_update(v)"
     about.cause = (
-        "Here self and the argument are the same vector, v, so changing one also changes the "
-        "other. Read each component before you change it."
+        "Here self and the argument are the same vector, v, so a change to one is also a change to "
+        "the other. Read each component before you change it."
     )
     about.read = "book 2.1.6"
     v.component_product_update(v)
@@ -203,20 +201,20 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
     about(
-        cause="The scalar product is a single number. To compute it, multiply matching components "
-        "and add the three products."
+        cause="The scalar product is a single number. Multiply the matching components and add up "
+        "the three products."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     # The terms may cancel, so rounding is measured by the terms: at most 100 each.
     got = v.dot(w)
     mistakes = [
-        (wanted / (math.hypot(*a) * math.hypot(*b)), "The result is the cosine of the angle, so it "
-            "was divided by both lengths. The scalar product is |v| |w| cos t, so do not divide."),
+        (wanted / (math.hypot(*a) * math.hypot(*b)), "The result is the cosine of the angle, "
+         "because you divided by both lengths. The scalar product is |v| |w| cos t, so leave the "
+         "lengths in."),
         (a[0] * b[0] + a[1] * b[1], "The product of the z components is missing from the sum. Add "
-                                    "v.z times w.z."),
+         "v.z * w.z."),
         (math.hypot(*a) * math.hypot(*b), "The result is |v| |w|, so the cosine of the angle is "
-                                          "missing. Multiply matching components and add the "
-                                          "products instead."),
+         "missing. Multiply the matching components and add up the products instead."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
@@ -230,7 +228,7 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v @ w"
     about(
-        cause="The operator @ is a second name for the scalar product, so v @ w must equal "
+        cause="The operator @ is another way to write the scalar product, so v @ w must equal "
         "v.dot(w). In __matmul__, return self.dot(v).",
         read="book 2.1.7, Eq. 2.4",
     )
@@ -246,8 +244,8 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
     wanted = first * second * math.cos(angle)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
     about.cause = (
-        "The angle between v and w is obtuse, so the scalar product must be slightly negative. Do "
-        "not round it to 0."
+        "The angle between v and w is obtuse, so the scalar product is negative, if only slightly. "
+        "Don't round it to 0."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = Vector3(*a).dot(Vector3(*b))
@@ -260,8 +258,8 @@ def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
     w = Vector3(1.0, 1.0, 1.0)
     about(
         "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="If any component is NaN, the scalar product must be NaN too. Check whether your "
-        "code uses max, min or a comparison, because each of these can hide a NaN.",
+        cause="If any component is NaN, the scalar product must be NaN too. Check your code for "
+        "max, min and comparisons, because each of them can hide a NaN.",
     )
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))
@@ -292,8 +290,8 @@ def vector_product(a: Components, b: Components) -> Components:
 def test_x_cross_y_is_z_and_so_on_round() -> None:
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     about(
-        cause="In a right-handed coordinate system, X x Y = Z, Y x Z = X and Z x X = Y. Check "
-        "the order of the terms in each component."
+        cause="With right-handed axes, X x Y = Z, Y x Z = X and Z x X = Y. Check the order of the "
+        "terms in each component."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     products = []
@@ -306,12 +304,12 @@ def test_x_cross_y_is_z_and_so_on_round() -> None:
         about.call = call
         if all(turned):
             about.cause = (
-                "All three signs are reversed. The result is b x a, which is -(a x b), so swap the "
-                "two terms of every component."
+                "All three signs are flipped. The result is b x a, which is -(a x b), so swap the "
+                "two terms in every component."
             )
         elif turned[i]:
             about.cause = (
-                f"The sign of the {'zxy'[i]} component is reversed. Swap the two terms of "
+                f"The sign of the {'zxy'[i]} component is flipped. Swap the two terms of "
                 f"{'zxy'[i]}."
             )
         expect_close(got, wanted)
@@ -342,8 +340,7 @@ def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
     wanted = (0.0, first * second * math.sin(angle), 0.0)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
     about.cause = (
-        "The y component must be v.z * w.x - v.x * w.z. Check the order of its two terms, because "
-        "the one that starts with z comes first."
+        "The y component must be v.z * w.x - v.x * w.z. Check that its two terms are in this order."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     got = Vector3(*a).cross(Vector3(*b))
@@ -355,9 +352,7 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross_update(w)"
-    about.cause = (
-        "After the call, v must contain v x w, which is the same result that cross returns."
-    )
+    about.cause = "After this call, v must hold v x w, the same result that cross returns."
     about.read = "the docstring of Vector3.cross_update"
     v.cross_update(w)
     wanted = vector_product(a, b)
@@ -365,9 +360,9 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     y = a[2] * b[0] - x * b[2]
     mistakes = [
         (a, LOST),
-        ((x, y, x * b[1] - y * b[0]), "y was computed from the new x, because x had already been "
-                                      "stored. Compute all three components before you store the "
-                                      "first."),
+        ((x, y, x * b[1] - y * b[0]), "y was computed from the new x, which you had already "
+        "stored. Compute all three components before you store any "
+        "of them."),
     ]  # fmt: skip
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-12)
@@ -380,9 +375,9 @@ def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.cross_update(v)"
     about.cause = (
-        "The vector product of a vector with itself is zero. Here v is both factors, so "
-        "overwriting a component changes both of them. Read all components before you change the "
-        "first."
+        "The vector product of a vector with itself is zero. Since v is both factors here, "
+        "overwriting one of its components changes both. Read all the components before you change "
+        "any of them."
     )
     about.read = "book 2.1.8"
     v.cross_update(v)

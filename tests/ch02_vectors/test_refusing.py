@@ -34,14 +34,13 @@ def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
     for duration in (round(rng.uniform(0.1, 5.0), 3), 1e-300, 1e300, rng.randint(1, 9)):
         about.call = f"checked_duration({duration!r})"
         about.cause = (
-            "Every positive, finite number is a valid duration, so do not refuse this value. "
-            "Return float(duration)."
+            "Every positive, finite number is a valid duration, so accept this one and return "
+            "float(duration)."
         )
         got = exercises.checked_duration(duration)
         expect_close(got, float(duration), tolerance=0.0)
         about.cause = (
-            "A whole number is a valid duration, but it must be returned as a float. Return "
-            "float(duration)."
+            "An int is a valid duration, but you must return it as a float. Return float(duration)."
         )
         expect_exactly(got, float(duration))
 
@@ -50,8 +49,8 @@ def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
 def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
     for value in (0.0, -round(rng.uniform(0.1, 5.0), 3), -1e-300, 0):
         about.cause = (
-            "A step needs a positive duration, because no time passes in a step of 0 seconds. "
-            "Raise ValueError unless the duration is above 0."
+            "A step needs a positive duration, because no time passes in a step of 0 s. Raise "
+            "ValueError unless the duration is above 0."
         )
         expect_refusal(value, ValueError, about.cause)
 
@@ -59,12 +58,12 @@ def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
 @pytest.mark.exercise("B2.11")
 def test_infinite_durations_and_nan_are_refused() -> None:
     infinite = (
-        "An infinitely long step would move every particle to infinity, so an infinite duration is "
-        "not valid. Raise ValueError."
+        "An infinitely long step would send every particle to infinity, so reject an infinite "
+        "duration with a ValueError."
     )
     nan = (
-        "Every comparison with NaN is False, so a test such as duration <= 0 does not catch NaN. "
-        "Test for the valid range, 0.0 < duration < math.inf, and refuse everything else."
+        "Every comparison with NaN is False, so a test such as duration <= 0 doesn't catch NaN. "
+        "Test for the valid range, 0.0 < duration < math.inf, and reject everything else."
     )
     expect_refusal(math.inf, ValueError, infinite)
     expect_refusal(-math.inf, ValueError, infinite)
@@ -76,7 +75,7 @@ def test_infinite_durations_and_nan_are_refused() -> None:
 def test_what_is_not_a_number_is_refused(value: Any) -> None:
     about.cause = (
         "This value is not a number at all, so raise TypeError. Check isinstance(duration, (int, "
-        "float)) instead of calling float(), because float() also accepts a string."
+        "float)), because calling float() would accept a string such as '0.5'."
     )
     expect_refusal(value, TypeError, about.cause)
 
@@ -86,7 +85,7 @@ def test_what_is_not_a_number_is_refused(value: Any) -> None:
 def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
     about(
         "checked_duration(0.5)",
-        cause="Every positive, finite number is a valid duration, so do not raise an error here.",
+        cause="Every positive, finite number is a valid duration, so don't raise an error for it.",
     )
     about.read = READ
     exercises.checked_duration(0.5)
@@ -97,8 +96,8 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
         message = str(error)
     about.call = f"the error message of checked_duration({value!r})"
     about.cause = (
-        "The message must name the argument and show its value, so that the reader knows what went "
-        'wrong. For example: f"duration must be positive and finite, got {duration!r}".'
+        "The message must name the argument and show its value, so that the reader can see what "
+        'went wrong. For example: f"duration must be positive and finite, got {duration!r}".'
     )
     wanted = ("duration", str(value))
     got = tuple(word for word in wanted if word in message)

@@ -31,8 +31,8 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     wanted = (a[0] + b[0], a[1] + b[1], a[2] + b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v + w"
     about(
-        cause="Vectors are added component by component. Return a new vector whose components are "
-        "the sums x + x, y + y and z + z.",
+        cause="Vectors are added component by component. Return a new vector with the components "
+        "v.x + w.x, v.y + w.y and v.z + w.z.",
         read="book 2.1.4",
     )
     expect_close(xyz(v + w), wanted)
@@ -50,20 +50,20 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     wanted = (a[0] - b[0], a[1] - b[1], a[2] - b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v - w"
     about.cause = (
-        "Vectors are subtracted component by component. Return a new vector whose components are "
-        "v.x - w.x, and so on."
+        "Vectors are subtracted component by component. Return a new vector with the components "
+        "v.x - w.x, v.y - w.y and v.z - w.z."
     )
     about.read = "book 2.1.4"
     got = xyz(v - w)
     mistakes = [
         (
             tuple(-n for n in wanted),
-            "The result is w - v, so the two operands are swapped. "
-            "Subtract the components of w from the components of v.",
+            "The result is w - v, so the operands are swapped. Subtract the components of w from "
+            "those of v.",
         ),
         (
             (a[0] + b[0], a[1] + b[1], a[2] + b[2]),
-            "The result is v + w, so the components were added. Subtract them instead.",
+            "The result is v + w. Subtract the components instead of adding them.",
         ),
     ]
     blame(got, mistakes)
@@ -87,8 +87,8 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     made, step = f"v, other = Vector3{a}, Vector3{b}", f"v {operator} other"
     about.call = f"{made}; {step}"
     about.cause = (
-        "Change the components of self and end the method with return self, because Python assigns "
-        "the returned value to v."
+        "Change the components of self, and end the method with return self, because Python "
+        "assigns its result to v."
     )
     about.read = "book 2.1.4"
     if operator == "+=":
@@ -100,15 +100,14 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     mistakes = [
         (
             opposite,
-            f"The result is v {wrong_sign} other, so the components were combined "
-            "with the wrong sign.",
+            f"The result is v {wrong_sign} other. Check the sign between the components.",
         )
     ]
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-14)
     about.cause = (
-        "This operation may change only self, but it has changed the other vector as well. Read "
-        "the components of the other vector without assigning to them."
+        "This operation should change only self, but it changed the other vector too. Read the "
+        "other vector's components without assigning to them."
     )
     expect_unchanged("other", xyz(w), b)
     expect_same_object(made, step, v, before)
@@ -119,8 +118,8 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v, w = Vector3(*a), Vector3(*a)
     about.cause = (
-        "Here self and the argument are the same vector, v, so changing one also changes the "
-        "other. Read each component before you change it."
+        "Here self and the argument are the same vector, v, so a change to one is also a change to "
+        "the other. Read each component before you change it."
     )
     about(f"v = Vector3{a}; v -= v", read="book 2.1.4")
     v -= v
@@ -136,7 +135,7 @@ def test_a_vector_plus_a_number_is_refused(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "The other operand is not a Vector3, so return NotImplemented. Python then raises the "
+        "The other operand is not a Vector3, so return NotImplemented, and Python raises the "
         "TypeError for you."
     )
     about.read = "the docstring of Vector3.__add__"

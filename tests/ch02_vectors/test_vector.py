@@ -44,17 +44,14 @@ def test_a_copy_has_the_components_and_a_life_of_its_own(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.copy()"
-    about.cause = (
-        "A copy has the same components as the original. Return a new Vector3 with the same x, y "
-        "and z."
-    )
+    about.cause = "Return a new Vector3 with the same x, y and z as the original."
     about.read = "the docstring of Vector3.copy"
     copied = v.copy()
     expect_close(xyz(copied), a)
     copied.x = 99.0
     about.call = f"v = Vector3{a}; w = v.copy(); w.x = 99"
     about.cause = (
-        "copy() returned the vector itself, so a change to the copy also changes v. Return a new "
+        "copy() returned the vector itself, so any change to the copy also changes v. Return a new "
         "Vector3 with the same components."
     )
     expect_unchanged("v", xyz(v), a)
@@ -66,7 +63,7 @@ def test_clear_leaves_zero(rng: Random) -> None:
     v = Vector3(*a)
     about(
         f"v = Vector3{a}; v.clear()",
-        cause="This method must change the vector itself, so set all three components of self to "
+        cause="This method must change the vector itself. Set all three components of self to "
         "zero.",
     )
     about.read = "the docstring of Vector3.clear"
@@ -76,8 +73,7 @@ def test_clear_leaves_zero(rng: Random) -> None:
         [
             (
                 a,
-                f"{LOST} Assigning self = Vector3() only gives the name self a new meaning "
-                "and does not change v.",
+                f"{LOST} Assigning to the name self, as in self = Vector3(), doesn't change v.",
             )
         ],
     )
@@ -90,14 +86,14 @@ def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.invert()"
     about.cause = (
-        "Inverting a vector reverses its direction. Change the sign of every component of self, "
-        "for example with self.x = -self.x."
+        "Inverting a vector reverses its direction. Flip the sign of every component of self, for "
+        "example with self.x = -self.x."
     )
     about.read = "book 2.1, and errata.md"
     v.invert()
     printed = (
-        "The book's listing contains an error (E-14), because it sets x from z and never changes "
-        "z. Change the sign of each component from that component itself."
+        "The book's listing has a mistake (E-14): it sets x from z and never changes z. Flip the "
+        "sign of each component in place."
     )
     blame(xyz(v), [(a, LOST), ((-a[2], -a[1], a[2]), printed)])
     expect_close(xyz(v), scaled(a, -1.0))
@@ -109,9 +105,8 @@ def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
     v = Vector3(*a)
     about(
         f"v = Vector3{a}; -v",
-        cause="The vector -v points in the opposite direction. Return a "
-        "new vector with the signs of all three components "
-        "reversed.",
+        cause="-v points the opposite way. Return a new vector with the signs of all three "
+        "components flipped.",
     )
     about.read = "the docstring of Vector3.__neg__"
     expect_close(xyz(-v), scaled(a, -1.0))
@@ -127,20 +122,20 @@ def test_magnitude_is_the_length(rng: Random) -> None:
     a, length = whole_length(rng)
     about(
         f"Vector3{a}.magnitude()",
-        cause="The magnitude is the length of the vector, which is sqrt(x^2 + y^2 + z^2).",
+        cause="The magnitude of a vector is its length, sqrt(x^2 + y^2 + z^2).",
     )
     about.read = "book 2.1"
     got = Vector3(*a).magnitude()
     mistakes = [
-        (length**2, "The result is the squared length. Take its square root to get the length."),
+        (length**2, "The result is the squared length. Take its square root."),
         (
             math.hypot(a[0], a[1]),
-            "The result is the length without z. Include the square of z in the sum as well.",
+            "The result is the length without z. Add the square of z to the sum.",
         ),
         (
             sum(a),
-            "The result is the sum of the components. Square each component first, and then "
-            "take the square root of the sum.",
+            "The result is the sum of the components. Square each of them first, and then take "
+            "the square root of the sum.",
         ),
     ]
     blame(got, mistakes)
@@ -152,19 +147,19 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
     a, length = whole_length(rng)
     about(
         f"Vector3{a}.squared_magnitude()",
-        cause="The squared magnitude is x^2 + y^2 + z^2, without a square root.",
+        cause="The squared magnitude is x^2 + y^2 + z^2, with no square root.",
     )
     about.read = "book 2.1"
     got = Vector3(*a).squared_magnitude()
     mistakes = [
         (
             length,
-            "The result is the length itself. Leave out the square root, because this method "
-            "returns the squared length.",
+            "The result is the length itself. This method returns the squared length, so leave "
+            "out the square root.",
         ),
         (
             a[0] ** 2 + a[1] ** 2,
-            "The result is x^2 + y^2, so the z component is missing. Add the square of z.",
+            "The result is x^2 + y^2. Add the square of z.",
         ),
     ]
     blame(got, mistakes)
@@ -177,7 +172,7 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
     a, length = whole_length(rng)
     about.cause = (
         "The square of 1e200 is too large for a float, and the square of 1e-200 is too small. Use "
-        "math.hypot, which computes the length without overflow."
+        "math.hypot, which avoids both overflow and underflow."
     )
     about.read = "the docstring of Vector3.magnitude"
     for scale in (HUGE, TINY):
@@ -190,7 +185,7 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
 def test_the_zero_vector_has_the_length_zero() -> None:
     about(
         "Vector3(0, 0, 0).magnitude()",
-        cause="All components of this vector are zero, so its length must be zero too.",
+        cause="All three components are zero, so the length is zero too.",
     )
     about.read = "book 2.1"
     expect_close(Vector3(0.0, 0.0, 0.0).magnitude(), 0.0)
@@ -203,8 +198,8 @@ def test_nan_stays_visible_in_a_length() -> None:
     lost = Vector3(1.0, math.nan, 2.0)
     about.call = "Vector3(1, nan, 2).magnitude()"
     about.cause = (
-        "If a component is NaN, the length of the vector must be NaN too. Check for max, min or a "
-        "comparison in your method, because each of these can hide a NaN."
+        "If a component is NaN, the length must be NaN too. Check your method for max, min and "
+        "comparisons, because each of them can hide a NaN."
     )
     expect_nan(lost.magnitude())
     about.call = "Vector3(1, nan, 2).squared_magnitude()"
@@ -220,8 +215,8 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.normalize()"
     about.cause = (
-        "After the call, self must be a unit vector, which has length 1. Divide each of its three "
-        "components by the length."
+        "After this call, self must be a unit vector, a vector of length 1. Divide each of its "
+        "three components by the length."
     )
     about.read = "book 2.1.3"
     v.normalize()
@@ -231,13 +226,13 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
         (a, LOST),
         (
             scaled(a, length**-2),
-            "The vector was divided by its squared length. Divide it by its length instead, which "
+            "You divided the vector by its squared length. Divide it by its length, which "
             "magnitude() returns.",
         ),
         (
             (x, y, a[2] / math.hypot(x, y, a[2])),
-            "The length was computed again after x had changed, so the later components were "
-            "divided by a different number. Compute the length once and store it in a variable.",
+            "The length was computed again after x had changed, so y and z were divided by a "
+            "different number. Compute the length once, and keep it in a variable.",
         ),
     ]
     blame(xyz(v), mistakes)
@@ -249,13 +244,13 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     a, length = whole_length(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.normalized()"
-    about.cause = "Divide each component by the length and return the results as a new vector."
+    about.cause = "Divide each component by the length, and return the quotients as a new vector."
     about.read = "the docstring of Vector3.normalized"
     got = xyz(v.normalized())
     mistakes = [
         (
             scaled(a, length**-2),
-            "The vector was divided by its squared length. Divide it by its length instead, which "
+            "You divided the vector by its squared length. Divide it by its length, which "
             "magnitude() returns.",
         )
     ]
@@ -269,7 +264,7 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     Vector3(0.0, -1.0, 0.0).normalized()
     about.call = f"u = Vector3{a}.normalized(); Vector3(0, -1, 0).normalized(); u"
     about.cause = (
-        "The second call changed the result of the first, so both results are the same object. "
+        "The second call changed the result of the first, so both calls returned the same object. "
         "Create a new vector in every call."
     )
     expect_close(xyz(first), scaled(a, 1.0 / length))
@@ -280,8 +275,8 @@ def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
     about.call = "v = Vector3(0, 0, 0); v.normalized()"
     about.cause = (
-        "The zero vector has no direction, so it stays zero. Test whether the length is 0.0 before "
-        "you divide."
+        "The zero vector has no direction, so leave it at zero. Test whether the length is 0.0 "
+        "before you divide."
     )
     about.read = "book 2.1.3"
     expect_close(xyz(v.normalized()), ZERO)
@@ -300,8 +295,8 @@ def test_normalize_huge_and_tiny_vectors(rng: Random) -> None:
         v = Vector3(*b)
         about.call = f"v = Vector3{b}; v.normalize()"
         about.cause = (
-            "The square of such a component is outside the range of a float. Compute the length "
-            "with magnitude(), which avoids this problem."
+            "The square of such a component is out of range for a float. Compute the length with "
+            "magnitude(), which avoids the squares."
         )
         v.normalize()
         taken = (

@@ -44,23 +44,24 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
         about.cause = (
-            "Eq. 3.5 is v' = v d + a h. In every step, multiply the velocity by d, and then add "
-            "the acceleration times h."
+            "Eq. 3.5 is v' = v d + a h. In every step, multiply the velocity by d and then add the "
+            "acceleration times h."
         )
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
         undamped = (
-            "The velocity was not damped. Multiply it by d before you add the acceleration times h."
+            "You didn't damp the velocity. Multiply it by d before you add the acceleration times "
+            "h."
         )
         if d == 0.0:
             undamped = (
-                "A damping of 0 removes the whole velocity, but here all of it was kept. Python "
-                "treats 0 as false in an if statement, so do not use the damping itself as the "
-                "condition."
+                "A damping of 0 should remove the whole velocity, but all of it is still there. "
+                "Python treats 0 as false in an if statement, so don't use the damping itself as "
+                "the condition."
             )
         mistakes = [
             (
                 combined(v, a, d**h, h),
-                "The velocity was multiplied by d^h, as in Eq. 3.6, but this function must follow "
+                "The velocity was multiplied by d^h, as in Eq. 3.6, but this function implements "
                 "Eq. 3.5. Multiply it by d in every step.",
             ),
             (
@@ -70,8 +71,8 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
             ),
             (
                 combined(v, a, d, d * h),
-                "The acceleration was damped as well, but in Eq. 3.5 the "
-                "factor d belongs only to the velocity.",
+                "The acceleration was damped as well. In Eq. 3.5 the factor d applies only to the "
+                "velocity.",
             ),
             (combined(v, a, 1.0, h), undamped),
         ]
@@ -87,19 +88,19 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
         about.cause = (
-            "There is no acceleration here, so Eq. 3.6 becomes v' = v d^h, where the exponent h is "
-            "the duration of the step."
+            "There is no acceleration here, so Eq. 3.6 becomes v' = v d^h, where h is the duration "
+            "of the step."
         )
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         mistakes = [
             (
                 combined(v, v, d, 0.0),
-                "The velocity was multiplied by d, as in Eq. 3.5, but this function must follow "
+                "The velocity was multiplied by d, as in Eq. 3.5, but this function implements "
                 "Eq. 3.6. Multiply it by d^h.",
             ),
             (
                 combined(v, v, d * h, 0.0),
-                "The velocity was multiplied by d times h, but h is an exponent in Eq. 3.6. Use "
+                "The velocity was multiplied by d times h, but in Eq. 3.6 h is an exponent. Use "
                 "damping**duration.",
             ),
         ]
@@ -114,15 +115,11 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
     about.read = "book 3.3, Eq. 3.6, and errata.md"
     for d in (draw_damping(rng), 0.0, 1.5):
         about.call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
-        about.cause = (
-            "Eq. 3.6 is v' = v d^h + a h. Damp only the velocity, because the term a h is added "
-            "without damping."
-        )
+        about.cause = "Eq. 3.6 is v' = v d^h + a h. Damp only the velocity, and add a h undamped."
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
             "The result is (v + a h) d^h, as in the book's listing and in Particle.kick, which "
-            "contradict Eq. 3.6 (E-16). In this function, use Eq. 3.6 itself, which is v d^h + a "
-            "h."
+            "contradict Eq. 3.6 (E-16). This function implements Eq. 3.6 itself: v d^h + a h."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -135,8 +132,8 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
 def test_both_equations_give_a_new_vector(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.cause = (
-        "The vectors v and a belong to the caller, and v *= d would change v itself. Compute the "
-        "result as a new vector and return it."
+        "The vectors v and a belong to the caller, and v *= d would change v itself. Return the "
+        "result as a new vector."
     )
     about.read = "the docstring in damping.py"
     for name in ("damp_per_frame", "damp_per_second"):
@@ -171,7 +168,7 @@ def expect_refusal(
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
     about.cause = (
         "A duration must be positive and finite. Pass it to positive from arguments.py, which "
-        "raises the ValueError."
+        "raises the ValueError for you."
     )
     about.read = f"the docstring of {name}"
     expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0))
@@ -182,8 +179,8 @@ def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 def test_both_equations_refuse_text(name: str) -> None:
     about.cause = (
-        "not_negative and positive from arguments.py raise this TypeError for you, so pass the "
-        "arguments to them."
+        "Pass the arguments to not_negative and positive from arguments.py, which raise this "
+        "TypeError for you."
     )
     about.read = "the docstring in damping.py"
     for numbers in (("0.5", 0.5), (0.5, "0.5")):
@@ -197,7 +194,7 @@ def test_both_equations_refuse_text(name: str) -> None:
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
     about.cause = (
         "A damping must be finite and must not be negative. Pass it to not_negative from "
-        "arguments.py, which raises the ValueError."
+        "arguments.py, which raises the ValueError for you."
     )
     about.read = f"the docstring of {name}"
     expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5))
@@ -212,8 +209,8 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
     h = 1.0 / frames
     about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, [[{h}] * {frames}])"
     about.cause = (
-        "Start with the same velocity for both equations. In every step, update one velocity by "
-        "Eq. 3.5 and the other by Eq. 3.6."
+        "Start both equations with the same velocity. In every step, update one velocity by Eq. "
+        "3.5 and the other by Eq. 3.6."
     )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(), Vector3(0.0, -10.0, 0.0), damping, [[h] * frames])
@@ -226,9 +223,8 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
         [
             (
                 0.0,
-                "Both velocities ended up equal, perhaps because they are the same vector, so that "
-                "a change to one also changes the other. Use two separate copies of the given "
-                "velocity.",
+                "Both velocities ended up equal, perhaps because both names refer to the same "
+                "vector. Use two separate copies of the given velocity.",
             )
         ],
     )
@@ -241,8 +237,8 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
     about.call = f"damping_difference(Vector3{v}, Vector3{a}, {damping}, {runs})"
     about.cause = (
-        "Every run must start from the given velocity. Compute the result of each run, and then "
-        "return the mean over all runs."
+        "Every run must start from the given velocity. Compute the difference at the end of each "
+        "run, and return the mean of these differences."
     )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
@@ -262,18 +258,17 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     mistakes = [
         (
             wanted * len(runs),
-            "The result is the sum over all runs, but it should be their mean. Divide it by the "
-            "number of runs.",
+            "The result is the sum over all runs. Divide it by the number of runs to get the mean.",
         ),
         (
             math.fsum(speeds) / len(speeds),
-            "The result is the difference of the two speeds. Subtract the velocities as vectors "
-            "first, and then take the length of the difference.",
+            "The result is the difference of the two speeds. Subtract the velocities as vectors, "
+            "and then take the length of that difference.",
         ),
         (
             distances[-1],
-            "The result is the difference of the last run alone. Add up the "
-            "differences of all runs and divide by their number.",
+            "The result is the difference for the last run alone. Average the differences over "
+            "all runs.",
         ),
     ]
     blame(got, mistakes)
@@ -287,9 +282,7 @@ def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
     about.call = (
         f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, 0.5]])"
     )
-    about.cause = (
-        "With a damping of 1 both equations give v + a h, so the difference between them must be 0."
-    )
+    about.cause = "With a damping of 1, both equations give v + a h, so the difference must be 0."
     about.read = "the docstring of damping_difference"
     got = exercises.damping_difference(v, a, 1.0, [[0.5, 0.5]])
     expect_close(got, 0.0, tolerance=1e-13)
@@ -317,8 +310,8 @@ def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]
 @pytest.mark.robust
 def test_no_run_has_no_mean() -> None:
     about.cause = (
-        "The mean over an empty list of runs does not exist. Raise ValueError before you divide by "
-        "the number of runs."
+        "There is no mean over an empty list of runs. Raise ValueError before you divide by the "
+        "number of runs."
     )
     expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
 
@@ -328,8 +321,8 @@ def test_no_run_has_no_mean() -> None:
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
     about.cause = (
-        "This duration is not valid, so it must raise an error. The two damping functions already "
-        "refuse it, so call them in every step."
+        "This duration is not valid, so it must raise an error. If you call the two damping "
+        "functions in every step, they reject it for you."
     )
     expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]))
 
@@ -339,7 +332,7 @@ def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
     about.cause = (
-        "This damping is not valid, so it must raise an error. The two damping functions already "
-        "refuse it, so call them in every step."
+        "This damping is not valid, so it must raise an error. If you call the two damping "
+        "functions in every step, they reject it for you."
     )
     expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]))

@@ -20,18 +20,18 @@ from expect import about, blame, cause_of, expect_close, expect_error, expect_un
 def test_twice_the_mass_gets_half_the_speed() -> None:
     about(
         "speed_ratio(2, 1)",
-        cause="Because a = f / m, the same force accelerates the heavier body less, so it ends up "
+        cause="By a = f / m, the same force accelerates the heavier body less, so it ends up "
         "slower.",
     )
     about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
     faster = (
-        "The heavier body became the faster one, but a = f / m makes it slower. Do not follow the "
-        "book's sentence that acceleration is proportional to the mass, because it is wrong (E-1)."
+        "The heavier body came out faster, but by a = f / m it must be slower. Ignore the book's "
+        "sentence that acceleration is proportional to the mass, because it is wrong (E-1)."
     )
     mistakes = [
         (2.0, faster),
-        (0.0, "The operator // rounds down to a whole number. Divide with / instead."),
+        (0.0, "The operator // rounds down to a whole number. Use / instead."),
     ]
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 
@@ -41,8 +41,8 @@ def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
     first, second = round(rng.uniform(1.0, 9.0), 3), round(rng.uniform(10.0, 90.0), 3)
     about.call = f"speed_ratio({first}, {second})"
     about.cause = (
-        "After a time t the speeds are f t / m1 and f t / m2. Return the first speed divided by "
-        "the second, in which f and t cancel."
+        "After a time t the speeds are f t / m1 and f t / m2. Divide the first by the second, and "
+        "f and t cancel."
     )
     about.read = "the docstring of speed_ratio"
     got = exercises.speed_ratio(first, second)
@@ -55,7 +55,7 @@ def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
 def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
     about.cause = (
         "A mass must be positive and finite. Pass it to positive from arguments.py, which raises "
-        "the ValueError."
+        "the ValueError for you."
     )
     about.read = "the docstring of speed_ratio"
     for masses in ((bad, 1.0), (1.0, bad), (bad, bad)):
@@ -75,17 +75,17 @@ def test_the_force_between_two_people_of_100_kg() -> None:
     about(
         "gravity_between(100, 100, 1)",
         cause="By Eq. 3.3, the force between two masses is G m1 m2 / r^2, with G = 6.67428e-11. "
-        "Compare your formula with it.",
+        "Check your formula against it.",
     )
     about.read = "book 3.2, Eq. 3.3"
     got = exercises.gravity_between(100, 100, 1)
     mistakes = [
         (
             6.67428e-11 * 200,
-            "The masses were added, but the force is proportional to both of them. "
-            "Multiply the masses.",
+            "The masses were added, but the force is proportional to each of them. Multiply them "
+            "instead.",
         ),
-        (1e4, "The constant G is missing from the product. Multiply it by GRAVITATIONAL_CONSTANT."),
+        (1e4, "The constant G is missing from the product. Include GRAVITATIONAL_CONSTANT."),
     ]
     blame(got, mistakes)
     expect_close(got, 6.67428e-7, tolerance=1e-20)
@@ -98,25 +98,26 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     for distance in (round(rng.uniform(2.0, 9.0), 3), 0.25):
         about(
             f"gravity_between({m1}, {m2}, {distance})",
-            cause="By Eq. 3.3, the force between two masses is G m1 m2 / r^2. Compare your formula "
-            "with it.",
+            cause="By Eq. 3.3, the force between two masses is G m1 m2 / r^2. Check your formula "
+            "against it.",
         )
         got = exercises.gravity_between(m1, m2, distance)
         wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
         mistakes = [
             (
                 wanted * distance,
-                "The result was divided by the distance once. Divide by its square, r^2.",
+                "The result was divided by the distance once. Divide it by the square of the "
+                "distance.",
             ),
             (
                 wanted * distance**2,
-                "The distance does not affect the result, but gravity gets "
-                "weaker with the distance. Divide by r^2.",
+                "The distance makes no difference to your result, but gravity gets weaker with "
+                "distance. Divide by r^2.",
             ),
             (
                 wanted * distance**4,
-                "The force grows with the distance here, although gravity gets "
-                "weaker with it. Divide by r^2 instead of multiplying.",
+                "Your force grows with distance, but gravity gets weaker with it. Divide by r^2 "
+                "instead of multiplying.",
             ),
         ]
         blame(got, mistakes)
@@ -129,7 +130,7 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
 def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
     about.cause = (
         "The masses and the distance must be positive and finite. Pass each of them to positive "
-        "from arguments.py, which raises the ValueError."
+        "from arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of gravity_between"
     for data in ((bad, 1.0, 1.0), (1.0, bad, 1.0), (1.0, 1.0, bad)):
@@ -145,7 +146,7 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.robust
 def test_text_is_no_mass_and_no_distance() -> None:
     about.cause = (
-        "positive from arguments.py raises this TypeError for you, so pass the arguments to it."
+        "Pass the arguments to positive from arguments.py, which raises this TypeError for you."
     )
     about.read = "the docstring of gravity_between"
     data: Any
@@ -173,28 +174,27 @@ def vectors(*all_of: Components) -> tuple[Any, ...]:
 def test_five_seconds_by_the_equation() -> None:
     about(
         f"position_by_equation({EXAMPLE}, 5)",
-        cause="The position after a time t under constant acceleration is p' = p + v t + a t^2 / "
-        "2. Compare each term of your formula with it.",
+        cause="With a constant acceleration, the position after a time t is p' = p + v t + a t^2 "
+        "/ 2. Check each term of your formula against it.",
     )
     about.read = "book 2.2, Eq. 2.9"
     got = exercises.position_by_equation(*vectors(START, VELOCITY, ACCELERATION), 5)
     mistakes = [
         (
             (-43.0, 25.0, 21.5),
-            "The factor 1/2 of the acceleration term is missing. The term must be a t^2 / 2.",
+            "The factor 1/2 is missing from the acceleration term, which must be a t^2 / 2.",
         ),
         (
             (2.0, 2.5, 10.25),
-            "The acceleration term contains t, but it needs the square of the "
-            "time. The term must be a t^2 / 2.",
+            "The acceleration term has t in it, but it needs the square of the time: a t^2 / 2.",
         ),
         (
             (-20.0, 7.5, 16.25),
-            "The result is only the displacement. Add it to the start position p.",
+            "The result is only the displacement. Add the start position p to it.",
         ),
         (
             (-22.0, 16.5, 7.25),
-            "The velocity was added as if one second had passed. Multiply it by the time t first.",
+            "You added the velocity as if one second had passed. Multiply it by the time t first.",
         ),
     ]
     blame(xyz(got), mistakes)
@@ -211,7 +211,7 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
             f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, {t})"
         )
         about.cause = (
-            "The position after a time t under constant acceleration is p + v t + a t^2 / 2. "
+            "With a constant acceleration, the position after a time t is p + v t + a t^2 / 2. "
             "Return it as a new vector."
         )
         got = exercises.position_by_equation(position, velocity, acceleration, t)
@@ -219,8 +219,8 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
         # The rounding errors of numbers up to 400.
         expect_close(xyz(got), wanted, tolerance=1e-12)
         about.cause = (
-            "One of the caller's vectors was changed, because +=, *= and add_scaled change a "
-            "vector in place. Use + and *, which create a new vector."
+            "One of the caller's vectors was changed. +=, *= and add_scaled work in place, so use "
+            "+ and *, which create a new vector."
         )
         expect_unchanged("p", xyz(position), x)
         expect_unchanged("v", xyz(velocity), v)
@@ -234,7 +234,7 @@ def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
     about.call = f"position_by_equation({EXAMPLE}, {bad})"
     about.cause = (
         "The time must be positive and finite. Pass it to positive from arguments.py, which raises "
-        "the ValueError."
+        "the ValueError for you."
     )
     about.read = "the docstring of position_by_equation"
     data = vectors(START, VELOCITY, ACCELERATION)
@@ -253,14 +253,14 @@ def test_one_step_and_five_steps_of_a_second() -> None:
         about.call = f"state_by_steps({EXAMPLE}, 1, {steps})"
         about.cause = (
             "Return the position and the velocity as a pair. In each step, first move the position "
-            "by p' = p + v h, and then change the velocity by v' = v + a h."
+            "by p' = p + v h, and then update the velocity by v' = v + a h."
         )
         position, velocity = exercises.state_by_steps(
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
         few = (
-            "One step is missing. A loop over range(steps) runs steps times, but a loop over "
-            "range(1, steps) runs only steps - 1 times."
+            "One step is missing. A loop over range(steps) runs steps times, but one over range(1, "
+            "steps) runs only steps - 1 times."
         )
         mistakes = [
             (
@@ -270,13 +270,13 @@ def test_one_step_and_five_steps_of_a_second() -> None:
             ),
             (
                 (7.0, 0.0, 9.0),
-                "The result comes from a single step of 5 s. Make five steps of 1 s instead.",
+                "You made a single step of 5 s. Make five steps of 1 s instead.",
             ),
             (START if steps == 1 else (-6.0, 7.0, 10.0), few),
             (
                 (1.0, 5.0, 1.5) if steps == 1 else (-23.0, 15.0, 16.5),
                 "The velocity was changed before the position. Move the position first, because "
-                "this method uses the old velocity (E-17).",
+                "this method moves it with the old velocity (E-17).",
             ),
         ]
         blame(xyz(position), mistakes)
@@ -293,8 +293,8 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
         f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, {h}, {steps})"
     )
     about.cause = (
-        "Make the given number of steps, each of h seconds. Each step must start from the position "
-        "and velocity at which the last one ended."
+        "Make the given number of steps, each h seconds long. Each step must start from the "
+        "position and velocity that the last one ended with."
     )
     about.read = "book 2.2, Eq. 2.7 and 2.8"
     position, last = exercises.state_by_steps(p, velocity, acceleration, h, steps)
@@ -305,8 +305,8 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     wanted = tuple(v[i] + a[i] * t for i in range(3))
     expect_close(xyz(last), wanted, then=", the second", tolerance=1e-11)
     about.cause = (
-        "One of the caller's vectors was changed, because += and add_scaled change a vector in "
-        "place. Use a Particle or copies of the vectors."
+        "One of the caller's vectors was changed. += and add_scaled work in place, so use a "
+        "Particle or copies of the vectors."
     )
     expect_unchanged("p", xyz(p), x)
     expect_unchanged("v", xyz(velocity), v)
@@ -333,9 +333,9 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
     )
     if steps > 0:
         about.cause = (
-            "A duration must be positive and finite. If you move a Particle with integrate, it "
-            "refuses any other duration for you. If you compute the steps yourself, check the "
-            "duration with positive from arguments.py."
+            "A duration must be positive and finite. A Particle's integrate rejects any other "
+            "duration for you. If you compute the steps yourself, check the duration with positive "
+            "from arguments.py."
         )
     about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)
@@ -351,22 +351,21 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
 def test_five_steps_are_off_by_half_a_step() -> None:
     about(
         f"stepping_error({EXAMPLE}, 1, 5)",
-        cause="The error of the stepping method is the stepped position minus the exact position. "
-        "Return this difference as a vector.",
+        cause="The error is the stepped position minus the exact one. Return this difference as a "
+        "vector.",
     )
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
     mistakes = [
         (
             (-5.0, 2.5, 1.25),
-            "The result is the exact position minus the stepped one, which reverses the sign. "
+            "The result is the exact position minus the stepped one, which flips the sign. "
             "Subtract the exact position from the stepped one.",
         ),
         (
             (-15.0, 5.5, 12.75),
-            "The exact position was computed for a different time. The steps "
-            "cover a total of steps x duration, which is 5 s here, so use that "
-            "time.",
+            "The exact position was computed for a different time. Together the steps take steps "
+            "x duration, which is 5 s here, so use that time.",
         ),
         (
             math.hypot(5.0, 2.5, 1.25),
@@ -383,8 +382,8 @@ def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
     about.call = f"stepping_error(Vector3{x}, Vector3{v}, Vector3{a}, {h}, {steps})"
     about.cause = (
-        "In theory the error is -a t h / 2, where t = steps x h is the total time. Compare both "
-        "positions at this time t."
+        "The error works out to -a t h / 2, where t = steps x h is the total time. Compare the two "
+        "positions at that time t."
     )
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(x, v, a), h, steps)

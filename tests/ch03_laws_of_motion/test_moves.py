@@ -39,7 +39,7 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         words, p = a_particle(x, v, a, damping=damping)
         about.call = f"{words}; p.drift({h})"
         about.cause = (
-            "A drift moves the position by p' = p + v h. If h is negative, it moves the particle "
+            "A drift moves the position by p' = p + v h. With a negative h, it moves the particle "
             "back."
         )
         p.drift(h)
@@ -47,26 +47,25 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "The acceleration changed the position. drift must use only the velocity, because "
-                "the acceleration belongs to kick.",
+                "The acceleration changed the position. A drift uses only the velocity, and the "
+                "acceleration belongs to kick.",
             ),
             (
                 tuple(x[i] + v[i] * damping**h * h for i in range(3)),
-                "The velocity was damped in drift. This method must only read the velocity, "
-                "because kick does the damping.",
+                "You damped the velocity in drift. A drift only reads it, and kick does the "
+                "damping.",
             ),
             (
                 x,
-                "The position did not change. Multiply the velocity by h and add the product to "
-                "the position.",
+                "The position did not change. Add the velocity times h to it.",
             ),
         ]
         blame(got, mistakes if h else [])
         wanted = tuple(x[i] + v[i] * h for i in range(3))
         expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
         about.cause = (
-            "A drift must change only the position, so leave the velocity and the acceleration "
-            "unchanged."
+            "A drift must change only the position. Leave the velocity and the acceleration as "
+            "they are."
         )
         expect_unchanged("p.velocity", xyz(p.velocity), v)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
@@ -89,8 +88,8 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         words, p = a_particle(x, v, a, mass, damping)
         about.call = f"{words}; p.kick({h})"
         about.cause = (
-            "A kick changes the velocity by v' = (v + a h) d^h, even if the duration h is "
-            "negative. Add the acceleration first, and then damp the result."
+            "A kick changes the velocity by v' = (v + a h) d^h, even if h is negative. Add the "
+            "acceleration first, and then damp the sum."
         )
         p.kick(h)
         got = xyz(p.velocity)
@@ -103,35 +102,34 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             ),
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),
-                "The acceleration is given per second, but it was added as if the step lasted a "
+                "The acceleration is given per second, but you added it as if the step took a "
                 "whole second. Multiply it by h first.",
             ),
             (
                 tuple((v[i] + a[i] * h) * damping for i in range(3)),
-                "The velocity was multiplied by d in every kick. The damping d is given per "
+                "You multiplied the velocity by d in every kick. The damping d is given per "
                 "second, so multiply by d^h.",
             ),
             (
                 tuple(v[i] + a[i] * h for i in range(3)),
-                "The velocity was not damped. Multiply it by d^h after you add the acceleration.",
+                "You didn't damp the velocity. Multiply it by d^h after you add the acceleration.",
             ),
             (
                 tuple((v[i] + a[i] * h / mass) * keep for i in range(3)),
-                "The acceleration was divided by the mass, but only a force has to be divided by "
-                "it. Multiply the acceleration only by h.",
+                "The acceleration was divided by the mass, which only a force needs. Multiply the "
+                "acceleration by h and nothing else.",
             ),
             (
                 v,
-                "The velocity did not change. Multiply the acceleration by h and add the product "
-                "to the velocity.",
+                "The velocity did not change. Add the acceleration times h to it.",
             ),
         ]
         blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))
         expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
         about.cause = (
-            "A kick must change only the velocity, so leave the position and the acceleration "
-            "unchanged."
+            "A kick must change only the velocity. Leave the position and the acceleration as they "
+            "are."
         )
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
@@ -143,9 +141,9 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.drift({h} / 2); p.kick({h}); p.drift({h} / 2)"
     about.cause = (
-        "Under a constant acceleration, half a drift, a kick and another half drift give the exact "
-        "position x + v h + a h^2 / 2. Check that each call starts from the state that the last "
-        "one left."
+        "With a constant acceleration, half a drift, a kick and another half drift give the exact "
+        "position x + v h + a h^2 / 2. Check that each call starts from where the previous one "
+        "left off."
     )
     about.read = "book 2.4, Eq. 2.9, and the docstrings of drift and kick"
     p.drift(h / 2.0)
@@ -163,8 +161,8 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     about.cause = (
-        "A particle with infinite mass cannot move. Return from the method at once if inverse_mass "
-        "is 0."
+        "A particle with infinite mass cannot move, so if inverse_mass is 0, return from the "
+        "method at once."
     )
     for move in ("drift", "kick"):
         words, p = a_particle(x, v, a, math.inf, 0.5)
@@ -176,7 +174,7 @@ def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     about.call = f"{words}; p.mass = 2.0; p.drift({h}); p.kick({h})"
     about.read = "the docstrings of drift and kick"
     about.cause = (
-        "The particle now has a finite mass, so both drift and kick must change it. Check "
+        "The particle now has a finite mass, so drift and kick must both change it. Check "
         "inverse_mass in every call."
     )
     p.mass = 2.0

@@ -38,22 +38,22 @@ def draw_mass(rng: Random) -> float:
 def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
     about.call = "Particle()"
     about.cause = (
-        "__init__ must store the mass and the damping through your setters. The assignments "
-        "self.mass = mass and self.damping = damping call them."
+        "In __init__, store the mass and the damping through your setters, by assigning self.mass "
+        "= mass and self.damping = damping."
     )
     about.read = "the docstring of Particle"
     p = Particle()
     expect_close(p.mass, 1.0, then=".mass")
     expect_close(p.inverse_mass, 1.0, then=".inverse_mass")
     lost = (
-        "The result is the fraction of the velocity that is lost in a second. The damping is the "
+        "You returned the fraction of the velocity that is lost in a second. The damping is the "
         "fraction that is kept."
     )
     blame(p.damping, [(0.0, lost)])
     expect_close(p.damping, 1.0, then=".damping")
     about.cause = (
-        "This mass is finite, so return True. A comparison already gives True or False, so you can "
-        "return its result directly."
+        "This mass is finite, so return True. A comparison is already True or False, so return its "
+        "result directly."
     )
     for mass in (1.0, 1e9, 0.001):
         about.call = f"p.has_finite_mass, for a mass of {mass} kg"
@@ -71,14 +71,14 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
     )
     about(
         f"p = Particle(mass={first}); p.inverse_mass",
-        cause="The particle stores the inverse mass, which is 1 / mass.",
+        cause="The particle stores the inverse mass, 1 / mass.",
     )
     p = Particle(mass=first)
     blame(p.inverse_mass, [(first, itself)])
     expect_close(p.inverse_mass, 1.0 / first)
     for mass in (second, 4):  # an int is a number too
         about.cause = (
-            "The particle stores the inverse mass, which is 1 / mass. Store it whenever a mass is "
+            "The particle stores the inverse mass, 1 / mass. Store it every time a mass is "
             "assigned."
         )
         about.call = f"p = Particle(); p.mass = {mass}; p.inverse_mass"
@@ -92,8 +92,8 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
 def test_the_mass_comes_back(rng: Random) -> None:
     mass = draw_mass(rng)
     about(
-        cause="The particle stores only the inverse mass. The getter of mass must therefore "
-        "return 1 / inverse mass.",
+        cause="The particle stores only the inverse mass, so the getter of mass must return 1 / "
+        "inverse mass.",
         read="book 3.2",
     )
     for value in (mass, 1e9):
@@ -106,15 +106,15 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     inverse = 1.0 / draw_mass(rng)
     about.call = f"p = Particle(mass=8.0); p.inverse_mass = {inverse}"
     about.cause = (
-        "The assigned number is already an inverse mass, so store it unchanged. The mass is then 1 "
-        "/ inverse mass."
+        "The assigned number is already an inverse mass, so store it as is. The mass is then 1 / "
+        "inverse mass."
     )
     about.read = "book 3.2"
     p = Particle(mass=8.0)
     p.inverse_mass = inverse
     once_more = (
         "The result is 1 / inverse mass. The assigned number is already an inverse mass, so store "
-        "it unchanged."
+        "it as is."
     )
     blame(p.inverse_mass, [(1.0 / inverse, once_more)])
     expect_close(p.inverse_mass, inverse, then="; p.inverse_mass")
@@ -128,7 +128,7 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
     about.cause = (
-        "An infinite mass is valid, and its inverse is 0. Pass the mass to positive_or_infinite "
+        "An infinite mass is valid, and its inverse is 0. Check the mass with positive_or_infinite "
         "from arguments.py, which accepts math.inf."
     )
     about.read = "book 3.2"
@@ -136,14 +136,14 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
     expect_close(p.inverse_mass, 0.0, then="; p.inverse_mass")
     about.call += "; p.mass"
     about.cause = (
-        "An inverse mass of 0 belongs to an infinite mass, so return math.inf instead of dividing "
+        "An inverse mass of 0 stands for an infinite mass, so return math.inf instead of dividing "
         "by 0."
     )
     expect_exactly(p.mass, math.inf)
     about.call = "p = Particle(mass=math.inf); p.has_finite_mass"
     about.cause = (
-        "The mass of this particle is infinite, so has_finite_mass must be False. Compare the "
-        "mass with math.inf."
+        "This particle has infinite mass, so has_finite_mass must be False. Compare the mass with "
+        "math.inf."
     )
     expect_exactly(p.has_finite_mass, False)
 
@@ -152,20 +152,20 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
     about.cause = (
-        "An inverse mass of 0 is valid, because it belongs to a particle that cannot be moved. "
-        "Check it with not_negative from arguments.py, which accepts 0."
+        "An inverse mass of 0 is valid: it stands for a particle that cannot be moved. Check it "
+        "with not_negative from arguments.py, which accepts 0."
     )
     about.read = "book 3.2"
     p = Particle()
     p.inverse_mass = 0
     about.cause = (
-        "An inverse mass of 0 belongs to an infinite mass, so return math.inf instead of dividing "
+        "An inverse mass of 0 stands for an infinite mass, so return math.inf instead of dividing "
         "by 0."
     )
     expect_exactly(p.mass, math.inf, then="; p.mass")
     about.cause = (
-        "The mass of this particle is infinite, so has_finite_mass must be False. Compare the "
-        "mass with math.inf."
+        "This particle has infinite mass, so has_finite_mass must be False. Compare the mass with "
+        "math.inf."
     )
     got = p.has_finite_mass
     expect_exactly(got, False, then="; p.has_finite_mass")
@@ -174,8 +174,8 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
 @pytest.mark.exercise("B3.1")
 def test_a_damping_is_kept(rng: Random) -> None:
     about.cause = (
-        "Store the damping unchanged, because 0 and numbers above 1 are valid as well. Check it "
-        "with not_negative from arguments.py."
+        "Store the damping unchanged, because 0 and numbers above 1 are valid too. Check it with "
+        "not_negative from arguments.py."
     )
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
@@ -202,8 +202,8 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 
     expect_error(attempt, error, allowed=allowed)
     about.cause = (
-        "The setter refused this value, but it had already stored it. Check the value before you "
-        "store it, so that a refused value changes nothing."
+        "The setter rejected this value only after storing it. Check the value before you store "
+        "it, so that a rejected value changes nothing."
     )
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
@@ -214,7 +214,7 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 def test_a_mass_must_be_positive(bad: float) -> None:
     about.cause = (
         "A mass must be positive, and it may be infinite. Pass it to positive_or_infinite from "
-        "arguments.py, which raises the ValueError."
+        "arguments.py, which raises the ValueError for you."
     )
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
@@ -225,7 +225,7 @@ def test_a_mass_must_be_positive(bad: float) -> None:
 def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
     about.cause = (
         "An inverse mass must be finite and must not be negative. Pass it to not_negative from "
-        "arguments.py, which raises the ValueError."
+        "arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of inverse_mass"
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, read=about.read)
@@ -237,7 +237,7 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
     about.cause = (
         "A damping must be finite and must not be negative. Pass it to not_negative from "
-        "arguments.py, which raises the ValueError."
+        "arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of damping"
     expect_refusal("damping", bad, ValueError, good=0.5, read=about.read)
@@ -250,8 +250,8 @@ def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
 )
 def test_text_is_no_number(name: str, good: float) -> None:
     about.cause = (
-        "The functions in arguments.py raise this TypeError for you, so pass the value to one of "
-        "them in the setter."
+        "In the setter, pass the value to one of the functions in arguments.py, which raise this "
+        "TypeError for you."
     )
     about.read = f"the docstring of {name}"
     expect_refusal(name, "2", TypeError, good=good, read=about.read)
@@ -265,8 +265,8 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.momentum()"
     about.cause = (
-        "The momentum is the vector m v, so multiply the velocity by the mass. The damping has no "
-        "effect on it."
+        "The momentum is the vector m v, so multiply the velocity by the mass. The damping plays "
+        "no part in it."
     )
     about.read = "book 3.2"
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
@@ -279,8 +279,7 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
         ),
         (
             mass * math.sqrt(dot(v, v)),
-            "The result is the length of m v, but the momentum is a vector. Return the vector m v "
-            "itself.",
+            "The result is the length of m v, but the momentum is a vector. Return m v itself.",
         ),
         (v, "The result is the velocity alone. Multiply it by the mass to get the momentum."),
     ]
@@ -294,7 +293,7 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
     about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
     about.cause = (
         "momentum must return a new vector and leave the velocity unchanged. The expression "
-        "velocity * mass creates a new vector."
+        "self.velocity * self.mass creates one."
     )
     about.read = "the docstring of momentum"
     p = Particle(velocity=Vector3(*v))
@@ -335,8 +334,7 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     mistakes = [
         (
             mass * squared,
-            "The result is m |v|^2, so the factor 1/2 is missing. The kinetic energy "
-            "is half of this.",
+            "The result is m |v|^2. The kinetic energy is half of this.",
         ),
         (
             0.5 * mass * math.sqrt(squared),
@@ -356,8 +354,8 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
 def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     about.call = "p = Particle(velocity=Vector3(0, 0, -2)); p.kinetic_energy()"
     about.cause = (
-        "The kinetic energy is 1 kg * (2 m/s)^2 / 2 = 2 J. The direction of the velocity does not "
-        "matter, so the result is never negative."
+        "The kinetic energy is 1 kg * (2 m/s)^2 / 2 = 2 J. It doesn't depend on the direction of "
+        "the velocity, so it is never negative."
     )
     about.read = "book 3, exercise 3.3"
     p = Particle(velocity=Vector3(0, 0, -2))

@@ -17,7 +17,7 @@ def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float
     """Return the frames as plain floats."""
     about.call = f"random_frames({mean}, {jitter}, {total}, {seed})"
     about(
-        cause="The function must return a list of floats, with one duration for each frame.",
+        cause="Return a list of floats, one duration for each frame.",
         read="the docstring of random_frames",
     )
     frames: Any = exercises.random_frames(mean, jitter, total, seed)
@@ -29,8 +29,8 @@ def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float
 @pytest.mark.exercise("3.5a")
 def test_the_frames_fill_the_total_time(rng: Random) -> None:
     about.cause = (
-        "The sum of all durations must be exactly the total. Shorten the last frame so that it "
-        "ends there."
+        "The durations must add up to exactly the total. Shorten the last frame so that it ends "
+        "there."
     )
     about.read = "the docstring of random_frames"
     for mean, total in ((round(rng.uniform(0.01, 0.03), 4), 2.0), (0.1, 1.0), (0.3, 0.2)):
@@ -50,7 +50,7 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
         *frames, last = frames_of(mean, jitter, 8.0, seed)
         about.call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
         about.cause = (
-            "Every frame except the last must last from mean * (1 - jitter) to mean * (1 + "
+            "Every frame but the last must take between mean * (1 - jitter) and mean * (1 + "
             "jitter). Check the limits of your random numbers."
         )
         farthest = max(frames, key=lambda frame: abs(frame - mean))
@@ -58,7 +58,7 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
         name = ": the frame that is farthest from the mean, leaving out the last frame"
         expect_between(farthest, least, most, then=name, tolerance=1e-9 * mean)
         about.cause = (
-            "The last frame is what remains of the total, so it must be longer than 0 and no "
+            "The last frame is whatever remains of the total, so it must be longer than 0 but no "
             "longer than the longest frame that the jitter allows."
         )
         expect_exactly(last > 0.0, True, then=": is the last frame longer than 0?")
@@ -72,8 +72,8 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     frames = frames_of(mean, jitter, 20.0, seed)[:-1]
     about.call = f"random_frames({mean}, {jitter}, 20.0, {seed})"
     about.cause = (
-        "Each duration must be drawn uniformly from the whole range, which extends to both sides "
-        "of the mean."
+        "Draw each duration uniformly from the whole range, which extends to both sides of the "
+        "mean."
     )
     # The mean of about 1000 even draws is within 6 of its standard deviations. The chance that a
     # tenth of the range stays empty is 0.9^1000.
@@ -92,7 +92,7 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     if inner > 0.5:
         about.cause = (
             "Too many frames are close to the mean. Draw each duration with a single call of "
-            "uniform() instead of averaging several numbers."
+            "uniform() instead of averaging several random numbers."
         )
     expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
@@ -101,7 +101,7 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
 def test_without_jitter_all_frames_are_equal() -> None:
     about.cause = (
         "Without jitter, every frame has the mean duration. Rounding can leave about 1e-16 s of "
-        "the total, which must not become another frame."
+        "the total, so make sure that it doesn't become a frame of its own."
     )
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):
@@ -109,15 +109,15 @@ def test_without_jitter_all_frames_are_equal() -> None:
         got = frames_of(mean, 0.0, 1.0, 3)
         expect_close(got, [mean] * count, tolerance=1e-11)
     about.cause = (
-        "About 1e-7 s of the total remain after two frames. This is far more than a rounding "
+        "After two frames, about 1e-7 s of the total is left. That is far more than a rounding "
         "error, so add another frame for it."
     )
     about.call = "random_frames(0.25, 0.0, 0.5000001, 3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
     about.cause = (
-        "A rounding error is always small compared with the total. What remains here is 0.6 % of "
-        "the total, so add another frame for it."
+        "A rounding error is always small compared with the total. Here 0.6 % of the total is "
+        "left, so add another frame for it."
     )
     about.call = "random_frames(4e-06, 0.0, 8.05e-06, 3)"
     got = frames_of(4e-6, 0.0, 8.05e-6, 3)
@@ -130,7 +130,7 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
     about.call = f"random_frames(0.02, 0.5, 1.0, {seed})"
     about.cause = (
         "The frames must depend only on the seed. Create a new random.Random(seed) in the "
-        "function, and draw all numbers from it."
+        "function, and draw every number from it."
     )
     about.read = "the docstring of random_frames"
     first = frames_of(0.02, 0.5, 1.0, seed)
@@ -145,8 +145,8 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
         )
     name = f"{about.call}: are the frames sorted?"
     about.cause = (
-        "The durations only go up or only go down, so they seem to be sorted. Return them in the "
-        "order in which they were drawn."
+        "The durations only ever increase or only ever decrease, so they seem to be sorted. Return "
+        "them in the order in which you drew them."
     )
     in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))
     expect_exactly(in_order, False, call=name)
@@ -174,8 +174,7 @@ def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
     arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
     about.cause = (
         "The mean and the total must be positive and finite, and the jitter must be at least 0 and "
-        "below 1. Check all three before you draw the first number, because with an invalid value "
-        "the loop may never end."
+        "below 1. Check all three before you draw the first number, or the loop may never end."
     )
     about.read = "the docstring of random_frames"
     for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it

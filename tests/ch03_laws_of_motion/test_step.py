@@ -37,8 +37,8 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
         words, p = a_particle(x, v, a)
         about.call = f"{words}; p.integrate({h}); p.position"
         about.cause = (
-            "A step moves the position by p' = p + v h. Use the velocity that the particle has "
-            "before the step."
+            "A step moves the position by p' = p + v h, where v is the velocity from before the "
+            "step."
         )
         p.integrate(h)
         wanted = tuple(x[i] + v[i] * h for i in range(3))
@@ -46,17 +46,17 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
                 "The velocity was changed before the position. That is semi-implicit Euler, which "
-                "is a better method, but the book's step moves the position first, with the old "
+                "is the better method, but the book's step moves the position first, with the old "
                 "velocity (E-17).",
             ),
             (
                 tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
-                "The step added a h^2 / 2 to the position. The book leaves this term out on "
+                "The step added a h^2 / 2 to the position. The book leaves that term out on "
                 "purpose, so add only the velocity times h.",
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
-                "The velocity is given per second, but it was added as if the step lasted a whole "
+                "The velocity is given per second, but you added it as if the step took a whole "
                 "second. Multiply it by h first.",
             ),
             (x, "The position did not change. Call self.drift(duration) in integrate."),
@@ -78,7 +78,7 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
     mistakes = [
         (
             tuple(v[i] + a[i] for i in range(3)),
-            "The acceleration is given per second, but it was added as if the step lasted a whole "
+            "The acceleration is given per second, but you added it as if the step took a whole "
             "second. Multiply it by h first.",
         ),
         (v, "The velocity did not change. Call self.kick(duration) in integrate."),
@@ -86,8 +86,8 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
     blame(xyz(p.velocity), mistakes)
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
     about.cause = (
-        "The step changed the acceleration of the particle. Leave it unchanged, because the next "
-        "step needs it again."
+        "The step changed the particle's acceleration. Leave it unchanged, because the next step "
+        "needs it too."
     )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     p.acceleration = Vector3(*x)
@@ -95,8 +95,8 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
         f"{words}; p.integrate({h}); p.acceleration = Vector3{x}; p.integrate({h}); p.velocity"
     )
     about.cause = (
-        "The acceleration was changed between the two steps, and the second step must use the new "
-        "one. Read self.acceleration in every step."
+        "The check changes the acceleration between the two steps, and the second step must use "
+        "the new one. Read self.acceleration in every step."
     )
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h + x[i] * h for i in range(3))
@@ -107,8 +107,8 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
 def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
     h = draw_frame(rng)
     about.cause = (
-        "Without damping and acceleration the velocity stays the same, however small or large it "
-        "is. This is Newton's first law."
+        "Without damping or acceleration the velocity stays the same, however small or large it "
+        "is. That is Newton's first law."
     )
     about.read = "book 3.2: the first law"
     for v in ((1e-9, -2e-5, 3e-3), (1e3, -2e5, 3e8)):
@@ -137,8 +137,8 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
     ):
         about.call = f"p = Particle(velocity=Vector3{v}, {damping=}); p.integrate(h) for each h in "
         about.cause = (
-            "The damping d is the fraction of the velocity that remains after one second. A step "
-            "of h seconds therefore keeps d^h, which is damping ** duration."
+            "The damping d is the fraction of the velocity that remains after one second, so a "
+            "step of h seconds keeps d^h, which is damping ** duration."
         )
         kept = damping ** sum(frames)
         got = probes.velocity_after(v, damping, frames)
@@ -146,15 +146,15 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
         mistakes = [
             (
                 tuple(n * each for n in v),
-                "The velocity was multiplied by d in every step, as in Eq. 3.5. The damping d is "
+                "You multiplied the velocity by d in every step, as in Eq. 3.5. The damping d is "
                 "given per second, so multiply by d^h.",
             ),
             (
                 tuple(n * first for n in v),
-                "The factor d^h of the first step was used in all steps. Compute it again in each "
+                "You used the factor d^h of the first step in all steps. Compute it again in each "
                 "step, because the durations differ.",
             ),
-            (v, "The velocity was not damped. Multiply it by d^h in every step."),
+            (v, "You didn't damp the velocity. Multiply it by d^h in every step."),
         ]
         blame(got, mistakes)
         wanted = (v[0] * kept, v[1] * kept, v[2] * kept)
@@ -170,21 +170,21 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     about.call = f"{words}; p.integrate({h}); p.velocity"
     about.cause = (
         "A step changes the velocity by v' = (v + a h) d^h, as in the book's listing. Add the "
-        "acceleration first, and then damp the result."
+        "acceleration first, and then damp the sum."
     )
     about.read = "the docstring of integrate, errata.md"
     p.integrate(h)
     wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
     equation = (
-        "The result is v d^h + a h, as in Eq. 3.6, which the book's listing contradicts (E-16). "
-        "The engine follows the listing, so compute (v + a h) d^h."
+        "The result is v d^h + a h, as in Eq. 3.6. The book's listing contradicts that equation "
+        "(E-16), and the engine follows the listing, so compute (v + a h) d^h."
     )
     mistakes = [(tuple(v[i] * damping**h + a[i] * h for i in range(3)), equation)]
     blame(xyz(p.velocity), mistakes)
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
     about.cause = (
-        "The step has changed p.acceleration, probably because the damping was applied to it. "
-        "Damp only the velocity, because the next step needs the same acceleration again."
+        "The step changed p.acceleration, probably by damping it. Damp only the velocity, because "
+        "the next step needs the same acceleration again."
     )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
@@ -197,8 +197,8 @@ def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
         "p.integrate(0.5); p.velocity"
     )
     about.cause = (
-        "The damping was changed between the two steps. Compute d^h in every step from the damping "
-        "that the particle has now, because a stored value can be out of date."
+        "The check changes the damping between the two steps. Compute d^h from self.damping in "
+        "every step, because a stored factor can go out of date."
     )
     about.read = "the docstring of integrate"
     p = Particle(velocity=Vector3(*v))
@@ -216,16 +216,14 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     words, p = a_particle(x, v, (0.0, 0.0, 0.0), 0.0)
     about.call = f"{words}; p.integrate({h})"
     about.cause = (
-        "Since 0^h is 0, a damping of 0 stops the particle. Python treats 0 as false in an if "
-        "statement, so do not use the damping itself as the condition."
+        "Since 0^h is 0, a damping of 0 must stop the particle. Python treats 0 as false in an if "
+        "statement, so don't use the damping itself as the condition."
     )
     about.read = "the docstring of integrate"
     p.integrate(h)
     expect_close(xyz(p.velocity), (0.0, 0.0, 0.0), then="; p.velocity")
     wanted = tuple(x[i] + v[i] * h for i in range(3))
-    about.cause = (
-        "Move the position first, with the velocity that the particle has before it is damped."
-    )
+    about.cause = "Move the position first, with the velocity from before the damping."
     expect_close(xyz(p.position), wanted, then="; p.position", tolerance=1e-13)
 
 
@@ -233,8 +231,8 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
 def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
     v, a, mass = components(rng), components(rng), round(rng.uniform(2.0, 90.0), 3)
     about.cause = (
-        "An acceleration already takes the mass into account, because it is not a force. Do not "
-        "use the mass in this step."
+        "An acceleration is not a force, so it already takes the mass into account. Don't use the "
+        "mass in this step."
     )
     about.read = "book 3.2"
     for acceleration, damping in ((a, 1.0), ((0.0, 0.0, 0.0), 0.25)):
@@ -257,7 +255,7 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
     )
     about.cause = (
         "The exact position is 125 m below the start. Explicit Euler must end a t h / 2 = 0.41667 "
-        "m short of that, because each step uses the velocity from its start."
+        "m short of it, because each step uses the velocity from the beginning of the step."
     )
     about.read = "book 3.3.2, Eq. 2.7 and 2.8"
     got = probes.position_after_fall(10.0, 1.0 / 60.0, 300)
@@ -273,8 +271,8 @@ def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
         f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); p.integrate({h})"
     )
     about.cause = (
-        "A particle with infinite mass cannot move. Return from the method at once if inverse_mass "
-        "is 0."
+        "A particle with infinite mass cannot move, so if inverse_mass is 0, return from the "
+        "method at once."
     )
     about.read = "the docstring of integrate"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf, damping=0.5)
@@ -301,7 +299,7 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     )
     about.cause = (
         "last_acceleration must return the acceleration of the last step unchanged. The mass and "
-        "the damping have no effect on it."
+        "the damping play no part in it."
     )
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=4.0, damping=0.5)
@@ -311,13 +309,13 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     last.x = 99.0
     about.call = f"{about.call}.x = 99.0"
     about.cause = (
-        "last_acceleration returned one of the particle's own vectors, so a change to the result "
+        "last_acceleration returned one of the particle's own vectors, so any change to the result "
         "also changes the particle. Return a copy."
     )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     about.cause = (
-        "The acceleration was changed before the last step. Return the acceleration that this last "
-        "step used, not the one of an earlier step."
+        "The check changes the acceleration before the last step. Return the one that the last "
+        "step used, not that of an earlier step."
     )
     p.acceleration = Vector3(a[1], a[2], a[0])
     p.integrate(0.5)
@@ -336,13 +334,13 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     kicks = probes.kicks_of_a_step(x, v, h)
     about.cause = (
         "integrate must call self.kick(duration) exactly once. The particle of chapter 5 adds its "
-        "forces in its own kick, so its steps depend on this call."
+        "forces in a kick of its own, so it relies on this call."
     )
     got = [duration for duration, _ in kicks]
     expect_exactly(got, [h], then="the durations of the kicks")
     about.cause = (
-        "The position must have moved before the kick. Call drift first, so that the position "
-        "moves with the old velocity."
+        "The position must move before the kick. Call drift first, so that the position moves with "
+        "the old velocity."
     )
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     expect_close(kicks[0][1], wanted, then="p.position when kick is called", tolerance=1e-13)
@@ -357,12 +355,12 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
     for mass in (1.0, math.inf):
         about.cause = (
             "A duration must be positive and finite. Pass it to positive from arguments.py, which "
-            "raises the ValueError."
+            "raises the ValueError for you."
         )
         if mass == math.inf:
             about.cause = (
-                "An invalid duration must raise an error even for an immovable particle. Check the "
-                "duration before you check the mass."
+                "An invalid duration must raise an error even if the particle is immovable. Check "
+                "the duration before you check the mass."
             )
         about.call = (
             f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass!r}); "
@@ -376,8 +374,8 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
                 allowed=lambda: Particle().integrate(0.5),
             )
         about.cause = (
-            "The step was refused, but it had already changed the particle. Check the duration "
-            "before you change anything."
+            "integrate rejected the step, but it had already changed the particle. Check the "
+            "duration before you change anything."
         )
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.velocity", xyz(p.velocity), v)
@@ -388,7 +386,7 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
 def test_text_is_no_duration() -> None:
     about.call = 'Particle().integrate("0.5")'
     about.cause = (
-        "positive from arguments.py raises this TypeError for you, so pass the duration to it."
+        "Pass the duration to positive from arguments.py, which raises this TypeError for you."
     )
     about.read = "the docstring of integrate"
     expect_error(

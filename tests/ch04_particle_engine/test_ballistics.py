@@ -61,26 +61,24 @@ def test_the_axes_of_aiming(rng: Random) -> None:
         about(f"aim({speed}, {azimuth}, {elevation})", cause=cause)
         got = xyz(ballistics.aim(speed, azimuth, elevation))
         small = math.radians(QUARTER)
-        degrees = (
-            "The angles are already given in radians, so do not convert them with math.radians."
-        )
+        degrees = "The angles are already in radians, so don't convert them with math.radians."
         mistakes = {
             (0.0, 0.0): [
                 (
                     (speed, 0.0, 0.0),
-                    "The azimuth was measured from X, but 0 must point along Z. "
-                    "Measure it from Z toward X.",
+                    "The azimuth was measured from X, so 0 points along X. Measure it from Z "
+                    "toward X.",
                 ),
                 (
                     (0.0, speed, 0.0),
-                    "The elevation was measured from the vertical. Measure it from the ground "
-                    "instead, so that an elevation of 0 is level.",
+                    "The elevation was measured from the vertical. Measure it from the ground, so "
+                    "that an elevation of 0 is level.",
                 ),
             ],
             (QUARTER, 0.0): [
                 (
                     (-speed, 0.0, 0.0),
-                    "The azimuth has the wrong sign. A positive azimuth must rotate the velocity "
+                    "The azimuth has the wrong sign. A positive azimuth must turn the velocity "
                     "from Z toward X.",
                 ),
                 ((speed * math.sin(small), 0.0, speed * math.cos(small)), degrees),
@@ -88,13 +86,12 @@ def test_the_axes_of_aiming(rng: Random) -> None:
             (0.0, QUARTER): [
                 (
                     (0.0, speed, speed),
-                    "The part of the velocity along the ground is too fast. Multiply the speed by "
-                    "cos(elevation) for this part.",
+                    "The horizontal part of the velocity is too fast. Multiply the speed by "
+                    "cos(elevation) to get it.",
                 ),
                 (
                     (0.0, -speed, 0.0),
-                    "The Y component has the wrong sign, because a positive "
-                    "elevation must point up.",
+                    "The Y component has the wrong sign. A positive elevation must point up.",
                 ),
                 ((0.0, speed * math.sin(small), speed * math.cos(small)), degrees),
             ],
@@ -109,9 +106,9 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     azimuth, elevation = round(rng.uniform(0.4, 1.1), 3), round(rng.uniform(0.4, 1.1), 3)
     about.cause = (
-        "The vertical part of the velocity is speed x sin(elevation), and the part along the "
-        "ground is speed x cos(elevation). Multiply the part along the ground by sin(azimuth) to "
-        "get X, and by cos(azimuth) to get Z."
+        "The vertical part of the velocity is speed x sin(elevation), and the horizontal part is "
+        "speed x cos(elevation). Multiply the horizontal part by sin(azimuth) to get X, and by "
+        "cos(azimuth) to get Z."
     )
     about.read = "the docstring of aim"
     turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
@@ -150,42 +147,44 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
     about.call = f'r = BallisticRange(); r.fire("{name}"); r.shots'
     about.cause = (
-        "Each call of fire must add exactly one Shot of the given type to the list of shots."
+        "Each call to fire must add exactly one Shot, of the given type, to the list of shots."
     )
     about.read = "the docstring of fire; book 4.1.2"
     at = BallisticRange()
     at.fire(name)
     expect_exactly(types_of(at), (name,), then=", their types")
     shot = at.shots[0]
-    about.cause = "A shot that was just fired has not flown yet, so its age must be 0."
+    about.cause = "A shot that has just been fired has not flown yet, so its age is 0."
     expect_close(shot.age, 0.0, then="[0].age")
     p, own = shot.particle, f"{about.call}[0].particle"
-    about.cause = "Every shot starts at MUZZLE, so place the new particle there."
+    about.cause = "Every shot starts at MUZZLE, so put the new particle there."
     expect_close(xyz(p.position), (0.0, 1.5, 0.0), call=f"{own}.position")
     _, up, along = velocity
     speed = math.hypot(up, along)
     mistakes = [
         (
             (0.0, 0.0, speed),
-            "No elevation was given here, so the shot must keep the angle of its type's velocity.",
+            "No elevation was given, so the shot must keep the angle of its type's velocity.",
         ),
         (
             (0.0, up * along / speed, along * along / speed),
-            "The speed of the shot is too low. Use the length of the type's velocity, not only "
-            "its Z component.",
+            "The shot is too slow. Use the length of its type's velocity, not just the Z "
+            "component.",
         ),
     ]
-    unaimed = "No angles were given here, so the shot must have the velocity of its type."
+    unaimed = "No angles were given, so the shot must start with the velocity of its type."
     about.cause = cause_of(xyz(p.velocity), mistakes, unaimed)
     expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity")
     about.cause = (
-        "The shot must accelerate as its type does, so pass the acceleration of the type to the "
+        "The shot must accelerate as its type does, so pass the type's acceleration to the "
         "Particle."
     )
     expect_close(xyz(p.acceleration), acceleration, call=f"{own}.acceleration")
-    about.cause = "The shot must have the mass of its type, so pass this mass to the Particle."
+    about.cause = "The shot must have the mass of its type, so pass that mass to the Particle."
     expect_close(p.mass, mass, call=f"{own}.mass")
-    about.cause = "The shot must have the damping of its type, so pass it to the Particle."
+    about.cause = (
+        "The shot must have the damping of its type, so pass that damping to the Particle."
+    )
     expect_close(p.damping, damping, call=f"{own}.damping")
 
 
@@ -198,8 +197,8 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     calls = "; ".join(f'r.fire("{name}")' for name in names)
     about(
         f"r = BallisticRange(); {calls}; r.shots",
-        cause="Append each new shot at the end of the "
-        "list, so that the shots stay in the order in which they were fired.",
+        cause="Append each new shot to the end of the list, so that the shots stay in the order "
+        "in which they were fired.",
     )
     about.read = "the docstring of BallisticRange"
     at = BallisticRange()
@@ -207,8 +206,8 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
         at.fire(name)
     expect_exactly(types_of(at), tuple(names), then=", their types")
     about.cause = (
-        "Two shots or two ranges share an object. Create a new particle for each shot and a new "
-        "list of shots for each range."
+        "Two shots, or two ranges, share an object. Create a new particle for every shot, and a "
+        "new list of shots for every range."
     )
     at.shots[0].particle.velocity.x = 99.0
     about.call = f"{about.call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
@@ -233,8 +232,8 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
         wanted = (along * math.sin(azimuth), up, along * math.cos(azimuth))
         got = xyz(at.shots[-1].particle.velocity)
         unaimed = (
-            "The result is the type's own velocity, so the azimuth had no effect. Rotate the "
-            "velocity by the azimuth."
+            "The shot still has its type's velocity, so the azimuth had no effect. Rotate the "
+            "velocity by it."
         )
         blame(got, [((0.0, up, along), unaimed)])
         expect_close(got, wanted, tolerance=ROUNDED)
@@ -250,8 +249,8 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
         )
         if elevation == 0.0:
             about.cause = (
-                "An elevation of 0 is a valid angle and means level. Python treats 0 as false in "
-                "an if statement, so compare with None instead."
+                "An elevation of 0 is valid and means a level shot. Python treats 0 as false in an "
+                "if statement, so compare the elevation with None instead."
             )
         about.call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.velocity'
         at = BallisticRange()
@@ -260,7 +259,7 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
         got = xyz(at.shots[-1].particle.velocity)
         expect_close(got, wanted, tolerance=ROUNDED)
         about.cause = (
-            "Only the velocity depends on the angles. Leave the acceleration unchanged, because "
+            "Only the velocity depends on the angles. Leave the acceleration alone, because "
             "gravity always points down."
         )
         about.call = (
@@ -274,9 +273,7 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
 def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     azimuth, elevation = round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(0.3, 1.2), 3)
     about.call = f'r.fire("artillery", {azimuth}, {elevation}); r.shots[-1].particle.velocity'
-    about(
-        cause="Both angles were given, so pass both of them to aim.", read="the docstring of fire"
-    )
+    about(cause="Both angles were given, so pass both to aim.", read="the docstring of fire")
     at = BallisticRange()
     at.fire("artillery", azimuth, elevation)
     level = 50.0 * math.cos(elevation)
@@ -286,15 +283,15 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
         (
             (0.0, 50.0 * math.sin(elevation), level),
             (
-                "The azimuth was ignored, so the shot flies straight down the range. Pass it to "
-                "aim together with the elevation."
+                "You ignored the azimuth, so the shot flies straight down the range. Pass it to "
+                "aim along with the elevation."
             ),
         ),
         (
             (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
             (
-                "The elevation was ignored, so the shot kept the angle of its type. Pass it to "
-                "aim together with the azimuth."
+                "You ignored the elevation, so the shot kept the angle of its type. Pass it to aim "
+                "along with the azimuth."
             ),
         ),
     ]
@@ -306,8 +303,8 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
 @pytest.mark.robust
 def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
     about.cause = (
-        "A call that is refused must not add a shot. Look up the type and check the angles before "
-        "you change the list."
+        "A call that raises an error must not add a shot. Look up the type and check the angles "
+        "before you touch the list."
     )
     about.read = "the docstring of fire"
     at = BallisticRange()

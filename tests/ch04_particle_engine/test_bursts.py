@@ -20,7 +20,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     speeds = [number(rng) for _ in range(5)]
     about.cause = (
         "The position of each spark is start + speed x gone + acceleration x fallen. Return the "
-        "positions in the order of the speeds."
+        "positions in the same order as the speeds."
     )
     about.read = BURST
     t = round(rng.uniform(1.0, 3.0), 3)
@@ -30,26 +30,25 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     mistakes = [
         (
             [number - start for number in wanted],
-            "The start position is missing from the results, so add it to each of them.",
+            "The start position is missing. Add it to every result.",
         ),
         (
             [start + speed * t for speed in speeds],
-            "The results do not include the acceleration, so add acceleration x fallen to each of "
-            "them.",
+            "The acceleration is missing. Add acceleration x fallen to every result.",
         ),
         (
             sorted(wanted),
-            "The positions were sorted, but they must be in the order of the speeds.",
+            "You sorted the positions. Return them in the same order as the speeds.",
         ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
     given = probes.speeds_after(start, list(speeds), a, 0.5, t)
-    about.cause = "The list of speeds belongs to the caller, so the function must not change it."
+    about.cause = "The list of speeds belongs to the caller, so don't change it."
     expect_unchanged("the list of speeds", given, speeds)
     about.cause = (
         "The position of each spark is start + speed x gone + acceleration x fallen. Return the "
-        "positions in the order of the speeds."
+        "positions in the same order as the speeds."
     )
     damping = round(rng.uniform(0.2, 0.8), 3)
     k = -math.log(damping)
@@ -62,8 +61,8 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         [
             (
                 without,
-                "The positions are those without drag, so the damping was ignored. Use "
-                "the factors gone and fallen that drag_factors returns.",
+                "These are the positions without drag, so the damping was ignored. Use the "
+                "factors gone and fallen that drag_factors returns.",
             )
         ],
     )
@@ -75,7 +74,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
 def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
     about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
     about.cause = (
-        "The factors do not depend on the speed, so they are the same for all sparks. Call "
+        "The factors don't depend on the speed, so they are the same for all sparks. Call "
         "drag_factors once, before the loop."
     )
     about.read = BURST
@@ -90,11 +89,13 @@ def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
 def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     start = number(rng)
     about(f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)", read=BURST)
-    about.cause = "At time 0 no spark has moved yet, so every spark must be at the start position."
+    about.cause = (
+        "At time 0 no spark has moved yet, so all of them are still at the start position."
+    )
     got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
     expect_close(got, [start, start])
     about.call = f"len(burst_positions({start}, [], -10.0, 0.5, 1.0))"
-    about.cause = "Without any speeds there are no sparks, so return an empty list."
+    about.cause = "If there are no speeds, there are no sparks, so return an empty list."
     got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
     expect_close(got, 0)
 

@@ -57,14 +57,13 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
         undamped = (
-            "These are the factors for a motion without drag, so the damping was ignored. Use it "
-            "to compute k = -ln d."
+            "These are the factors without drag, so the damping was ignored. Use it to compute k = "
+            "-ln d."
         )
         if damping == 0.9999:
             undamped = (
-                "This damping is near 1 and was treated as 1, as if there were no drag. But the "
-                "effect of drag depends on k t, and this product is large here because the time "
-                "is long."
+                "This damping is near 1 and was treated as 1, as if there were no drag. But what "
+                "matters is k t, and that product is large here because the time is long."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
@@ -72,14 +71,13 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
             *(
                 (
                     (kept, gone, (time - gone) / drag),
-                    "The result was computed with k = 1 - d, but the equation uses k = -ln d.",
+                    "You computed k as 1 - d, but the equation uses k = -ln d.",
                 )
                 for kept, gone in powers
             ),
             (
                 (wanted[0], wanted[1], time * time / 2.0),
-                "The factor fallen is t^2 / 2 only if there is no drag. With drag, compute it as "
-                "(t - gone) / k.",
+                "fallen is t^2 / 2 only without drag. With drag, it is (t - gone) / k.",
             ),
             ((1.0, time, time * time / 2.0), undamped),
         ]
@@ -97,28 +95,28 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
             1.0,
             time,
             (1.0, time, time * time / 2.0),
-            "A damping of 1 gives k = 0, so you cannot "
-            "divide by k. Return the factors without drag, which are 1, t and t^2 / 2.",
+            "A damping of 1 gives k = 0, and you cannot divide by that. Return the factors "
+            "without drag: 1, t and t^2 / 2.",
         ),
         (
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            "A damping of 0 stops the motion at once, so all factors are 0. Handle this case "
-            "before you compute the logarithm, because ln 0 does not exist.",
+            "A damping of 0 stops the motion at once, so all three factors are 0. Handle this "
+            "case before you take the logarithm, because there is no ln 0.",
         ),
         (
             0.5,
             0.0,
             (1.0, 0.0, 0.0),
-            "No time has passed yet, so nothing has changed. The factors must be 1, 0 and 0.",
+            "No time has passed, so nothing has changed. The factors must be 1, 0 and 0.",
         ),
         (
             0.0,
             0.0,
             (1.0, 0.0, 0.0),
-            "No time has passed yet, so nothing has changed, even with a "
-            "damping of 0. The factors must be 1, 0 and 0.",
+            "No time has passed, so nothing has changed, even with a damping of 0. The factors "
+            "must be 1, 0 and 0.",
         ),
     ):
         about(f"kept, gone and fallen of drag_factors({damping}, {t})", cause=cause)
@@ -130,8 +128,8 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
 @pytest.mark.parametrize("away", [1e-13, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
 def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> None:
     about.cause = (
-        "If k t is small, 1 - d^t and t - gone are differences of nearly equal numbers, so most of "
-        "their digits are lost. Use math.expm1 and the first few terms of the series instead."
+        "If k t is small, 1 - d^t and t - gone are differences of nearly equal numbers and lose "
+        "most of their digits. Use math.expm1 and the first few terms of the series instead."
     )
     about.read = FACTORS
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
@@ -148,8 +146,8 @@ def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> N
 @pytest.mark.exercise("B4.8")
 def test_the_factors_hold_for_short_times(rng: Random) -> None:
     about(
-        cause="Even for a very short time, gone and fallen are not exactly 0. Check whether your "
-        "code rounds a small result or treats it as 0.",
+        cause="Even after a very short time, gone and fallen are not exactly 0. Check whether "
+        "your code rounds a small result, or treats it as 0.",
         read=FACTORS,
     )
     damping = round(rng.uniform(0.3, 0.9), 3)
@@ -166,8 +164,8 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
     about.cause = (
-        "You do not need any time steps here. On each axis, the position is p + v gone + a "
-        "fallen, and the velocity is v kept + a gone."
+        "No time steps are needed here. On each axis, the position is p + v gone + a fallen, and "
+        "the velocity is v kept + a gone."
     )
     about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
@@ -186,10 +184,8 @@ def test_without_damping_it_is_the_parabola(rng: Random) -> None:
     words, p = particle_of(x, v, a, 1.0)
     about(
         f"{words}; state_after(p, {t})",
-        cause="Without damping, the particle follows a "
-        "parabola. The position is p + v t + "
-        "a t^2 / 2, and the velocity is v + "
-        "a t.",
+        cause="Without damping, the particle follows a parabola. Its position is p + v t + a t^2 "
+        "/ 2, and its velocity is v + a t.",
         read=STATE,
     )
     position, velocity = closed_form.state_after(p, t)
@@ -209,17 +205,17 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     words, p = particle_of(x, v, a, damping)
     about.call = f"{words}; state_after(p, {first}), and from there {second} s more"
     about.cause = (
-        "If you continue from the state at time a for another b seconds, you must reach the state "
-        "at time a + b."
+        "If you take the state at time a and continue from there for another b seconds, you must "
+        "arrive at the state at time a + b."
     )
     about.read = STATE
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
         about.cause = (
-            "state_after changed the particle itself. Leave the particle as it is, and compute "
-            "the state in new vectors."
+            "state_after changed the particle itself. Leave the particle alone, and return the "
+            "state in new vectors."
         )
-    undamped = "The start velocity was not damped, so multiply it by kept."
+    undamped = "You didn't damp the initial velocity. Multiply it by kept."
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
     blame(xyz(middle[1]), [(gain, undamped)])
@@ -230,8 +226,8 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
         expect_close(got, wanted, then=f", [{i}]", tolerance=1e-11)
     about.call = f"{words}; state_after(p, {first})[1]"
     about.cause = (
-        "The velocity must be the rate at which the position changes, dp/dt. Check that both use "
-        "the same three factors."
+        "The velocity must be dp/dt, the rate of change of the position. Check that the position "
+        "and the velocity use the same three factors."
     )
     step = 1e-4
     around = [closed_form.state_after(p, first + s)[0] for s in (-step, step)]
@@ -247,8 +243,8 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
     about.cause = (
-        "The steps of integrate must approach this state as they get shorter. With half the "
-        "duration of a step, the error must be half as large."
+        "As the steps of integrate get shorter, they must approach this state. When the steps are "
+        "half as long, the error must be half as large."
     )
     about(f"{words}; state_after(p, {t})", read=f"{STATE}; chapter 3's integrate")
     exact = [xyz(vector) for vector in closed_form.state_after(p, t)]
@@ -286,8 +282,8 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     words, p = particle_of(x, v, a, 0.5, mass=math.inf)
     about.call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
     about(
-        cause="An immovable particle does not move, so its position and velocity are the same at "
-        "any time.",
+        cause="An immovable particle stays where it is, so its position and velocity are the same "
+        "at any time.",
         read=STATE,
     )
     position, velocity = closed_form.state_after(p, 3.0)
@@ -296,8 +292,8 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     position.x = velocity.x = 99.0
     about.call += "; position.x = velocity.x = 99"
     about.cause = (
-        "The result contains one of the particle's own vectors. Return copies, so that a change to "
-        "the result does not change the particle."
+        "You returned one of the particle's own vectors. Return copies, so that a change to the "
+        "result doesn't change the particle."
     )
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)

@@ -40,7 +40,7 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     about.read = "the docstring of find_rocket"
     about.cause = (
         "Several rockets are within reach here. Return the one nearest to the click, which is not "
-        "always the first one in the list."
+        "always the first in the list."
     )
     about.call = (
         f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); find_rocket(display, "
@@ -52,8 +52,8 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     expect_exactly(what, 3, then=", its type")
     for away, reached in ((2.4, True), (2.6, False)):
         about.cause = (
-            "A rocket is found if its distance in the X-Y plane, sqrt(dx^2 + dy^2), is at most "
-            "REACH, which is 2.5 m."
+            "A rocket is within reach if its distance in the X-Y plane, sqrt(dx^2 + dy^2), is at "
+            "most REACH, which is 2.5 m."
         )
         place = (x + away * 0.6, y - away * 0.8)
         about.call = f"one rocket, {away} m from the click; find_rocket(display, {x}, {y}) is None"
@@ -65,7 +65,7 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
 def test_a_rocket_at_exactly_the_reach_is_found() -> None:
     about(
         cause=(
-            "A rocket at a distance of exactly REACH is still within reach, so find_rocket must "
+            "A rocket at exactly the distance REACH is still within reach, so find_rocket must "
             "return it."
         )
     )
@@ -81,7 +81,7 @@ def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.call = f"one rocket at ({x}, {y}, 40); find_rocket(display, {x}, {y}) is None"
     about(
-        cause="The screen shows only X and Y, so z must not affect the distance. Leave it out.",
+        cause="The screen shows only X and Y, so leave z out of the distance.",
         read="the docstring of find_rocket",
     )
     found = display.find_rocket(game((1, x, y), z=40.0), x, y)
@@ -92,7 +92,7 @@ def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
 def test_sparks_are_no_rockets() -> None:
     about.call = "a spark at (0, 20), a rocket at (2, 20); find_rocket(display, 0, 20), its type"
     about.cause = (
-        "find_rocket must not return a spark. Only a firework whose rule has payloads is a rocket."
+        "find_rocket must not return a spark. A firework is a rocket only if its rule has payloads."
     )
     about.read = "the docstring of find_rocket"
     found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
@@ -109,13 +109,13 @@ def test_a_rocket_without_a_fuse_is_past_saving() -> None:
     for age, cause in (
         (
             0.0,
-            "A rocket of age 0 bursts in the next update. find_rocket must not return it, because "
-            "otherwise a second click could hit the same rocket.",
+            "A rocket of age 0 bursts in the next update. If find_rocket returned it, a second "
+            "click could hit the same rocket again.",
         ),
         (
             -0.5,
             (
-                "A rocket whose age is 0 or less has no fuse left, so find_rocket must not "
+                "A rocket with an age of 0 or less has no fuse left, so find_rocket must not "
                 "return it."
             ),
         ),
@@ -140,25 +140,24 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
     hit = display.click(a_game, 9.0, 20.0)
     expect_exactly(hit, True)
     about.cause = (
-        "After a hit, launch another rocket of the same type. Do not remove the rocket that was "
+        "After a hit, launch another rocket of the same type. Don't remove the rocket that was "
         "hit, because it burns until the next update."
     )
     expect_exactly(types(a_game), [1, 3, 3], then="; types in the show")
     about.cause = (
-        "Set the age of the rocket that was hit to 0, so that the show bursts it in its next "
+        "Set the age of the rocket that was hit to 0, so that the show bursts it in the next "
         "update."
     )
     ages = tuple(firework.age for firework in a_game.show.fireworks)
     expect_close(ages, (2.0, 0.0, 1.0), then="; ages")
     height = a_game.show.fireworks[2].particle.position.y
     about.cause = (
-        "The new rocket must start on the ground. Launch it with show.launch, which places it "
-        "there."
+        "The new rocket must start on the ground. Launch it with show.launch, which puts it there."
     )
     expect_close(height, 0.0, then="; height of the new one")
     a_game.show.update(0.001)
     about.cause = (
-        "The rocket that was hit must burst in the next update and leave its payload, which is one "
+        "The rocket that was hit must burst in the next update and leave its payload of one "
         "firework of type 2."
     )
     expect_exactly(types(a_game).count(2), 1, then="; show.update(0.001); how many of type 2")
@@ -171,8 +170,8 @@ def test_a_late_click_scores_more() -> None:
         (
             1.5,
             1,
-            "A hit with 1.5 s of fuse left scores 1. Read the remaining fuse before you set "
-            "it to 0, because the score depends on it.",
+            "A hit with 1.5 s of fuse left scores 1. The score depends on how much fuse is left, "
+            "so read the age before you set it to 0.",
         ),
         (
             0.4,
@@ -183,8 +182,8 @@ def test_a_late_click_scores_more() -> None:
         (
             0.39,
             3,
-            "A hit scores 3 if less than LATE is left of the fuse. Read the remaining fuse before "
-            "you set it to 0, because the score depends on it.",
+            "A hit scores 3 if less than LATE of the fuse is left. The score depends on how much "
+            "fuse is left, so read the age before you set it to 0.",
         ),
     ):
         about(f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); ", cause=cause)
@@ -193,12 +192,12 @@ def test_a_late_click_scores_more() -> None:
         a_game.show.fireworks[0].age = fuse
         display.click(a_game, 0.0, 20.0)
         expect_exactly(a_game.score, score)
-        about.cause = "A click that hits a rocket is not a miss, so do not change misses."
+        about.cause = "A click that hits a rocket is not a miss, so leave misses alone."
         name = about.call.replace("display.score", "display.misses")
         expect_exactly(a_game.misses, 0, call=name)
     about.call = "two rockets; click(display, 0, 20); click(display, 9, 20); display.score"
     about.cause = (
-        "Each hit must add its points to the score, so do not replace the score of earlier hits."
+        "Each hit adds its points to the score. Don't overwrite the points of earlier hits."
     )
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     display.click(a_game, 0.0, 20.0)
@@ -210,7 +209,7 @@ def test_a_late_click_scores_more() -> None:
 def test_a_click_into_the_dark_is_a_miss() -> None:
     about.call = "a rocket at (0, 20); click(display, 30, 20)"
     about.cause = (
-        "No rocket is within reach, so this click is a miss. Add 1 to misses, change nothing else "
+        "No rocket is within reach, so this click is a miss. Add 1 to misses, change nothing else, "
         "and return False."
     )
     about.read = "the docstring of click"
@@ -222,7 +221,7 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
     expect_exactly(types(a_game), [1], then="; types in the show")
     about.call = "two rockets; four clicks, which hit, miss, hit and miss: misses and score"
     about.cause = (
-        "Two of these clicks hit a rocket and two missed. Add the points of each hit to score, and "
+        "Two of these clicks hit a rocket and two miss. Add the points of each hit to score, and "
         "add 1 to misses for each miss."
     )
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
@@ -236,8 +235,8 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
 def test_a_click_in_a_full_show_counts_too() -> None:
     about.call = "a show of one slot, a rocket at (0, 20); click(display, 0, 20)"
     about.cause = (
-        "A hit scores and bursts the rocket even if the show has no room for a new one. Do not "
-        "make the hit depend on whether a rocket could be launched."
+        "A hit scores and bursts the rocket even if the show has no room for a new one. The hit "
+        "must not depend on whether the launch succeeds."
     )
     about.read = "the docstring of click"
     show = probes.show_of(RULES, 1, "keep_old", 1)
@@ -267,14 +266,13 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             (rocket, spark),
             6,
             True,
-            "The sixth miss ends the game, even if a rocket still burns, "
-            "because MISSES_ALLOWED is 5.",
+            "MISSES_ALLOWED is 5, so the sixth miss ends the game, even if a rocket still burns.",
         ),
         (
             (spark, spark),
             0,
             True,
-            "The game is over, because only sparks still burn and none of them is a rocket.",
+            "Only sparks still burn, and a spark is not a rocket, so the game is over.",
         ),
         ((), 0, True, "There are no fireworks left, so the game is over."),
     ):
@@ -288,8 +286,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         expect_exactly(display.is_over(a_game), over)
     about.call = "one rocket, whose age is 0; is_over(display)"
     about.cause = (
-        "The game is not over yet, because a rocket counts until it has burst, even if its age is "
-        "already 0."
+        "The game is not over yet. A rocket counts until it has burst, even if its age is already "
+        "0."
     )
     a_game = game(rocket)
     a_game.show.fireworks[0].age = 0.0
@@ -300,8 +298,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
 def test_a_click_after_the_end_does_nothing() -> None:
     about("a rocket at (0, 20), 6 misses; click(display, 0, 20)")
     about.cause = (
-        "The game is over, so a click must not change anything. Call is_over first, and return "
-        "False at once if it is true."
+        "The game is over, so a click must not change anything. Call is_over first, and if it is "
+        "true, return False at once."
     )
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
@@ -314,8 +312,8 @@ def test_a_click_after_the_end_does_nothing() -> None:
     expect_exactly(types(a_game), [1], then="; types in the show")
     about.call = "only a spark burns; click(display, 0, 20)"
     about.cause = (
-        "The game is also over when no rocket is left. Call is_over at the start of click instead "
-        "of only counting the misses."
+        "The game is also over when no rocket is left. Call is_over at the start of click, instead "
+        "of just counting the misses."
     )
     a_game = game((2, 0.0, 20.0))
     hit = display.click(a_game, 0.0, 20.0)

@@ -59,8 +59,8 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = f"make_firework(rule, Random({seed})).age, min_age=0.5, max_age=1.4"
     about.cause = (
-        "Draw a new age for each firework with random.uniform(min_age, max_age), which gives "
-        "every value in this range the same chance."
+        "Draw a new age for each firework with random.uniform(min_age, max_age), which makes every "
+        "value in that range equally likely."
     )
     about.read = "the docstring of make_firework; book 4.2.1"
     ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
@@ -77,8 +77,8 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     columns = {}
     for i, axis in enumerate("XYZ"):
         about.cause = (
-            "Each component of the velocity has its own limits, so draw it with random.uniform "
-            "and the limits of its axis."
+            "Each component of the velocity has its own limits, so draw each one with "
+            "random.uniform and the limits of its axis."
         )
         columns[axis] = [firework[5 + i] for firework in made]
         expect_even(f"{about.call}, on {axis}", columns[axis], low[i], high[i])
@@ -86,7 +86,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     if min(ages) < max(ages):  # another check tests whether ages are drawn at all
         columns["the age"] = ages
     about.cause = (
-        "Two of these numbers depend on each other, so perhaps one random number was used for "
+        "Two of these numbers depend on each other, perhaps because you used one random number for "
         "both. Draw the age and each component of the velocity separately."
     )
     for one, other in itertools.combinations(columns, 2):
@@ -102,8 +102,8 @@ def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Ra
     seed = rng.randrange(10**6)
     about.call = f"make_firework(rule, Random({seed})).particle.position"
     about.cause = (
-        "Without a parent, a firework starts on the ground at y = 0 and z = 0. Choose x from "
-        "LAUNCH_PLACES, with the same chance for each place."
+        "Without a parent, a firework starts on the ground, at y = 0 and z = 0. Choose x from "
+        "LAUNCH_PLACES, with every place equally likely."
     )
     about.read = "the docstring of make_firework; book 4.2.3"
     places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
@@ -128,13 +128,13 @@ def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
     about.cause = "A firework with a parent must start at the position of its parent."
     expect_close(firework[2:5], x, then=".particle.position")
     about.cause = (
-        "The firework inherits the motion of its parent. Add the parent's velocity to the velocity "
-        "that you drew."
+        "A firework inherits its parent's motion. Add the parent's velocity to the one that you "
+        "drew."
     )
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
     expect_close(firework[5:8], wanted, then=".particle.velocity")
     about.cause = (
-        "The third firework has a different velocity because the parent itself was changed. Copy "
+        "The third firework has a different velocity because you changed the parent itself. Copy "
         "the parent's vectors, since one parent can have many children."
     )
     family = probes.lit(data, seed, 3, (x, v))
@@ -154,7 +154,7 @@ def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng
         expect_close(firework[12], damping, then="; its damping")
         about.cause = (
             "Every firework has a mass of 1 and the acceleration GRAVITY, which is (0, -9.81, 0). "
-            "Do not take them from the parent."
+            "Neither comes from the parent."
         )
         gravity = (0.0, -9.81, 0.0)
         expect_close(firework[8:11], gravity, then="; acceleration")
@@ -166,8 +166,8 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
     seed = rng.randrange(10**6)
     about.call = f"make_firework(rule, Random({seed})) 5 times, and all of it again"
     about.cause = (
-        "The same seed must give the same fireworks again. Draw from the argument random, not from "
-        "the random module."
+        "The same seed must give the same fireworks every time. Draw from the argument random, not "
+        "from the module of that name."
     )
     about.read = "the docstring of make_firework"
     once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
@@ -178,8 +178,8 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
         "equal"
     )
     about.cause = (
-        "A different seed must give different numbers, so draw from the argument random in "
-        "every call."
+        "A different seed must give different numbers, so draw from the argument random in every "
+        "call."
     )
     other = probes.lit(FIRST, seed + 1, 5)
     same = sum(a[5:8] == b[5:8] for a, b in zip(once, other, strict=True))

@@ -48,40 +48,42 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 0.0, 100.0),
             4.0,
             False,
-            "At y = 0 the shot is on the ground and not spent. Only y < 0 is below the ground.",
+            "At y = 0 the shot is on the ground, and it is not spent yet. Only y < 0 is below the "
+            "ground.",
         ),
         ((0.0, -0.001, 100.0), 4.0, True, "This shot is below the ground, so it is spent."),
         (
             (0.0, 1.5, 100.0),
             5.0,
             False,
-            "This shot is exactly 5 s old, so it is not spent yet. Only a shot older than 5 s is.",
+            "This shot is exactly 5 s old, so it is not spent yet. A shot is spent once it is "
+            "older than 5 s.",
         ),
         ((0.0, 1.5, 100.0), 5.001, True, "This shot is older than 5 s, so it is spent."),
         (
             (0.0, 1.5, 150.0),
             4.0,
             False,
-            "This shot is still on the range, which ends at 200 m and "
-            "not at 100 m (E-34), so it is not spent.",
+            "This shot is still on the range, which ends at 200 m and not at 100 m (E-34), so it "
+            "is not spent.",
         ),
         (
             (0.0, 1.5, 200.0),
             4.0,
             False,
-            "At z = 200 m the shot is still on the range. Only z > 200 m is beyond its end.",
+            "At z = 200 m the shot is still on the range. Only z > 200 m is past the end.",
         ),
         (
             (0.0, 1.5, 200.001),
             4.0,
             True,
-            "This shot is beyond the end of the range, so it is spent.",
+            "This shot is past the end of the range, so it is spent.",
         ),
         (
             (300.0, 300.0, -300.0),
             0.0,
             False,
-            "The range has no limit in x, no upper limit in y and no lower limit in z, so this "
+            "The range has no limits in x, no upper limit in y and no lower limit in z, so this "
             "shot is not spent.",
         ),
     ):
@@ -100,7 +102,7 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
     about.call = f'r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); r.update({h}); r.shots'
     about.cause = (
-        "Each update makes one time step for every shot. So integrate each particle exactly once, "
+        "Each update makes one time step for every shot, so integrate each particle exactly once, "
         "with the duration of the step."
     )
     about.read = "the docstring of update"
@@ -118,12 +120,12 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         (
             1.0,
             "The age is the number of updates, but it should be a time in seconds. Add the "
-            "duration to the age.",
+            "duration to it.",
         ),
         (
             0.0,
             (
-                "The age did not change, although time has passed. Add the duration to it in every "
+                "Time has passed, but the age did not change. Add the duration to it in every "
                 "update."
             ),
         ),
@@ -151,7 +153,7 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
     ):
         about.call = f'r.fire("{name}"); r.update(1/60) {frames} times; r.shots[0].particle'
         about.cause = (
-            "Make each step with a single call of integrate, so that the shot follows the step of "
+            "Make each step with a single call to integrate, so that the shot moves exactly as in "
             "chapter 3."
         )
         position, velocity = probes.shot_after(name, h, frames)
@@ -177,23 +179,23 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
             "artillery",
             h,
             landed,
-            "Remove a shot in the same update in which it falls below y = 0. Call is_spent after "
+            "Remove a shot in the very update in which it falls below y = 0. Call is_spent after "
             "the step, not before it.",
         ),
         (
             "laser",
             h,
             past,
-            "Remove a shot in the same update in which it passes z = 200 m. Call "
-            "is_spent after the step, not before it.",
+            "Remove a shot in the very update in which it passes z = 200 m. Call is_spent after "
+            "the step, not before it.",
         ),
         # 40 frames are exactly 5 s, and a shot of 5 s is not too old.
         (
             "fireball",
             1.0 / 8.0,
             41,
-            "Remove a shot in the same update in which its age exceeds 5 "
-            "s. Add the duration to the age before you call is_spent.",
+            "Remove a shot in the very update in which its age passes 5 s. Add the duration to "
+            "the age before you call is_spent.",
         ),
     ):
         about.cause = cause
@@ -207,8 +209,8 @@ def test_neighbors_that_are_spent_together_are_dropped_together() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = f"fire {', '.join(names)}; r.update(0.5) 5 times; the types of r.shots after each"
     about.cause = (
-        "Spent shots are still in the list. A loop that removes an item from its own list skips "
-        "the next item, so build a new list of the shots that stay."
+        "Spent shots are still in the list. If a loop removes an item from the list that it runs "
+        "over, it skips the next one, so build a new list of the shots that stay."
     )
     about.read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)
@@ -227,7 +229,7 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
         about.call = f'r.fire("artillery"); r.update({h}) until it lands: time in s and z in m'
         about.cause = (
             "With 1000 steps per second, the error should be only 0.001 s in the time and 0.04 m "
-            "in z. Check whether update calls integrate more than once for each shot."
+            "in z. Check whether update calls integrate more than once per shot."
         )
         got = probes.landing("artillery", h)
         # The step ends a t h / 2 too high, 0.06 m for 1/500 s, which it falls in 0.002 s.
@@ -238,7 +240,7 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
         "steps of 1/1000 s"
     )
     about.cause = (
-        "With time steps of half the duration, the error should be half as large. Check that each "
+        "When the time steps are half as long, the error should be half as large. Check that each "
         "update makes exactly one step."
     )
     # The next order changes the ratio by h / t. The time is known to 5e-8 s of 1e-3 s.
@@ -250,7 +252,7 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_is_positive_and_finite_and_a_refused_one_moves_nothing(bad: float) -> None:
     about.cause = (
-        "The duration must be positive and finite even if there are no shots. Check it before the "
+        "The duration must be positive and finite, even if there are no shots. Check it before the "
         "loop."
     )
     about.read = "the docstring of update"

@@ -44,18 +44,17 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
         p = Particle(Vector3(x, y, 3.0), Vector3(vx, vy, vz))
         grenade.bounce(p)
         mirrored = (
-            "The grenade was placed as high above the ground as it had been below. Set y to 0 "
-            "instead."
+            "You put the grenade as high above the ground as it was below. Set y to 0 instead."
         )
         about.cause = (
-            "A grenade below the ground must be moved back to its surface. Set y to 0 and leave x "
-            "and z unchanged."
+            "A grenade that is below the ground must be moved back to the surface. Set y to 0, and "
+            "leave x and z unchanged."
         )
         blame(xyz(p.position), [((x, -y, 3.0), mirrored)])
         expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position")
         about.cause = (
-            "Reverse the velocity along Y and multiply it by BOUNCE, which is 0.5. Multiply the "
-            "velocity along X and Z by SLIDE, which is 0.8."
+            "Reverse the Y component of the velocity and multiply it by BOUNCE, which is 0.5. "
+            "Multiply the X and Z components by SLIDE, which is 0.8."
         )
         wanted = (0.8 * vx, -0.5 * vy, 0.8 * vz)
         all_of_it = (
@@ -67,19 +66,19 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
             (
                 (vx, -0.5 * vy, vz),
                 (
-                    "The velocity along the ground did not change, but a bounce must slow it "
-                    "down. Multiply it by SLIDE, which is 0.8."
+                    "The velocity along the ground did not change, but a bounce must slow it down. "
+                    "Multiply it by SLIDE, which is 0.8."
                 ),
             ),
             (
                 (0.8 * vx, 0.5 * vy, 0.8 * vz),
-                "The grenade still moves down after the bounce. Reverse the sign of its velocity "
+                "The grenade still moves down after the bounce. Flip the sign of its velocity "
                 "along Y.",
             ),
             (
                 (vx, vy, vz),
-                "The velocity did not change, but a grenade that falls below the ground "
-                "must bounce.",
+                "The velocity did not change, but a grenade that drops below the ground must "
+                "bounce.",
             ),
         ]
         blame(xyz(p.velocity), mistakes)
@@ -90,8 +89,8 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
 def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
     about(
-        cause="This grenade is not below the ground, so it must not bounce. Only a grenade with "
-        "y < 0 is below the ground.",
+        cause="This grenade is not below the ground, so it must not bounce. Below the ground "
+        "means y < 0.",
         read="the docstring of bounce",
     )
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
@@ -111,8 +110,8 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
     about.cause = (
-        "This grenade is not falling any more. Reverse the velocity only if it points down, "
-        "because otherwise you send the grenade back into the ground."
+        "This grenade is no longer falling. Reverse the velocity only if it points down, or you "
+        "send the grenade back into the ground."
     )
     about.read = "the docstring of bounce"
     for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
@@ -141,26 +140,25 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     expect_exactly(len(pieces), 12, then=", how many")
     for piece in pieces:
         about.cause = (
-            "The fragments share the mass of the grenade equally, so each of them has a twelfth of "
-            "it."
+            "The fragments share the mass of the grenade equally, so each has a twelfth of it."
         )
         expect_close(piece[0], mass / 12.0, then=", a mass")
         about.cause = (
-            "Each fragment must have the same position, acceleration and damping as the grenade."
+            "Each fragment must have the position, acceleration and damping of the grenade."
         )
         expect_close(piece[1], damping, then=", a damping")
         expect_close(piece[2:5], x, then=", a position")
         expect_close(piece[8:], a, then=", an acceleration")
     about.cause = (
-        "A burst does not change the total momentum. So the velocities of the fragments relative "
-        "to the grenade must add up to 0."
+        "A burst doesn't change the total momentum, so the velocities of the fragments relative to "
+        "the grenade must add up to 0."
     )
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
     if max(abs(component) for component in total) < 1e-9:
         about.cause = (
             "The total momentum of the fragments is 0, so the motion of the grenade was lost. Add "
-            "its velocity to the velocity of each fragment."
+            "the grenade's velocity to that of each fragment."
         )
     # The rounding errors of 12 numbers up to 25 x 9 / 12.
     expect_close(total, wanted, then=", momentum", tolerance=1e-11)
@@ -172,8 +170,8 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     about(f"fragments(p), p = Particle(Vector3{x}, Vector3{v})", read="the docstring of fragments")
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
     about.cause = (
-        "The speed of each fragment relative to the grenade must be FRAGMENT_SPEED. Check the "
-        "length of the velocity that you add to the velocity of the grenade."
+        "Each fragment must move at FRAGMENT_SPEED relative to the grenade. Check the length of "
+        "the velocity that you add to the grenade's."
     )
     for velocity in relative:
         expect_close(
@@ -187,7 +185,8 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     )
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
     about.cause = (
-        "At least two fragments fly in the same direction, but each of them needs its own."
+        "At least two fragments fly in the same direction. Give each of them a direction of its "
+        "own."
     )
     near = sum(pair < 0.1 for pair in pairs)
     expect_exactly(near, 0, then=", how many pairs of velocities differ by less than 0.1 m/s")
@@ -198,8 +197,8 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about.call = f"p = Particle(Vector3{x}, Vector3{v}, mass=6); pieces = fragments(p)"
     about.cause = (
-        "Each fragment must be a new particle with its own vectors, so that a change to one "
-        "fragment does not affect the grenade or the others."
+        "Each fragment must be a new particle with its own vectors, so that changing one fragment "
+        "affects neither the grenade nor the other fragments."
     )
     about.read = "the docstring of fragments"
     p = Particle(Vector3(*x), Vector3(*v), mass=6.0)
@@ -226,14 +225,14 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     expect_exactly(len(heights), frames, then=", how many heights")
     about.cause = (
         "The grenade lands in step 12, and bounce must move it back to y = 0. It must not burst "
-        "before its fuse of 4 s has burnt."
+        "until its fuse of 4 s has burnt down."
     )
     lowest = min(heights)
     # It lands in frame 12 and is put back to exactly 0.
     expect_close(lowest, 0.0, then=", the lowest", tolerance=ROUNDED)
     landed = heights.index(lowest)
     about.cause = (
-        "The grenade must rise again after the bounce, at half of the speed with which it hit the "
+        "After the bounce, the grenade must rise again, at half the speed with which it hit the "
         "ground."
     )
     risen = max(heights[landed:]) > 0.5
@@ -243,23 +242,23 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     about(
-        cause="The fuse burns for 4 s, which is the value of FUSE. Before that time the grenade "
-        "must not burst."
+        cause="The fuse burns for 4 s, which is the value of FUSE. Until then, the grenade must "
+        "not burst."
     )
     about.read = "the docstring of grenade_after"
     about.call, at = thrown(frames=BURST_FRAME - 1)
     types = tuple(shot.type for shot in at.shots)
     expect_exactly(types, ("grenade",), then=", their types")
     about.cause = (
-        "The age of the grenade has reached 4 s, so it must burst. Replace it by 12 shots of type "
-        "fragment with age 0."
+        "The grenade is now 4 s old, so it must burst. Replace it with 12 shots of type fragment "
+        "and age 0."
     )
     about.call, at = thrown(frames=BURST_FRAME)
     types = tuple(shot.type for shot in at.shots)
     if types == ("grenade",) * 12:
         about.cause = (
-            "The grenade has burst into 12 shots, but they still have the type of the grenade. "
-            "Give each of them the type fragment."
+            "The grenade burst into 12 shots, but they still have the type of the grenade. Give "
+            "each of them the type fragment."
         )
     expect_exactly(types, ("fragment",) * 12, then=", their types")
     ages = tuple(shot.age for shot in at.shots)
@@ -269,18 +268,15 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
 @pytest.mark.exercise("4.1")
 def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     about.read = "the docstrings of update and is_spent"
-    about.cause = (
-        "Only the grenade bursts, because the fireball has no fuse and continues its flight."
-    )
+    about.cause = "Only the grenade bursts. The fireball has no fuse, so it flies on."
     about.call, at = thrown(frames=BURST_FRAME, others=("fireball",))
     types = [shot.type for shot in at.shots]
     about.cause += (
-        " The fragments take the place of their grenade in the list, before the fireball."
+        " In the list, the fragments take the place of their grenade, ahead of the fireball."
     )
     expect_exactly(types, ["fragment"] * 12 + ["fireball"], then=", their types in order")
     about.cause = (
-        "Only grenades bounce. A fragment that falls below the ground must be removed, like any "
-        "other shot."
+        "Only grenades bounce. Remove a fragment that falls below the ground, like any other shot."
     )
     about.call, at = thrown(frames=BURST_FRAME + 40)
     expect_exactly(len(at.shots), 0, then=", how many")
@@ -290,8 +286,7 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
 def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); grenade_after(shot)'
     about.cause = (
-        "This grenade is beyond the end of the range, so it is spent. Call is_spent for grenades "
-        "as well."
+        "This grenade is past the end of the range, so it is spent. Call is_spent for grenades too."
     )
     about.read = "the docstring of grenade_after"
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
@@ -301,8 +296,8 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
         'shot = Shot("grenade", Particle(Vector3(0, 1, 9))); shot.age = 2; grenade_after(shot)'
     )
     about.cause = (
-        "This grenade is still in flight and its fuse still burns. Return a list that contains "
-        "only the grenade itself."
+        "This grenade is still in flight and its fuse still burns. Return a list with only the "
+        "grenade in it."
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
     shot.age = 2.0
@@ -321,14 +316,14 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     shot.age = 4.0
     left = ballistics.grenade_after(shot)
     about.cause = (
-        "This grenade is below the ground when its fuse runs out. Let it bounce first, so that the "
-        "fragments start on the ground."
+        "This grenade is below the ground when its fuse burns down. Let it bounce first, so that "
+        "the fragments start on the ground."
     )
     heights = [each.particle.position.y for each in left]
     expect_close(heights, [0.0] * 12, then=", heights", tolerance=0.0)
     about.cause = (
-        "The fragments must inherit the velocity after the bounce, which is 4 m/s upward and 4 m/s "
-        "along Z. Call bounce before fragments."
+        "The fragments must inherit the velocity from after the bounce, which is 4 m/s upward and "
+        "4 m/s along Z. Call bounce before fragments."
     )
     mean = [math.fsum(each.particle.velocity.y for each in left) / 12.0]
     mean.append(math.fsum(each.particle.velocity.z for each in left) / 12.0)
@@ -339,8 +334,8 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
         'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
     )
     about.cause = (
-        "A grenade whose fuse has run out bursts, even beyond the end of the range. Check the fuse "
-        "before you call is_spent."
+        "A grenade whose fuse has burnt down bursts, even past the end of the range. Check the "
+        "fuse before you call is_spent."
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     shot.age = 6.0

@@ -29,20 +29,20 @@ def test_rules_that_end_have_no_endless_types() -> None:
     ):
         about.call = words(leaves)
         about.cause = (
-            "Every chain of payloads ends here, so no type is endless. A type is endless only if "
-            "the payloads that it leaves lead back to the type itself."
+            "Every chain of payloads comes to an end here, so no type is endless. A type is "
+            "endless only if its payloads lead back to that same type."
         )
         got = probes.endless(leaves)
         if got == [*leaves]:
             about.cause = (
-                "Your function returns every type. A type counts as reached only if a payload "
-                "leads to it, so do not mark the type from which you start."
+                "You returned every type. A type counts as reached only if a payload leads to it, "
+                "so don't mark the type that you start from."
             )
         elif got == [1]:
             about.cause = (
                 "Type 1 leads to type 4 in two ways, through 2 and through 3, but nothing leads "
-                "back to 1. Reaching a type twice does not make it endless, so compare each type "
-                "with the one from which you started."
+                "back to 1. Reaching a type twice doesn't make it endless, so compare each type "
+                "with the one that you started from."
             )
         expect_exactly(got, [])
 
@@ -53,7 +53,8 @@ def test_a_type_that_leaves_its_own_is_endless(rng: Random) -> None:
     leaves = {1: [], type: [1, type]}
     about(
         words(leaves),
-        cause="One type has itself as its payload, so it leads back to itself and is endless.",
+        cause="One type has itself as a payload, so it leads straight back to itself and is "
+        "endless.",
     )
     about.read = "the docstring of endless_types"
     expect_exactly(probes.endless(leaves), [type])
@@ -79,14 +80,14 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
         (
             {1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]},
             [1, 2, 3, 4],
-            "There are two separate cycles here. Every type in them leads back to itself, so all "
-            "four are endless.",
+            "There are two separate cycles here, and every type in them leads back to itself, so "
+            "all four are endless.",
         ),
         (
             {type: [ring[(i + 1) % 40]] for i, type in enumerate(ring)},
             sorted(ring),
-            "Each of the 40 types leads back to itself through all the others, so all of them are "
-            "endless. Return them sorted.",
+            "Each of the 40 types leads back to itself by way of all the others, so all of them "
+            "are endless. Return them sorted.",
         ),
     ):
         about(words(leaves), cause=cause)
@@ -97,8 +98,8 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
 def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
     about.call = "endless_types(rules), 62 types, of which each leaves two of the next pair"
     about.cause = (
-        "There are 2^30 paths through these rules, which is too many to follow one by one. Keep a "
-        "set of the types that you have already reached, and do not visit a type again."
+        "There are 2^30 paths through these rules, far too many to follow one by one. Keep a set "
+        "of the types that you have already reached, and never visit a type twice."
     )
     about.read = "the docstring of endless_types"
     leaves = {i: [i + 2 - i % 2, i + 3 - i % 2] for i in range(60)}
@@ -130,9 +131,7 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
     )
     left = [type for rule in rules for type, _ in rule[-1]]
     expect_exactly(len(left) > 0, True, then=", any at all")
-    about.cause = (
-        "There must be a rule for the type of each payload, so use only types from 1 to 11."
-    )
+    about.cause = "Every payload needs a type that has a rule, so use only types from 1 to 11."
     unknown = [type for type in left if not 1 <= type <= 11]
     expect_exactly(unknown, [], then=", others than 1 to 11")
 
@@ -141,7 +140,7 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
 def test_your_types_are_like_no_other() -> None:
     about.call = "own_types() and FIREWORK_TYPES: pairs of rules that differ only in their type"
     about.cause = (
-        "A rule is a copy of another one with a new type. Change its ages, velocities or payloads, "
+        "One rule is a copy of another with a new type. Change its ages, velocities or payloads, "
         "so that it behaves differently."
     )
     about.read = READ
@@ -175,8 +174,8 @@ def test_your_types_burn_and_come_to_an_end() -> None:
     about.read = READ
     about.call = "own_types(): the types that lead back to themselves by their payloads"
     about.cause = (
-        "A type that leads back to itself would burn forever. Remove the payload that leads back "
-        "to it."
+        "A type that leads back to itself would burn forever. Remove the payload that closes the "
+        "circle."
     )
     expect_exactly(own_endless_types(), [])
     for type in (10, 11):
@@ -192,7 +191,7 @@ def test_your_types_burn_and_come_to_an_end() -> None:
         expect_between(least, 0.1, math.inf, call=f"own_types(): min_age of type {type}")
         expect_between(counts[0], 1, math.inf, then=", after 0.05 s")
         about.cause = (
-            "All fireworks must have burnt out after 40 s, but some of them still burn. Shorten "
-            "the fuses by lowering max_age."
+            "After 40 s, all fireworks must have burnt out, but some still burn. Lower max_age to "
+            "shorten the fuses."
         )
         expect_exactly(counts[-1], 0, then=", after 40 s")

@@ -23,8 +23,7 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     mistakes = [
         (
             1250.0,
-            "The result is m v^2, so the factor 1/2 is missing. The kinetic energy is half of "
-            "this.",
+            "The result is m v^2. The kinetic energy is half of this.",
         ),
         (1.25, "The result is m v / 2. Square the speed, because the kinetic energy is m v^2 / 2."),
     ]
@@ -51,30 +50,30 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         about.call = f"slowed_mass({mass}, {factor}); m v^2 / 2 with that and {500.0 / factor} m/s"
         about.cause = (
             "The energy depends on the square of the speed. To keep it the same at a lower speed, "
-            "multiply the mass by the factor squared."
+            "multiply the mass by the square of the factor."
         )
         slow = scaling.slowed_mass(mass, factor)
         mistakes = [
             (
                 mass * factor,
                 (
-                    "The mass was multiplied by the factor, which keeps the momentum the same. To "
-                    "keep the energy the same, multiply by the factor squared."
+                    "You multiplied the mass by the factor, which preserves the momentum. To "
+                    "preserve the energy, multiply it by the square of the factor."
                 ),
             ),
             (
                 mass / factor**2,
                 (
-                    "The mass gets smaller, but a slower shot needs a larger mass. The factor is "
+                    "The mass got smaller, but a slower shot needs a larger mass. The factor is "
                     "the real speed divided by the speed in the game, as in the book's text. The "
-                    "footnote divides the other way (E-19)."
+                    "footnote divides the other way around (E-19)."
                 ),
             ),
             (
                 mass,
                 (
-                    "The mass did not change, so the energy of the slower shot is too small. "
-                    "Multiply the mass by the factor squared."
+                    "The mass did not change, so the slower shot has too little energy. Multiply "
+                    "the mass by the square of the factor."
                 ),
             ),
         ]
@@ -96,15 +95,14 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             f"slowed_gravity({gravity}, {factor}); g t^2 / 2 with that over 100 m at "
             f"{500.0 / factor} m/s"
         )
-        about.cause = "Gravity may be negative or 0, so refuse only a number that is not finite."
+        about.cause = "Gravity may be negative or 0, so reject only a number that is not finite."
         weak = scaling.slowed_gravity(gravity, factor)
         longer = (
-            "The shot takes factor times as long for the same distance, and its drop grows with "
-            "the square of the time. So divide gravity by factor^2."
+            "The shot takes factor times as long to cover the same distance, and its drop grows "
+            "with the square of the time, so divide gravity by factor^2."
         )
         stronger = (
-            "The result is stronger than the real gravity, but it must be weaker. Divide by "
-            "factor^2."
+            "Your gravity is stronger than the real one, but it must be weaker. Divide by factor^2."
         )
         mistakes = [
             (
@@ -128,7 +126,7 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
 def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
     about.cause = (
         "The masses and the factors must be positive and finite. Check them with positive from "
-        "arguments.py, which raises the ValueError."
+        "arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstrings in scaling.py"
     for name, data, good in (
@@ -172,8 +170,8 @@ def test_speed_and_gravity_are_finite(bad: float) -> None:
 @pytest.mark.robust
 def test_text_is_no_number() -> None:
     about.cause = (
-        "Every argument must be a number. Pass it to positive, not_negative or finite from "
-        "arguments.py, which raise this TypeError for you."
+        "Every argument must be a number. Pass each of them to positive, not_negative or finite "
+        "from arguments.py, which raise this TypeError for you."
     )
     about.read = "the docstring in scaling.py"
     text: Any = "2"

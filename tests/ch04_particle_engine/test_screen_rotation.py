@@ -23,27 +23,27 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
     for turning in (rate, -rate):
         about.call = f"screen_angle({start}, {turning}, 2.5)"
         about.cause = (
-            "The angle is start + rate x time, reduced to the range from -pi to pi. A backward "
-            "rotation has a negative rate and can make the angle negative."
+            "The angle is start + rate x time, reduced to the range from -pi to pi. A negative "
+            "rate turns the spark backward and can make the angle negative."
         )
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
-            (2.5 * turning, "The start angle is missing, so add start to rate x time."),
+            (2.5 * turning, "The start angle is missing. Add start to rate x time."),
             (
                 angle + 2.0 * math.pi,
-                "The angle was reduced to the range from 0 to 2 pi, but it must be between -pi "
+                "The angle was reduced to the range from 0 to 2 pi, but it must lie between -pi "
                 "and pi. Subtract 2 pi if it is above pi.",
             ),
             (
                 angle + math.pi,
-                "The angle is half a turn too large. Add or subtract only whole "
-                "turns, which are multiples of 2 pi.",
+                "The angle is half a turn too large. Add or subtract only whole turns, that is, "
+                "multiples of 2 pi.",
             ),
             (
                 angle - math.pi,
-                "The angle is half a turn too small. Add or subtract only whole "
-                "turns, which are multiples of 2 pi.",
+                "The angle is half a turn too small. Add or subtract only whole turns, that is, "
+                "multiples of 2 pi.",
             ),
         ]
         blame(got, mistakes)
@@ -59,8 +59,7 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
         rate = round((angle - 0.5) / 20.0, 3)
         about.call = f"screen_angle(0.5, {rate}, 20)"
         about.cause = (
-            "The angle must be between -pi and pi. Remove whole turns of 2 pi until it is in this "
-            "range."
+            "The angle must lie between -pi and pi. Remove whole turns of 2 pi until it does."
         )
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
         angle, turn = 0.5 + 20.0 * rate, 2.0 * math.pi
@@ -72,20 +71,20 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
             ),
             (
                 math.fmod(angle, turn),
-                "The result is between -2 pi and 2 pi, but still more than half a turn. Add or "
-                "subtract one more turn to bring it into the range from -pi to pi.",
+                "The result lies between -2 pi and 2 pi, so it can still be more than half a "
+                "turn. Add or subtract one more turn to bring it into the range from -pi to pi.",
             ),
             (
                 angle % turn,
-                "The result is in the range from 0 to 2 pi. If it is above pi, subtract one more "
-                "turn of 2 pi.",
+                "The result lies between 0 and 2 pi. If it is above pi, subtract one more turn of "
+                "2 pi.",
             ),
         ]
         blame(got, mistakes)
         expect_between(got, -math.pi, math.pi, tolerance=1e-9)
         about.cause = (
             "The angle must point in the same direction as start + rate x time. Remove only whole "
-            "turns of 2 pi, because they do not change the direction."
+            "turns of 2 pi, which leave the direction unchanged."
         )
         direction = (math.cos(got), math.sin(got))
         wanted = (math.cos(angle), math.sin(angle))
@@ -96,8 +95,8 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
 def test_angles_just_beyond_half_a_turn() -> None:
     about(
         cause=(
-            "A rotation by more than half a turn in one direction is the same as one by less "
-            "than half a turn in the other direction. Return the shorter one."
+            "Turning more than half a turn one way is the same as turning less than half a turn "
+            "the other way. Return the shorter of the two."
         ),
         read=ANGLE,
     )
@@ -126,9 +125,9 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         (
             0.0,
             "The first corner is half a side to the right of the center and half a side above it. "
-            "List the other corners in the direction from X toward Y.",
+            "List the others in order from X toward Y.",
         ),
-        (math.pi / 2.0, "After a quarter turn, each corner must be where the next one was before."),
+        (math.pi / 2.0, "After a quarter turn, each corner must be where the next one used to be."),
         (
             angle,
             "Rotate each corner about the center by the angle t. A corner at (a, b) relative "
@@ -149,18 +148,16 @@ def test_the_corners_of_a_square(rng: Random) -> None:
             (
                 doubled,
                 "The square is twice as large as it should be, because size is the length of a "
-                "whole side. In x and in y, each corner is only half of that length away from the "
-                "center.",
+                "whole side. Each corner is only half a side away from the center in x and in y.",
             ),
             (
                 [n - c for n, c in zip(wanted, center, strict=True)],
-                "The corners are given relative to the center. Add the coordinates of the center "
-                "to each of them.",
+                "These corners are relative to the center. Add the coordinates of the center to "
+                "each of them.",
             ),
             (
                 [*wanted[:2], *wanted[6:], *wanted[4:6], *wanted[2:4]],
-                "The corners are listed in the opposite order. List them in the direction from X "
-                "toward Y.",
+                "The corners are in the opposite order. List them in order from X toward Y.",
             ),
         ]
         blame(got, mistakes)

@@ -52,8 +52,8 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; show.update({h})"
     )
     about.cause = (
-        "Each update makes one time step for every firework. So integrate each particle exactly "
-        "once, which moves it by v h and then adds gravity to its velocity."
+        "Each update makes one time step for every firework. Integrate each particle exactly once, "
+        "which moves it by v h and then adds the effect of gravity to its velocity."
     )
     a_show = show_with([fixed(1, 3.0, v)], [(1, 2, at((0.0, 20.0, 0.0)))])
     a_show.update(h)
@@ -78,7 +78,7 @@ def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
     about.call = (
         "a firework with 0.5 s of fuse; show.update(0.125) 5 times; how many burn after each update"
     )
-    about.cause = "A firework of age 0 still burns. It has burnt out only when its age is below 0."
+    about.cause = "A firework of age 0 still burns. It has burnt out only once its age is below 0."
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
     expect_exactly(counts, [1, 1, 1, 1, 0], read=READ)
@@ -90,21 +90,21 @@ def why_no_payload() -> str:
     high.update(0.0625)
     if types(high) == []:
         return (
-            "The payload was lost, even when a firework burnt out high above the ground. First "
-            "collect the fireworks that still burn, and then light the payloads after them."
+            "The payload was lost, even that of a firework high above the ground. First collect "
+            "the fireworks that still burn, and then add the payloads to them."
         )
     fast = fixed(2, 9.0, (0.0, 90.0, 0.0))
     low = show_with([fixed(1, 9.0, STILL, (2, 3)), fast], [(1, 1, at((0.0, -0.001, 0.0)))])
     low.update(0.001)
     if types(low) == [2, 2, 2]:
         return (
-            "The payload was lit, but it was moved in the same step and burnt out below the "
-            "ground. Light the payloads after all fireworks have moved, so that they start to move "
-            "in the next step."
+            "The payload was lit, but it moved in the same step and burnt out below the ground. "
+            "Light the payloads after all fireworks have moved, so that they start to move in the "
+            "next step."
         )
     return (
-        "The firework below the ground is gone, but its payload was not lit. Light it in the same "
-        "way as when the fuse has run out."
+        "The firework below the ground is gone, but its payload was not lit. Light it just as you "
+        "do when the fuse has burnt down."
     )
 
 
@@ -116,7 +116,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     )
     about.call = f"{start}, to y = 0; show.update(0.001), to y < 0"
     about.cause = (
-        "A firework below the ground (y < 0) has burnt out, however much fuse is left. Remove it "
+        "A firework below the ground (y < 0) has burnt out, however much fuse is left. Remove it, "
         "and light its payload."
     )
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
@@ -133,8 +133,8 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         about.cause = why_no_payload()
     if left == [1]:
         about.cause = (
-            "The firework still burns, although it is below the ground. A firework with y < 0 has "
-            "burnt out, however much fuse is left."
+            "This firework is below the ground but still burns. With y < 0 it has burnt out, "
+            "however much fuse is left."
         )
     if left == [2]:
         about.cause = (
@@ -143,15 +143,14 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         )
     expect_exactly(left, [2, 2, 2], then="; types", read=READ)
     about.cause = (
-        "The payload must start at the position of the firework that has burnt out, even if this "
-        "position is below the ground."
+        "The payload must start where the firework burnt out, even if that is below the ground."
     )
     height = a_show.fireworks[0].particle.position.y
     wanted = (-8.0 - 9.81 * 0.0625) * 0.001
     if height == 0.0:
         about.cause = (
             "The payload starts on the ground, so perhaps it had no parent. Pass the particle of "
-            "the firework that has burnt out as its parent."
+            "the burnt-out firework as its parent."
         )
     expect_close(height, wanted, then="; the height of the first", read=READ)
 
@@ -169,22 +168,22 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
     expect_exactly(types(a_show), [2, 2], then=", types", read=READ)
     for firework in a_show.fireworks:
         about.cause = (
-            "The payload must start where the firework was after its last step. It begins to move "
-            "in the next step, so light it after all fireworks have moved."
+            "The payload must start where the firework was after its last step. Since it begins to "
+            "move only in the next step, light it after all fireworks have moved."
         )
         wanted = (v[0] * 0.25, 20.0 + v[1] * 0.25, v[2] * 0.25)
         got = xyz(firework.particle.position)
         expect_close(got, wanted, then=", a position", read=READ, tolerance=1e-13)
         about.cause = (
-            "The payload inherits the motion of the firework that has burnt out. Its velocity is "
-            "its own plus that firework's velocity after the step, which includes gravity."
+            "The payload inherits the motion of the burnt-out firework. Its velocity is its own "
+            "plus that of the firework after the step, gravity included."
         )
         wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
         got = xyz(firework.particle.velocity)
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
         about.cause = (
-            "The fuse of the payload must still be whole, because it starts to burn in the next "
-            "step. Light payloads after you have shortened all fuses."
+            "The payload must still have its whole fuse, which doesn't start to burn until the "
+            "next step. Light payloads after you have shortened all fuses."
         )
         expect_close(firework.age, 1.5, then=", an age", read=READ)
 
@@ -196,8 +195,9 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
         "fireworks of types 1 1 2 1 1 2 1, those of type 1 with 0.1 s of fuse; show.update(0.25)"
     )
     about.cause = (
-        "Fireworks that have burnt out are still in the list. A loop that removes an item from its "
-        "own list skips the next item, so build a new list of the fireworks that still burn."
+        "Burnt-out fireworks are still in the list. If a loop removes an item from the list that "
+        "it runs over, it skips the next one, so build a new list of the fireworks that still "
+        "burn."
     )
     a_show = show_with(
         rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
@@ -206,8 +206,8 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     expect_exactly(types(a_show), [2, 2], then="; types", read=READ)
     ages = [firework.age for firework in a_show.fireworks]
     about.cause = (
-        "In each update, the fuse must get shorter by the duration of the step. Check that each "
-        "firework is moved exactly once."
+        "Each update must shorten the fuse by the duration of the step. Check that you move each "
+        "firework exactly once."
     )
     expect_close(ages, [4.75, 4.75], then="; ages", read=READ)
 
@@ -220,15 +220,14 @@ def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
         "twice (4, 2); types"
     )
     about.cause = (
-        "Remove all fireworks that have burnt out before you light the payloads. Then three slots "
-        "are free."
+        "Remove all burnt-out fireworks before you light the payloads. Three slots are then free."
     )
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
     expect_exactly(types(a_show), [3, 3, 4], read=READ)
     about.cause = (
-        "The payloads ask for six new fireworks, but there is room for only three of them. The "
-        "other three must be added to dropped."
+        "The payloads ask for six new fireworks, but there is room for only three. Add the other "
+        "three to dropped."
     )
     expect_exactly(a_show.dropped, 3, then="; show.dropped", read=READ)
 
@@ -243,7 +242,7 @@ def test_payloads_follow_the_policy_too() -> None:
             "payload (3, 3); types"
         )
         about.cause = (
-            "The policy for a full show applies to payloads as well. Light them by calling light, "
+            "The policy for a full show applies to payloads too. Light them by calling light, "
             "which follows it."
         )
         births = [(1, 1, at((0.0, 20.0, 0.0))), (2, 2, None)]
@@ -264,8 +263,8 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
     ]
     about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each update"
     about.cause = (
-        "The payloads must be lit in order. Start with those of the oldest firework, follow the "
-        "order of its rule, and place the new fireworks after those that already burn."
+        "Light the payloads in order: start with those of the oldest firework, follow the order of "
+        "its rule, and put the new fireworks after those that are already burning."
     )
     seen = probes.sparks(rules, [1, 2, 1], 50, "keep_old", 1, 0.25, 4)
     wanted = ["1 1 5", "5 3 3 4 3 3 4", "5 3 3 4 3 3 4", "5 3 3 3 3 6 6"]
@@ -300,8 +299,8 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
 def test_rules_without_an_end_stay_within_the_capacity() -> None:
     rules = [fixed(1, 0.1, UP, (1, 10))]
     about.cause = (
-        "Each firework leaves ten of its own type, so the number would grow without limit. Call "
-        "light, which keeps it within the capacity."
+        "Each firework leaves ten more of its own type, so their number would grow without limit. "
+        "Call light, which keeps it within the capacity."
     )
     about.read = "the docstring of FireworksShow"
     for when_full in ("keep_old", "drop_oldest"):
@@ -325,7 +324,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     ]
     about.call = f"two shows with the seed {seed}: launch 1, 1, 3; show.update(0.05) 12 times"
     about.cause = (
-        "Two shows with the same seed must be the same. Draw all random numbers from self.random, "
+        "Two shows with the same seed must be identical. Draw all random numbers from self.random, "
         "and always in the same order."
     )
     about.read = "the docstring of FireworksShow"
@@ -337,7 +336,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
     expect_exactly(differ, 0, then=": how many fireworks differ")
     about.cause = (
-        "Two shows with different seeds were the same. Create self.random from the seed of the "
+        "Two shows with different seeds came out the same. Create self.random from the seed of the "
         "show."
     )
     same = sum(firework in once for firework in other)
@@ -351,8 +350,8 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
 def test_a_frame_of_a_show_is_positive_and_finite(bad: float) -> None:
     about(
         f"show.update({bad})",
-        cause="The duration must be positive and finite even if nothing "
-        "burns. Check it before you change anything.",
+        cause="The duration must be positive and finite, even if nothing is burning. Check it "
+        "before you change anything.",
     )
     about.read = "the docstring of update"
     rules = [fixed(1, 2.0)]

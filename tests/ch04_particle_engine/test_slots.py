@@ -40,8 +40,8 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
     about.call = f"show.launch({type}); the types of show.fireworks"
     about(
-        cause="launch must light one firework of the given type. So call light with a single "
-        "birth of that type, with a count of 1 and without a parent.",
+        cause="launch must light one firework of the given type. Call light with a single birth "
+        "of that type, with a count of 1 and no parent.",
         read="the docstring of launch",
     )
     a_show = show(9, "keep_old")
@@ -49,14 +49,14 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     expect_exactly(burning(a_show), [type])
     about.call = f"show.launch({type}) 80 times; the different (x, y) at the start"
     about.cause = (
-        "Without a parent, make_firework must choose one of three places on the ground for each "
+        "Without a parent, make_firework must choose one of the three launch places for each "
         "firework."
     )
     places = probes.places_of_launches(simple(type), type, 80)
     if len(places) == 1:
         about.cause = (
-            "All fireworks start at the same position. Do not pass a parent to make_firework, and "
-            "pass self.random instead of creating a new Random in each call."
+            "All fireworks start at the same position. Don't pass a parent to make_firework, and "
+            "pass it self.random instead of a new Random in each call."
         )
     wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
     expect_exactly(places, wanted)
@@ -67,7 +67,7 @@ def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> 
     order = rng.sample([1, 2, 3, 4], 4)
     about.call = f"launch {', '.join(map(str, order))}; the types of show.fireworks"
     about.cause = (
-        "Append each new firework at the end of the list, so that the oldest one comes first."
+        "Append each new firework to the end of the list, so that the oldest one comes first."
     )
     about.read = "the docstrings of FireworksShow and launch"
     for when_full in ("keep_old", "drop_oldest"):
@@ -75,7 +75,7 @@ def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> 
         for type in order:
             a_show.launch(type)
         expect_exactly(burning(a_show), order)
-        nobody = "Every firework found a slot here, so dropped must stay 0."
+        nobody = "Every firework found a slot here, so dropped must stay at 0."
         expect_exactly(a_show.dropped, 0, then="; show.dropped", cause=nobody)
 
 
@@ -83,8 +83,8 @@ def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> 
 def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     about.call = 'capacity 3, "keep_old"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
     about.cause = (
-        "With keep_old, the fireworks that already burn keep their slots, as in the book's text "
-        "(E-20). Do not light a new firework if all slots are taken."
+        "With keep_old, the fireworks that are already burning keep their slots, as in the book's "
+        "text (E-20). Don't light a new firework if all slots are taken."
     )
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "keep_old")
@@ -98,8 +98,7 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
         )
     expect_exactly(lit, [1, 2, 3])
     about.cause = (
-        "Two fireworks could not be lit because all slots were taken, so add their number to "
-        "dropped."
+        "Two fireworks could not be lit because all slots were taken, so add 2 to dropped."
     )
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
@@ -108,15 +107,15 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
 def test_drop_oldest_puts_out_the_oldest() -> None:
     about.call = 'capacity 3, "drop_oldest"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
     about.cause = (
-        "With drop_oldest, each new firework takes the slot of the oldest one if all slots are "
-        "taken, as in the book's listing (E-20)."
+        "With drop_oldest, if all slots are taken, each new firework takes the slot of the oldest "
+        "one, as in the book's listing (E-20)."
     )
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "drop_oldest")
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
     expect_exactly(burning(a_show), [3, 4, 1])
-    about.cause = "Two fireworks had to be put out to make room, so add their number to dropped."
+    about.cause = "Two fireworks had to be put out to make room, so add 2 to dropped."
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
@@ -127,9 +126,13 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
         (
             "keep_old",
             [1, 2, 2, 3],
-            "One firework burns, so there is room for the first three new ones.",
+            "One firework is already burning, so there is room for only the first three new ones.",
         ),
-        ("drop_oldest", [3, 3, 3, 4], "Put out the older fireworks, so that the last four burn."),
+        (
+            "drop_oldest",
+            [3, 3, 3, 4],
+            "Put out the older fireworks, so that only the last four burn.",
+        ),
     ],
 )
 def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], cause: str) -> None:
@@ -142,8 +145,8 @@ def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], c
     a_show.light(births)
     expect_exactly(burning(a_show), wanted)
     about.cause = (
-        "Of these 8 fireworks, only 4 burn at the end. Add the other 4 to dropped, whether or not "
-        "they were lit before."
+        "Of these 8 fireworks, only 4 are burning at the end. Add the other 4 to dropped, whether "
+        "or not they were ever lit."
     )
     expect_exactly(a_show.dropped, 4, then="; show.dropped")
 
@@ -153,7 +156,7 @@ def test_births_have_their_own_parents(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about.call = f"show.light([(1, 2, Particle(Vector3{x}, Vector3{v})), (2, 1, None)]); positions"
     about(
-        cause="Each birth can have a different parent, so pass its own parent to make_firework.",
+        cause="Each birth can have a parent of its own. Pass that parent to make_firework.",
         read="the docstring of light",
     )
     a_show = show(9, "keep_old")
@@ -166,7 +169,7 @@ def test_births_have_their_own_parents(rng: Random) -> None:
     expect_close(got, wanted, then=": x of two and y of three")
     places[0].x = 99.0
     about.cause = (
-        "Both entries of the list are the same firework. Call make_firework once for each firework "
+        "Both entries in the list are the same firework. Call make_firework once per firework, "
         "instead of adding the same one several times."
     )
     expect_close(places[1].x, x[0], then="; the first one's x = 99; x of the second one")
@@ -185,8 +188,8 @@ def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str
         "many fireworks were created"
     )
     about.cause = (
-        "Too many fireworks were created. First compute how many of them will have a slot at the "
-        "end, and then create only this number."
+        "You created too many fireworks. First work out how many of them will have a slot at the "
+        "end, and then create only that many."
     )
     about.read = "the docstring of light"
     _, _, made = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 50)
@@ -200,8 +203,8 @@ def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str
         lit, wanted, then=", the first half of type 1, the rest of type 2; how many of each burn"
     )
     about.cause = (
-        "Most of these fireworks had no room. Add all fireworks without a slot to dropped, "
-        "including those of births that were skipped completely."
+        "There was no room for most of these fireworks. Add every firework without a slot to "
+        "dropped, including those of births that you skipped altogether."
     )
     expect_exactly(dropped, 1000 * 10**9 - 2000, then="; show.dropped")
 
@@ -213,7 +216,7 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
     about.call = f"two shows with the seed {seed}: launch 1 three times"
     about.cause = (
         "Two shows with the same seed must launch the same fireworks. Draw from self.random, which "
-        "was created from the seed."
+        "is created from the seed."
     )
     about.read = "the docstring of FireworksShow"
     runs = [probes.show_after(rules, [1, 1, 1], s, 0.01, 0) for s in (seed, seed, seed + 1)]
@@ -221,7 +224,7 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
     differ = sum(a != b for a, b in zip(runs[0], runs[1], strict=True))
     expect_exactly(differ, 0, then=": how many fireworks differ")
     about.cause = (
-        "Two shows with different seeds were the same. Create self.random from the seed of the "
+        "Two shows with different seeds came out the same. Create self.random from the seed of the "
         "show."
     )
     same = sum(a == b for a, b in zip(runs[0], runs[2], strict=True))
@@ -234,7 +237,7 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
 def test_births_that_mean_nothing_are_refused() -> None:
     about.call = "show.launch(7), rules for 1 to 4"
     about.cause = (
-        "There is no rule for this type, so the firework cannot be made. Raise a ValueError that "
+        "There is no rule for this type, so you cannot make the firework. Raise a ValueError that "
         "names the type."
     )
     about.read = "the docstring of launch"
@@ -244,7 +247,7 @@ def test_births_that_mean_nothing_are_refused() -> None:
     )
     expect_exactly(len(a_show.fireworks), 0, then="; how many burn")
     about.cause = (
-        "One of these births is not valid, so none of them may be lit. Check all births before you "
+        "One of these births is not valid, so don't light any of them. Check all births before you "
         "light the first one."
     )
     for bad, births in (

@@ -26,8 +26,8 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         f"and velocity {before}"
     )
     about.cause = (
-        "Along X and Z, the shot passes its momentum to the block, so v' = v + m v_shot / M. Along "
-        "Y, the velocity does not change, because the ground absorbs the momentum."
+        "Along X and Z, the shot passes its momentum on to the block, so v' = v + m v_shot / M. "
+        "Along Y, the velocity doesn't change, because the ground absorbs the momentum."
     )
     block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=block_mass)
     block.particle.velocity = Vector3(*before)
@@ -41,18 +41,18 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     mistakes = [
         (
             (gained[0], 0.0, gained[2]),
-            "The velocity of the block was replaced. Add the change m v "
-            "/ M to the velocity that it already has.",
+            "The velocity of the block was replaced. Add the change m v / M to the velocity that "
+            "the block already has.",
         ),
         (
             tuple(before[i] + gained[i] for i in range(3)),
-            "The Y component of the block's velocity changed as well, but the ground absorbs this "
+            "The Y component of the block's velocity changed too, but the ground absorbs that "
             "part. Change only X and Z.",
         ),
         (
             (before[0] + v[0], 1.5, before[2] + v[2]),
-            "The whole velocity of the shot was added. The block gains only the momentum divided "
-            "by its own mass, m v / M.",
+            "The whole velocity of the shot was added. The block gains only the shot's momentum "
+            "divided by its own mass, m v / M.",
         ),
     ]
     blame(got, mistakes)
@@ -87,7 +87,7 @@ def test_only_the_first_block_on_the_way_is_hit() -> None:
         "strike_first(Vector3(0, 1, 0), p at z = 20, blocks at z = 15, 5 and 10), their hits"
     )
     about.cause = (
-        "The path leads through several blocks, but the shot stops at the first one. Hit only the "
+        "The path leads through several blocks, but the shot stops at the first. Hit only the "
         "block with the smallest fraction."
     )
     blocks = [
@@ -105,8 +105,8 @@ def test_only_the_first_block_on_the_way_is_hit() -> None:
 @pytest.mark.exercise("4.3c")
 def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     about.cause = (
-        "The block whose center is nearer is not always hit first. Compare the results of "
-        "hit_fraction, which say how far along the path each block is hit."
+        "The block with the nearer center is not always the first to be hit. Compare the results "
+        "of hit_fraction, which say how far along the path each block is."
     )
     about.read = STRIKE
     about.call = (
@@ -121,7 +121,7 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     expect_exactly(hits, (0, 1), then=", thin one and long one")
     about.call = "two blocks whose near faces are in the same plane; strike_first(...), their hits"
     about.cause = (
-        "If the path touches two blocks at the same fraction, hit the one that comes first in the "
+        "If the path reaches two blocks at the same fraction, hit the one that comes first in the "
         "list."
     )
     pair = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 2 * z - 8.0), mass=5.0) for z in (5, 6)]
@@ -134,8 +134,8 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     about.call = "strike_first(Vector3(0, 1, 5), p at z = 20, blocks at z = 10 and 5), their hits"
     about.cause = (
-        "A fraction of 0 is a hit. Python treats 0 as false in an if statement, so compare the "
-        "result with None by using `is None`."
+        "A fraction of 0 is a hit. Python treats 0 as false in an if statement, so test for a miss "
+        "with `is None`."
     )
     blocks = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (10.0, 5.0)]
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
@@ -147,7 +147,7 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block at x = 9)"
-    about.cause = "No block is on the path of this shot. Return None, and do not count a hit."
+    about.cause = "There is no block on this shot's path. Return None, and don't count a hit."
     block = TargetBlock(Vector3(9.0, 1.0, 5.0), (2.0, 2.0, 1.0), mass=5.0)
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
@@ -162,8 +162,8 @@ def test_a_shot_that_hits_nothing_changes_nothing() -> None:
         "the block is moved to x = 0; strike_first(Vector3(0, 1, 0), p, [block]); block.hits"
     )
     about.cause = (
-        "The block was moved onto the path, so now it must be hit. Check that you use its current "
-        "position."
+        "The check moves the block onto the path, so the shot must hit it now. Make sure that you "
+        "use the block's current position."
     )
     block.particle.position.x = 0.0
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
@@ -176,8 +176,8 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
         'a block of 35 kg, 2 cm thick, at z = 20; r.fire("laser"); r.update(0.05) 5 times; '
     )
     about.cause = (
-        "In update, copy the position of the shot before the step, because the vector itself "
-        "moves with the shot. A shot that has hit a block must be removed."
+        "In update, copy the position of the shot before the step, because the vector itself moves "
+        "with the shot. Remove a shot that has hit a block."
     )
     about.read = "the docstring of update"
     block = TargetBlock(Vector3(0.0, 1.5, 20.0), (2.0, 2.0, 0.02), mass=35.0, damping=1.0)
@@ -205,8 +205,8 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
     expect_close(speed, wanted, then="its speed")
     at.update(0.5)
     about.cause = (
-        "In each step, first move the targets and then the shots. A block that is hit therefore "
-        "starts to move in the next step."
+        "In each step, move the targets first and then the shots. A block that is hit then starts "
+        "to move in the next step."
     )
     moved = block.particle.position.z
     expect_close(moved, 20.0 + 0.5 * wanted, then="r.update(0.5); its z coordinate")
@@ -219,8 +219,8 @@ def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
         "to the side and another laser; r.update(0.1)"
     )
     about.cause = (
-        "Test every shot against all targets. A shot that hits one is removed, and the other shots "
-        "continue their flight."
+        "Test every shot against all targets. Remove a shot that hits one, and let the others fly "
+        "on."
     )
     about.read = "the docstring of update"
     blocks = [
@@ -242,8 +242,8 @@ def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
 def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
     about.read = "the docstring of update"
     about.cause = (
-        "This shot hits the block before it reaches the point where it would be spent. Call "
-        "strike_first before you call is_spent."
+        "This shot hits the block before it gets to where it would be spent. Call strike_first "
+        "before is_spent."
     )
     about.call = (
         'a block at z = 8; r.fire("laser", elevation=-0.1); r.update(0.5), after which the shot is '
@@ -255,8 +255,7 @@ def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
     at.update(0.5)
     expect_exactly(block.hits, 1, then="; block.hits")
     about.cause = (
-        "A grenade that hits a block is stopped like any other shot. Remove it from the list of "
-        "shots."
+        "A block stops a grenade like any other shot. Remove the grenade from the list of shots."
     )
     about.call = 'a block at z = 8; r.fire("grenade", elevation=0.0); r.update(0.5) twice'
     block = TargetBlock(Vector3(0.0, 1.0, 8.0), (2.0, 9.0, 0.5), mass=35.0)

@@ -38,19 +38,16 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
         "block)"
     )
     about.cause = (
-        "Both ends of the path are outside the block, but the path goes through it. Test the whole "
-        "path, not only its ends."
+        "Both ends of the path lie outside the block, but the path goes through it. Test the whole "
+        "path, not just its ends."
     )
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
     expect_exactly(got is None, False, then=" is None", read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
-    about.cause = (
-        "The result must be the fraction of the path at which it crosses the near face of the "
-        "block."
-    )
+    about.cause = "Return the fraction of the path at which it crosses the near face of the block."
     whole = (
-        "The block was treated as twice as thick as it is. The numbers in size are whole sides, so "
+        "You treated the block as twice as thick as it is. The numbers in size are whole sides, so "
         "half of each is on either side of the center."
     )
     blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
@@ -60,9 +57,8 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     about.cause = (
-        "On each axis, the path is between the two faces of the box for a while, and this begins "
-        "at the smaller fraction. The path enters the box at the latest of these three "
-        "beginnings."
+        "On each axis, the path is between the two faces of the box from the smaller of two "
+        "fractions to the larger. It enters the box at the largest of the three smaller ones."
     )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
@@ -82,8 +78,8 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     about.cause = (
-        "The path does not move along one or two axes, so you cannot divide by its displacement "
-        "there. On such an axis, it is between the two faces either all the time or never."
+        "The path doesn't move along one or two of the axes, so there is no displacement to divide "
+        "by. On such an axis, it is between the two faces either all the time or never."
     )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
@@ -99,8 +95,8 @@ def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: Random) -> None:
     about.cause = (
-        "On each axis, the path is between the two faces of the box for a while. The path enters "
-        "the box at the latest of these three beginnings, not at the first."
+        "On each axis, the path gets between the two faces of the box at some point. It enters the "
+        "box at the latest of these three points, not at the first."
     )
     # From outside on all axes to the middle of the box: entered at the greatest of the three.
     sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
@@ -127,7 +123,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     first, last = Vector3(*start), Vector3(*end)
     block = TargetBlock(Vector3(*center), (1.0, 2.0, 3.0), mass=10.0)
     about(
-        cause="hit_fraction must not change its arguments, so compute with numbers or with new "
+        cause="hit_fraction must not change its arguments. Compute with plain numbers or with new "
         "vectors instead.",
         read=READ,
     )
@@ -158,7 +154,7 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
             (3.5, 4.0, 1.0),
             (3.5, 4.0, 9.0),
             True,
-            "The path runs along Z, but beside the box, so it misses.",
+            "The path runs along Z, but to one side of the box, so it misses.",
         ),
         (
             (2.9, 4.0, 1.0),
@@ -201,13 +197,10 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_that_cuts_the_corner_misses() -> None:
     beside = (
-        "The path is between the two faces of the box along X for a while, and along Z for a "
-        "while, but never along both at once. So it misses."
+        "The path is between the faces along X for a while, and between those along Z for a while, "
+        "but never both at once, so it misses."
     )
-    through = (
-        "For a while, the path is between the faces of the box along X, Y and Z at once, so it "
-        "hits."
-    )
+    through = "For a while, the path is between the faces along X, Y and Z all at once, so it hits."
     for start, end, missed, cause in (
         ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0), True, beside),
         ((0.0, 4.0, 4.0), (4.0, 4.0, 8.0), False, through),
@@ -261,7 +254,7 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
             (2.0, 4.0, 5.0),
             (2.0, 4.0, 5.0),
             0.0,
-            "The path has no length, but it is inside the box, so it hits at fraction 0.",
+            "This path has no length, but it is inside the box, so it hits at fraction 0.",
         ),
     ):
         about(words(start, end), cause=cause)
@@ -270,7 +263,7 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
         expect_close(got, wanted, read=READ, tolerance=0.0)
     about(
         words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0)),
-        cause="The path has no length and is outside the box, so return None.",
+        cause="This path has no length and is outside the box, so return None.",
     )
     got = fraction((2.0, 4.0, 2.0), (2.0, 4.0, 2.0))
     expect_exactly(got, None, read=READ)

@@ -47,15 +47,15 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         nozzle = wheel.nozzle()
         x, y = math.cos(angle), math.sin(angle)
         about.cause = (
-            "The nozzle must be on the rim, at center + radius (cos, sin, 0), with the angle "
-            "measured from the X axis."
+            "The nozzle sits on the rim, at center + radius (cos, sin, 0), with the angle measured "
+            "from the X axis."
         )
         wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
         got = xyz(nozzle.position)
         expect_close(got, wanted, then=".position", tolerance=1e-13)
         about.cause = (
-            "The velocity of the nozzle is perpendicular to the spoke and points from X toward Y. "
-            "Its length is rate x radius."
+            "The velocity of the nozzle is at right angles to the spoke and points from X toward "
+            "Y. Its length is rate x radius."
         )
         speed = rate * radius
         wanted = (0.0 - speed * y, speed * x, 0.0)
@@ -63,24 +63,24 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         mistakes = [
             (
                 (speed * x, speed * y, 0.0),
-                "The velocity points along the spoke. Rotate it by a right angle, because the rim "
-                "moves perpendicular to the spoke.",
+                "The velocity points along the spoke, but the rim moves at right angles to it. "
+                "Rotate the velocity by a quarter turn.",
             ),
             (
                 (speed * y, 0.0 - speed * x, 0.0),
-                "The rim moves in the wrong direction, but it must rotate from X toward Y.",
+                "The rim moves in the wrong direction. The wheel must turn from X toward Y.",
             ),
             (
                 (0.0 - rate * y, rate * x, 0.0),
-                "The speed equals the rate, which is an angle per second. Multiply the rate by "
-                "the radius to get the speed of the rim.",
+                "The speed equals the rate, which is an angle per second. Multiply it by the "
+                "radius to get the speed of the rim.",
             ),
         ]
         blame(got, mistakes)
         expect_close(got, wanted, then=".velocity", tolerance=ROUNDED)
     about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
     about.cause = (
-        "Two calls of nozzle returned the same particle, or their particles share a vector. "
+        "Two calls to nozzle returned the same particle, or two particles that share a vector. "
         "Create a new particle in every call."
     )
     one, other = wheel.nozzle(), wheel.nozzle()
@@ -95,15 +95,15 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
     about.call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}; wheel.nozzle().velocity"
     about.cause = (
-        "The speed along the circle is rate x radius minus the jet. It is negative if the jet is "
-        "faster than the rim."
+        "The speed along the circle is rate x radius minus the jet, so it is negative if the jet "
+        "is faster than the rim."
     )
     _, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, jet=jet)
     got = xyz(wheel.nozzle().velocity)
     mistakes = [
         (
             (0.0, 2.0 * rate + jet, 0.0),
-            "The speed of the jet was added to the speed of the rim. Subtract it, because the jet "
+            "You added the speed of the jet to that of the rim. Subtract it, because the jet "
             "blows against the motion of the rim.",
         ),
         (
@@ -141,23 +141,23 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
         )
         counts = probes.sparks_of_a_wheel(per_second, h, frames)
         about.cause = (
-            "After a time t, the whole part of sparks_per_second x t must have left the wheel, "
-            "however long the steps are."
+            "After a time t, the whole-number part of sparks_per_second x t must have left the "
+            "wheel, however long the steps are."
         )
         if counts[-1] == frames:
             about.cause = (
-                "One spark left in every step. The number must depend on the time that has passed, "
-                "not on the number of steps."
+                "One spark left in every step. The number must depend on how much time has passed, "
+                "not on how many steps it took."
             )
         if counts[-1] == 0:
             about.cause = (
-                "No sparks left the wheel, because each step is too short for a whole spark. Add "
-                "up the fractions of a spark from step to step."
+                "No sparks left the wheel, because each step is too short for a whole spark. Carry "
+                "the fraction of a spark over from step to step."
             )
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
         about.cause = (
-            "A step can end with a fraction of a spark. Keep this fraction for the next step, so "
-            "that no sparks are lost."
+            "A step can end with a fraction of a spark. Carry that fraction over to the next step, "
+            "so that no sparks are lost."
         )
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
         expect_exactly(counts, wanted, then=" after each")
@@ -172,8 +172,8 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
         "wheel.update(0.25)"
     )
     about.cause = (
-        "The sparks leave from the nozzle, so pass its particle at the end of the step as their "
-        "parent."
+        "The sparks leave from the nozzle, so pass the nozzle's particle at the end of the step as "
+        "their parent."
     )
     show, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, 10.5, jet)
     wheel.update(0.25)
@@ -184,7 +184,7 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
         expect_exactly(spark.type, 7, then=", a type")
         got, wanted = xyz(spark.particle.position), (2.0 * x, 5.0 + 2.0 * y, 0.0)
         before = (
-            "The sparks left before the wheel had rotated. Rotate the wheel first, and then light "
+            "The sparks left before the wheel had turned. Rotate the wheel first, and then light "
             "the sparks."
         )
         blame(got, [((2.0, 5.0, 0.0), before)])
@@ -202,12 +202,12 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     wheel.update(1.0)
     expect_exactly(len(show.fireworks), 3, then="; len(show.fireworks)")
     about.cause = (
-        "After 1 s, 10 sparks are due. Count all of them in wheel.thrown, even those for which "
-        "there was no slot."
+        "After 1 s, 10 sparks are due. Count all of them in wheel.thrown, even those that found no "
+        "slot."
     )
     if wheel.thrown == 3:
         about.cause = (
-            "Only the 3 sparks that found a slot were counted, so the other 7 would be thrown "
+            "You counted only the 3 sparks that found a slot, so the other 7 would be thrown "
             "later. Add all 10 that were due to wheel.thrown."
         )
     expect_exactly(wheel.thrown, 10, then="; wheel.thrown")
@@ -215,13 +215,13 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     wheel.update(0.5)
     about.call += "; show.update(10), so that all go out; wheel.update(0.5)"
     about.cause = (
-        "After 1.5 s, 15 sparks are due in total. Since 10 of them have already been counted, "
-        "throw 5 more."
+        "After 1.5 s, 15 sparks are due in total. You have already counted 10 of them, so throw 5 "
+        "more."
     )
     expect_exactly(wheel.thrown, 15, then="; wheel.thrown")
     about.cause = (
         "The show drops 7 of the first 10 sparks and 2 of the last 5. Check that the second update "
-        "lights exactly 5 sparks."
+        "lights exactly 5."
     )
     expect_exactly(show.dropped, 7 + 2, then="; show.dropped")
 

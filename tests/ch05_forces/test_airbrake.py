@@ -46,24 +46,24 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (
             None,
             ZERO,
-            "A new brake is off, so it must add no force. Set self.on to False at the start.",
+            "A new brake is off, so it must not add a force. Set self.on to False in __init__.",
         ),
         (
             True,
             pulled,
-            "The brake is on, so it must add -k v. The limit has no effect here, because a full "
+            "The brake is on, so it must add -k v. The limit plays no part here, because a full "
             "stop would take a force of m / h = 4 times the velocity.",
         ),
         (
             None,
             pulled,
-            "The brake was switched on before, and it must stay on until it is switched off.",
+            "The brake was switched on earlier, and it must stay on until it is switched off.",
         ),
         (
             False,
             ZERO,
             (
-                "The brake was switched off, so it must not add a force anymore. Check self.on in "
+                "The brake was switched off, so it must no longer add a force. Check self.on in "
                 "every call."
             ),
         ),
@@ -79,10 +79,12 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         if wanted is pulled:
             slips = {
-                "The force points in the direction of the motion, but it must point against it. "
-                "Add the missing minus sign.": [-part for part in pulled],
-                "This force is -v m / h, which would stop the particle completely. The force -k v "
-                "is smaller here, so use the smaller one of the two.": [-4.0 * part for part in v],
+                "The force points along the motion, but it must point against it. Add the missing "
+                "minus sign.": [-part for part in pulled],
+                "This force is -v m / h, which would stop the particle completely. Here -k v is "
+                "smaller, so use that. Always use the smaller of the two.": [
+                    -4.0 * part for part in v
+                ],
                 "This force is -k |v| v, which is quadratic drag. The brake is linear, so use -k "
                 "v.": [part * math.hypot(*v) for part in pulled],
             }
@@ -98,7 +100,7 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
     v, f = components(rng), components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
     about.cause = "The brake is too weak to stop the particle in one step, because k h / m is "
-    about.cause += "below 1. The force must be -k v here, without a limit."
+    about.cause += "below 1. The force must be -k v, with no limit."
     for share in (0.01, 0.5, 0.98):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
@@ -110,14 +112,17 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
         slips = {
-            "The force was limited to -v / h, but the mass is missing in this limit. It must be "
-            "-v m / h.": [f[i] - v[i] / h for i in range(3)],
-            "The force was limited to -v m, but the duration is missing in this limit. It must be "
-            "-v m / h.": [f[i] - v[i] * mass for i in range(3)],
-            "The force was limited to -v m h. Divide by the duration instead of multiplying, "
-            "because the limit must be -v m / h.": [f[i] - v[i] * mass * h for i in range(3)],
-            "The force was limited to half of a full stop. The limit must be the force that stops "
-            "the particle completely, -v m / h.": [f[i] - 0.5 * v[i] * mass / h for i in range(3)],
+            "You limited the force to -v / h, which lacks the mass. The limit must be -v m / h.": [
+                f[i] - v[i] / h for i in range(3)
+            ],
+            "You limited the force to -v m, which lacks the duration. The limit must be -v m / "
+            "h.": [f[i] - v[i] * mass for i in range(3)],
+            "You limited the force to -v m h. Divide by the duration instead of multiplying by it, "
+            "so that the limit is -v m / h.": [f[i] - v[i] * mass * h for i in range(3)],
+            "You limited the force to half of what a full stop takes. The limit must be the "
+            "force that stops the particle completely, -v m / h.": [
+                f[i] - 0.5 * v[i] * mass / h for i in range(3)
+            ],
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 900.
@@ -130,7 +135,7 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
     v = components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
     about.cause = "A step changes the velocity by f h / m, so a force of -v m / h stops the "
-    about.cause += "particle completely. Never add a larger force."
+    about.cause += "particle completely. Never add a larger one."
     for share in (1.02, 2.02, 1e3, 1e12):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = Airbrake({k!r}), "
@@ -138,15 +143,15 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
         got = xyz(p.velocity)
-        adds = "The generator has changed the velocity itself. It must only add a force, because "
-        adds += "the step changes the velocity."
+        adds = "The generator changed the velocity itself. It must only add a force, and let the "
+        adds += "step change the velocity."
         expect_unchanged("p.velocity before the step", got, v, cause=adds)
         p.integrate(h)
         got = xyz(p.velocity)
         slips = {
-            "The brake has reversed the motion, because its force is larger than a full stop "
-            "needs. Limit the force to -v m / h.": [part * (1.0 - share) for part in v],
-            "The velocity has not changed. When -k v is more than a full stop needs, the brake "
+            "The brake has reversed the motion, because its force is more than a full stop takes. "
+            "Limit the force to -v m / h.": [part * (1.0 - share) for part in v],
+            "The velocity did not change. Even if -k v is more than a full stop takes, the brake "
             "must still stop the particle, with -v m / h.": v,
         }
         why = named(got, about.cause, slips)
@@ -164,7 +169,7 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
     p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
     for h in (0.5, 0.25):
         about.cause = "The brake is strong enough to stop the particle in one step. It must add -v "
-        about.cause += "m / h to the other forces and keep them."
+        about.cause += "m / h to the other forces, without losing them."
         p.clear_forces()
         p.add_force(Vector3(*f))
         brake.update_force(p, h)
@@ -172,14 +177,14 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
         wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
         # Up to a part in 1e12 of 400 N, as FULL says.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-9)
-        about.cause = "update_force has changed brake.on or brake.k. Do not change them, because "
+        about.cause = "update_force has changed brake.on or brake.k. Leave both alone, because "
         about.cause += "only the player sets them."
         expect_exactly((brake.on, brake.k), (True, 1e6), then="; (brake.on, brake.k)")
         about.call += "; in another frame, brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
-    about.cause = "An immovable particle cannot be stopped by a force, so its velocity must stay "
-    about.cause += "the same. Add no force and raise no error."
+    about.cause = "No force can stop an immovable particle, so its velocity must stay the same. "
+    about.cause += "Don't add a force, and don't raise an error."
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)
@@ -199,15 +204,15 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
     expect_between(least, 0.0, 1e-9)
-    about.cause = "The brake is strong enough to stop the particle in one step, so only a rounding "
-    about.cause += "error of the velocity may be left."
+    about.cause = "The brake is strong enough to stop the particle in one step, so nothing but a "
+    about.cause += "rounding error of the velocity may be left."
     name = about.call.replace("smallest", "largest")
     expect_between(most, 0.0, 1e-9, call=name)
     expect_close(
         len(shares),
         tries,
         call="how many steps",
-        cause="The number of results is wrong. Each of the steps must give exactly one number.",
+        cause="The number of results is wrong. Each step must give exactly one number.",
     )
 
 
@@ -219,7 +224,7 @@ def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
     for on in (True, False):
         about.call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
         about.cause = "The duration must be positive and finite, even if the brake is off. Check "
-        about.cause += "it with positive from arguments.py first."
+        about.cause += "it first, with positive from arguments.py."
         p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)
         expect_error(
             lambda brake=brake, p=p: brake.update_force(p, duration),
@@ -227,6 +232,6 @@ def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
             allowed=lambda brake=brake: brake.update_force(Particle(), 0.5),
         )
         got = xyz(p.force_accumulator)
-        about.cause = "The duration was rejected, but a force was added. Check the duration before "
-        about.cause += "you add a force."
+        about.cause = "The duration was rejected, but a force was added anyway. Check the duration "
+        about.cause += "before you add a force."
         expect_close(got, ZERO, then="; p.force_accumulator")

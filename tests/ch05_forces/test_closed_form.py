@@ -25,8 +25,7 @@ ROUNDED = 1e-12
 @pytest.mark.exercise("B5.6")
 def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
     about(
-        cause="At the terminal speed the drag is equal to the weight, so solve k1 v + k2 v^2 = W "
-        "for v.",
+        cause="At the terminal speed the drag equals the weight, so solve k1 v + k2 v^2 = W for v.",
         read=TERMINAL,
     )
     about.call = "terminal_speed(2 * 9.81, 0.3, 0.05)"
@@ -34,23 +33,23 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
     root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
     slips = {
         "This is the negative solution of the quadratic equation. A speed is positive, so use the "
-        "other solution.": (-0.3 - root) / 0.1,
-        (
-            "The result was divided by k2, but the solution of a quadratic equation is divided by "
-            "2 k2."
-        ): (-0.3 + root) / 0.05,
+        "other one.": (-0.3 - root) / 0.1,
+        ("You divided by k2, but the solution of a quadratic equation is divided by 2 k2."): (
+            -0.3 + root
+        )
+        / 0.05,
         "A factor of 4 is missing under the square root, which must be sqrt(k1^2 + 4 k2 W).": (
             -0.3 + without_4
         )
         / 0.1,
         "A factor of 4 is missing under the square root. It must be 2 W / (k1 + sqrt(k1^2 + 4 k2 "
         "W)).": 39.24 / (0.3 + without_4),
-        "k1 and k2 are swapped: k1 is multiplied by the speed, and k2 by its square.": 39.24
+        "k1 and k2 are swapped. k1 goes with the speed, and k2 goes with its square.": 39.24
         / (0.05 + math.sqrt(0.0025 + 1.2 * 19.62)),
-        "This is sqrt(W / k2), the terminal speed without linear drag. Use k1 as well.": math.sqrt(
+        "This is sqrt(W / k2), the terminal speed without linear drag. Include k1 too.": math.sqrt(
             19.62 / 0.05
         ),
-        "This is W / k1, the terminal speed without quadratic drag. Use k2 as well.": 19.62 / 0.3,
+        "This is W / k1, the terminal speed without quadratic drag. Include k2 too.": 19.62 / 0.3,
     }
     blame(got, slips)
     # The reference value has seven decimals.
@@ -65,8 +64,8 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
         (1e9, 1e-3, 1e-13),
         (1e-9, 1e-3, 1e3),
     ):
-        about.cause = "At the terminal speed the drag k1 v + k2 v^2 is equal to the weight W. "
-        about.cause += "Solve this equation for v."
+        about.cause = "At the terminal speed the drag k1 v + k2 v^2 equals the weight W. Solve "
+        about.cause += "this equation for v."
         about.call = f"v = terminal_speed({weight}, {k1}, {k2}); k1 v + k2 v^2"
         v = terminal_speed(weight, k1, k2)
         drag = k1 * v + k2 * v * v
@@ -82,14 +81,14 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.read = TERMINAL
     weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
-    about.cause = "With k2 = 0 the terminal speed is W / k1. Use the form 2 W / (k1 + root), "
-    about.cause += "because it does not divide by k2."
+    about.cause = "With k2 = 0 the terminal speed is W / k1. Use the form 2 W / (k1 + root), which "
+    about.cause += "doesn't divide by k2."
     about.call = f"terminal_speed({weight}, {k}, 0.0)"
     got = terminal_speed(weight, k, 0.0)
     expect_close(got, weight / k, tolerance=ROUNDED * got)
     about(
         f"terminal_speed({weight}, 0.0, {k})",
-        cause="With k1 = 0 there is only quadratic drag, and the terminal speed is sqrt(W / k2).",
+        cause="With k1 = 0 there is only quadratic drag, so the terminal speed is sqrt(W / k2).",
     )
     got = terminal_speed(weight, 0.0, k)
     wanted = math.sqrt(weight / k)
@@ -100,8 +99,8 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
     about.read = TERMINAL
     weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
-    about.cause = "The result has lost digits, perhaps because -k1 + root subtracts two almost "
-    about.cause += "equal numbers. Use 2 W / (k1 + root), which is the same number without this "
+    about.cause = "The result has lost digits, perhaps because -k1 + root subtracts two nearly "
+    about.cause += "equal numbers. Use 2 W / (k1 + root), which is the same number without the "
     about.cause += "loss."
     for k2 in (1e-6, 1e-10, 1e-14):
         about.call = f"terminal_speed({weight}, {k1}, {k2})"
@@ -119,8 +118,8 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
 @pytest.mark.exercise("B5.7")
 def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     about.read = FALL
-    about.cause = "The speed is u tanh(g t / u), and the distance is u^2 / g ln cosh(g t / u). In "
-    about.cause += "both formulas u is the terminal speed."
+    about.cause = "The speed is u tanh(g t / u) and the distance is u^2 / g ln cosh(g t / u), "
+    about.cause += "where u is the terminal speed."
     about.call = "quadratic_fall(2.0, 9.81, 0.05, 3.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
@@ -129,11 +128,13 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     angle = 9.81 * 3.0 / light
     slips = {
         "The two results are swapped: return the speed first and the distance second.": (x, v),
-        "This distance is u t, as if the body fell at the terminal speed from the start. It "
-        "begins at rest, so use u^2 / g ln cosh(g t / u).": (v, u * 3.0),
-        "This distance is g t^2 / 2, as in a free fall without drag. Use u^2 / g ln cosh(g t / "
-        "u).": (v, 9.81 * 4.5),
-        "This speed is g t, as in a free fall without drag. Use u tanh(g t / u).": (9.81 * 3.0, x),
+        "This distance is u t, as if the body fell at the terminal speed from the start. It starts "
+        "from rest, so use u^2 / g ln cosh(g t / u).": (v, u * 3.0),
+        "This distance is g t^2 / 2, as in free fall without drag. Use u^2 / g ln cosh(g t / u).": (
+            v,
+            9.81 * 4.5,
+        ),
+        "This speed is g t, as in free fall without drag. Use u tanh(g t / u).": (9.81 * 3.0, x),
         "This speed is g t, cut off at the terminal speed. Drag slows the body down from the "
         "start, so use u tanh(g t / u).": (min(9.81 * 3.0, u), x),
         "The speed was computed with tan. Use math.tanh, the hyperbolic tangent, instead.": (
@@ -144,7 +145,8 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
             v,
             x / math.log(10.0),
         ),
-        "The mass is missing in the terminal speed u. The weight is m g, so u is sqrt(m g / k2).": (
+        "The mass is missing from the terminal speed u. The weight is m g, so u is sqrt(m g / "
+        "k2).": (
             light * math.tanh(angle),
             light * light / 9.81 * math.log(math.cosh(angle)),
         ),
@@ -165,8 +167,8 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         expect_close(speed, wanted_speed, then=", the speed", tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
-        about.cause = "The speed v and the distance x do not fit together. They must satisfy v^2 = "
-        about.cause += "u^2 (1 - e^(-2 k2 x / m)), where u is the terminal speed."
+        about.cause = "The speed v and the distance x don't agree with each other. They must "
+        about.cause += "satisfy v^2 = u^2 (1 - e^(-2 k2 x / m)), where u is the terminal speed."
         expect_close(
             total, u * u, then=" = (v, x); v^2 + u^2 e^(-2 k2 x / m)", tolerance=ROUNDED * u * u
         )
@@ -180,7 +182,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
     about.read = FALL
     g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
-    about.cause = "The distance has lost digits, because cosh x is almost 1 for a small x. Compute "
+    about.cause = "The distance has lost digits, because cosh x is nearly 1 for a small x. Compute "
     about.cause += "ln cosh x as math.log1p(2 sinh(x / 2)^2) instead."
     for k2 in (1e-8, 1e-12, 1e-15):
         about.call = f"quadratic_fall(2.0, {g}, {k2}, {time})"
@@ -215,7 +217,7 @@ def expect_terminal_speed(rng: Random, angles: tuple[float, ...]) -> None:
 
 @pytest.mark.exercise("B5.7")
 def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
-    about.cause = "After a long time the body falls at the terminal speed u, and its distance is u "
+    about.cause = "After a long time the body falls at the terminal speed u, and the distance is u "
     about.cause += "t - u^2 / g ln 2."
     expect_terminal_speed(rng, (60.0, 600.0))  # cosh of 711 is too large for a float
 
@@ -223,8 +225,8 @@ def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
 @pytest.mark.exercise("B5.7")
 @pytest.mark.robust
 def test_a_fall_without_an_end_fits_in_a_float(rng: Random) -> None:
-    about.cause = "cosh(x) is too large for a float when x is large. In this case, use x - ln 2 "
-    about.cause += "for ln cosh x."
+    about.cause = "For a large x, cosh(x) is too large for a float. Use x - ln 2 for ln cosh x "
+    about.cause += "there."
     expect_terminal_speed(rng, (800.0, 1e6))
 
 
@@ -233,7 +235,8 @@ def test_a_fall_of_any_length_keeps_its_digits() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
     about.read = FALL
     about.cause = "The distance is inaccurate here, perhaps because you switch between two forms "
-    about.cause += "of ln cosh x near this point. Both forms must be accurate where you switch."
+    about.cause += "of ln cosh x near this point. At the point where you switch, both forms must "
+    about.cause += "be accurate."
     for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
         about.call = f"quadratic_fall(2.0, 8.0, 0.25, {text})"
         x = Decimal(text)
@@ -248,12 +251,12 @@ def test_a_fall_of_any_length_keeps_its_digits() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
-    about.cause = "A time of 0 is valid. The fall has just begun then, so the speed and the "
+    about.cause = "A time of 0 is valid. The fall is only just beginning, so the speed and the "
     about.cause += "distance are both 0."
     about.call = "quadratic_fall(2.0, 9.81, 0.05, 0.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
     expect_close(got, (0.0, 0.0))
-    about.cause = "After a short time t there is almost no drag, so the speed is g t and the "
+    about.cause = "After a short time t there is hardly any drag yet, so the speed is g t and the "
     about.cause += "distance is g t^2 / 2."
     about.call = "quadratic_fall(2.0, 10.0, 0.05, 1e-6)"
     got = quadratic_fall(2.0, 10.0, 0.05, 1e-6)
@@ -265,8 +268,8 @@ def test_a_fall_begins_at_rest() -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     about.read = COAST
-    about.cause = "Both kinds of drag act at the same time. The speed must be v e^-s / (1 + k2 v "
-    about.cause += "(1 - e^-s) / k1), where s = k1 t / m."
+    about.cause = "Both kinds of drag act at the same time, so the speed must be v e^-s / (1 + k2 "
+    about.cause += "v (1 - e^-s) / k1), where s = k1 t / m."
     for _ in range(3):
         v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
         mass, time = positive_number(rng), positive_number(rng, 0.2, 2.0)
@@ -277,16 +280,16 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         got = coasting_speed(v, k1, k2, mass, time)
         s = k1 * time / mass
         slips = {
-            "This is v e^-s, which leaves out the quadratic drag, so use k2 as well.": v
+            "This is v e^-s, which leaves out the quadratic drag. Include k2 as well.": v
             * math.exp(-s),
-            "This is the result if first the drag with k1 and then the drag with k2 acts. Both "
-            "act at the same time, so one formula must include both.": (
+            "This is the speed you get if the drag with k1 acts first and the drag with k2 acts "
+            "after it. Both act at the same time, so a single formula must include both.": (
                 v * math.exp(-s) / (1.0 + k2 * v * time / mass)
             ),
-            "The mass is missing in the exponent s, which must be k1 t / m.": (
+            "The mass is missing from the exponent s, which must be k1 t / m.": (
                 v * math.exp(-s * mass) / (1.0 - ratio * v * math.expm1(-s * mass))
             ),
-            "A division by k1 is missing in the denominator, which must be 1 + k2 v (1 - e^-s) / "
+            "A division by k1 is missing from the denominator, which must be 1 + k2 v (1 - e^-s) / "
             "k1.": (v * math.exp(-s) / (1.0 - k2 * v * math.expm1(-s))),
         }
         why = named(got, about.cause, slips)
@@ -295,8 +298,8 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     half = coasting_speed(v, k1, k2, mass, time / 2.0)
     name = f"the same in two halves of {time} s, the second from coasting_speed() of the first"
     got = coasting_speed(half, k1, k2, mass, time / 2.0)
-    about.cause = "Coasting for half of the time twice must give the same speed as coasting for "
-    about.cause += "the whole time. Check how the result depends on the time."
+    about.cause = "Coasting twice for half the time must give the same speed as coasting once for "
+    about.cause += "the whole time. Check how your result depends on the time."
     expect_close(got, wanted, call=name, tolerance=1e-10 * v)
 
 
@@ -311,21 +314,20 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
             k,
             0.0,
             v * math.exp(-k * time / mass),
-            "With k2 = 0 there is only linear drag, and the speed is v e^(-k1 t / m).",
+            "With k2 = 0 there is only linear drag, so the speed is v e^(-k1 t / m).",
         ),
         (
             0.0,
             k,
             v / (1.0 + k * v * time / mass),
-            "With k1 = 0 there is only quadratic drag, and "
-            "the speed is v / (1 + k2 v t / m). Do not "
-            "divide by k1 in this case.",
+            "With k1 = 0 there is only quadratic drag, so the speed is v / (1 + k2 v t / m). "
+            "Don't divide by k1 in this case.",
         ),
         (
             1e-13,
             k,
             v / (1.0 + k * v * time / mass),
-            "Here k1 is almost 0, so 1 - e^-s loses digits. Compute it as -math.expm1(-s) instead.",
+            "Here k1 is nearly 0, so 1 - e^-s loses digits. Compute it as -math.expm1(-s) instead.",
         ),
         (0.0, 0.0, v, "Both coefficients are 0, so there is no drag and the speed stays the same."),
     ):
@@ -338,7 +340,7 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
 def test_coasting_with_little_linear_drag_keeps_its_digits(rng: Random) -> None:
     about.read = COAST
     v, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng)
-    about.cause = "The speed has lost digits, because e^-s is almost 1 for a small s. Compute 1 - "
+    about.cause = "The speed has lost digits, because e^-s is nearly 1 for a small s. Compute 1 - "
     about.cause += "e^-s as -math.expm1(-s) instead."
     for power in range(1, 14):
         k1 = 10.0**-power
@@ -354,12 +356,12 @@ def test_coasting_begins_with_its_speed_and_rest_stays_rest(rng: Random) -> None
     about.read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     for speed, time, wanted, cause in (
-        (v, 0.0, v, "No time has passed yet, so the result must be the initial speed."),
+        (v, 0.0, v, "No time has passed yet, so return the initial speed."),
         (
             0.0,
             2.0,
             0.0,
-            "The particle is at rest, and drag cannot set it in motion, so the result must be 0.",
+            "The particle is at rest, and drag cannot set it in motion, so return 0.",
         ),
     ):
         about(f"coasting_speed({speed}, {k1}, {k2}, 2.0, {time})", cause=cause)
@@ -372,8 +374,8 @@ def test_coasting_begins_with_its_speed_and_rest_stays_rest(rng: Random) -> None
 def test_coasting_for_ever_ends_in_rest(rng: Random) -> None:
     about.read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
-    about.cause = "After a very long time the speed is 0. Use e^-s, which becomes 0, because e^s "
-    about.cause += "would be too large for a float."
+    about.cause = "After a very long time the speed is 0. Use e^-s, which goes to 0, because e^s "
+    about.cause += "would overflow a float."
     about.call = f"coasting_speed({v}, {k1}, {k2}, 2.0, 1e9)"
     got = coasting_speed(v, k1, k2, 2.0, 1e9)
     expect_close(got, 0.0, tolerance=ROUNDED * v)

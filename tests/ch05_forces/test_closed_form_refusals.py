@@ -43,8 +43,8 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of quadratic_fall"
-    about.cause = "One of these arguments is out of range, so raise ValueError. The functions of "
-    about.cause += "arguments.py do this, so call one of them for each argument."
+    about.cause = "One of these arguments is out of range, so raise ValueError. Pass each of them "
+    about.cause += "to one of the functions in arguments.py, which raise the error for you."
     for bad in (
         (0.0, 9.81, 0.05, 3.0),
         (2.0, 0.0, 0.05, 3.0),
@@ -65,8 +65,8 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of coasting_speed"
-    about.cause = "One of these arguments is out of range, so raise ValueError. The functions of "
-    about.cause += "arguments.py do this, so call one of them for each argument."
+    about.cause = "One of these arguments is out of range, so raise ValueError. Pass each of them "
+    about.cause += "to one of the functions in arguments.py, which raise the error for you."
     for bad in (
         (-20.0, 0.3, 0.05, 2.0, 1.5),
         (20.0, -0.3, 0.05, 2.0, 1.5),

@@ -25,7 +25,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         positive_number(rng, 1.0, 90.0),
     )
     about.cause = "A step multiplies the velocity by 1 - (k1 + k2 |v|) h / m. This factor is 0 at "
-    about.cause += "the first limit and -1 at the second, so solve for h."
+    about.cause += "the first limit and -1 at the second, so solve for h in both cases."
     for one, two, rate in (
         (k1, 0.0, k1 / mass),
         (0.0, k2, k2 * speed / mass),
@@ -35,29 +35,29 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
             "The mass is missing. Drag slows a heavier particle down less, so it tolerates a "
-            "longer step: multiply by the mass.": rate * mass,
-            "The result was divided by the mass. A heavier particle tolerates a longer step, so "
-            "multiply by the mass instead.": rate * mass**2,
-            "The result was computed with k1 + k2. The quadratic drag depends on the speed, so "
-            "multiply k2 by the speed.": (one + two) / mass,
-            "Both coefficients were multiplied by the speed, but this is right only for k2.": (
+            "longer step. Multiply by the mass.": rate * mass,
+            "You divided by the mass. A heavier particle tolerates a longer step, so multiply by "
+            "the mass instead.": rate * mass**2,
+            "You used k1 + k2. The quadratic drag depends on the speed, so multiply k2 by the "
+            "speed.": (one + two) / mass,
+            "You multiplied both coefficients by the speed, which is right only for k2.": (
                 one + two
             )
             * speed
             / mass,
-            "The result was computed with k1 + 2 k2 |v|, which is the derivative of the drag. Use "
-            "the drag divided by the speed, k1 + k2 |v|.": (one + 2.0 * two * speed) / mass,
+            "You used k1 + 2 k2 |v|, which is the derivative of the drag. Use the drag divided by "
+            "the speed, k1 + k2 |v|.": (one + 2.0 * two * speed) / mass,
         }
         slips = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
-        slips["The two limits are swapped, so return the smaller one first."] = (
+        slips["The two limits are swapped. Return the smaller one first."] = (
             2.0 / rate,
             1.0 / rate,
         )
         slips[
-            "Both results are equal to the first limit. At the second limit the factor must be -1 "
-            "instead of 0, so this limit is twice as long."
+            "You returned the first limit twice. At the second limit the factor must be -1 instead "
+            "of 0, so that limit is twice as long."
         ] = (1.0 / rate, 1.0 / rate)
-        slips["The second limit is the square of the first, but it must be twice as long."] = (
+        slips["The second limit is the square of the first, but it must be twice the first."] = (
             1.0 / rate,
             rate**-2,
         )
@@ -68,7 +68,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     expect_close(got, (1e12, 2e12), call="drag_limits(1e-12, 0.0, 1.0, 1.0)")
     about(
         f"drag_limits({k1}, {k2}, {mass}, 0.0)",
-        cause="The speed is 0, so only k1 has an effect, and the limits are m / k1 and 2 m / k1.",
+        cause="The speed is 0, so only k1 counts, and the limits are m / k1 and 2 m / k1.",
     )
     got = drag_limits(k1, k2, mass, 0.0)
     expect_close(got, (mass / k1, 2.0 * mass / k1))
@@ -133,8 +133,8 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
 @pytest.mark.robust
 def test_limits_need_numbers_that_mean_something() -> None:
     about.read = LIMITS
-    about.cause = "One of these arguments is out of range, so raise ValueError. The functions of "
-    about.cause += "arguments.py do this, so call one of them for each argument."
+    about.cause = "One of these arguments is out of range, so raise ValueError. Pass each of them "
+    about.cause += "to one of the functions in arguments.py, which raise the error for you."
     for bad in (
         (-0.3, 0.05, 2.0, 5.0),
         (0.3, -0.05, 2.0, 5.0),

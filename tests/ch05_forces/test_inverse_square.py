@@ -31,8 +31,8 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
     center, way = components(rng), direction(rng)
     mass, mu = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.5, 1.0, 20.0, 4000.0, 1e6):
-        about.cause = "The force must have the size m mu / r^2 and the direction of the unit "
-        about.cause += "vector toward the center."
+        about.cause = "The force must have the size m mu / r^2 and point along the unit vector "
+        about.cause += "toward the center."
         place = away_from(center, way, distance)
         about.call = f"p = Particle({distance} m from the center, mass={mass}); "
         about.call += f"InverseSquareGravity(Vector3{center}, {mu}).update_force(p, 0.5)"
@@ -52,8 +52,8 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
             "particle to the center instead.": [-part for part in wanted],
             "The mass is missing, so this is an acceleration. Multiply it by particle.mass to get "
             "a force.": [part / mass for part in wanted],
-            "This force pulls toward (0, 0, 0), but the center is somewhere else. Measure the "
-            "direction and the distance from self.center.": [
+            "This force pulls toward (0, 0, 0), but the center is somewhere else. Measure both "
+            "the direction and the distance from self.center.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
@@ -92,8 +92,8 @@ def test_at_the_center_there_is_no_finite_force() -> None:
                 Particle(Vector3(0, 1, 0)), 0.5
             ),
         )
-        about.cause = "An error was raised, but a force was added first. Check that the force is "
-        about.cause += "finite before you add it."
+        about.cause = "Your code raised an error, but only after adding a force. Check that the "
+        about.cause += "force is finite before you add it."
         got = xyz(p.force_accumulator)
         expect_close(got, (1, 2, 3), then="; p.force_accumulator")
 
@@ -102,8 +102,8 @@ def test_at_the_center_there_is_no_finite_force() -> None:
 @pytest.mark.robust
 def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
     about.read = READ
-    about.cause = "r^2 or r^3 can be too small or too large for a float, although the force is "
-    about.cause += "not. Compute (m / r) (mu / r) and multiply a unit vector by it."
+    about.cause = "r^2 or r^3 can be too small or too large for a float even if the force is not. "
+    about.cause += "Compute (m / r) (mu / r) and multiply it by a unit vector."
     for y, mu, force in (
         (1e-120, 2.0, -3e240),
         (1e-150, 2e-50, -3e250),
@@ -124,13 +124,13 @@ def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
     about.read = READ
     about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); InverseSquareGravity(Vector3(), "
     about.call += "10.0).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "An immovable particle has an infinite mass, which can make the force NaN. Check "
+    about.cause = "An immovable particle has infinite mass, which can make the force NaN. Check "
     about.cause += "has_finite_mass first, and add no force if it is False."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
     p.position = Vector3()
-    about.cause = "An immovable particle needs no force, even at the center. Check its mass before "
+    about.cause = "An immovable particle gets no force, even at the center. Check its mass before "
     about.cause += "you check the distance."
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     name = about.call.replace("(0, 2, 0)", "()")
@@ -148,22 +148,22 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     force = components(rng)
     about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= InverseSquareGravity(Vector3(), -6.0); gravity.update_force(p, 0.5)"
-    about.cause = "A negative mu is valid, and it pushes the particle away from the center. Add "
-    about.cause += "the force to the other forces with add_force."
+    about.cause = "A negative mu is valid and pushes the particle away from the center. Use "
+    about.cause += "add_force, which adds to the other forces."
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 3.0, force[1], force[2])
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator")
-    about.cause = "The center or the position has changed. Compute with new vectors instead of "
+    about.cause = "The center or the position has changed. Work with new vectors instead of "
     about.cause += "changing these two."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "The center or mu has changed since the last call. Read self.center and self.mu "
-    about.cause += "in every call."
+    about.cause = "The check changes the center and mu between the two calls. Read self.center and "
+    about.cause += "self.mu in every call."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
@@ -178,14 +178,14 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
     about.call = "p at (0.4, 0, 0) from the center with (0, 2, 0) m/s, mu = 1; a second of "
     about.call += "gravity.update_force(), p.integrate()"
     about.cause = "With a force of m mu / r^2 toward the center, a particle of any mass follows "
-    about.cause += "Kepler's ellipse. If another check of the force fails as well, fix that one "
+    about.cause += "Kepler's ellipse. If another check of this force fails too, fix that one "
     about.cause += "first."
     exact = (-0.62894818, 0.79966473, 0.0)
     ends = [orbit(ELLIPSE, 1.0, mass, 1.0 / n, n, center)[0] for n in (1000, 2000)]
     errors = [math.dist(end, exact) for end in ends]
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
     expect_between(errors[0], -0.008, 0.008, then=" in steps of 1/1000 s: the error of p.position")
-    about.cause = "With the right force, half the time step must give half the error. Check that "
+    about.cause = "With the right force, halving the time step must halve the error. Check that "
     about.cause += "the force is m mu / r^2 at every distance."
     expect_close(
         errors[0] / errors[1],
@@ -199,8 +199,8 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
 def test_the_orbit_closes() -> None:
     about("p at (0.4, 0, 0) with (0, 2, 0) m/s, mu = 1; one orbit, 2 pi s, of ", read=READ)
     about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "If the force decreases with the square of r, the orbit closes, so shorter "
-    about.cause += "steps must leave a smaller gap. Check the power of r."
+    about.cause = "If the force falls off with the square of r, the orbit closes, so shorter steps "
+    about.cause += "must leave a smaller gap. Check the power of r."
     counts = (10_000, 20_000)
     ends = [orbit(ELLIPSE, 1.0, 1.0, PERIOD / n, n, ZERO)[0] for n in counts]
     gaps = [math.dist(end, ELLIPSE[0]) for end in ends]

@@ -30,7 +30,7 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
     mass, strength = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.1, 1.0, 25.0, 4000.0):
         place = away_from(center, way, distance)
-        about.cause = "The force must point toward the center and have the size m g at any "
+        about.cause = "The force must point toward the center, and its size must be m g at any "
         about.cause += "distance, so normalize the direction."
         about.call = f"p = Particle({distance} m from the center, mass={mass}); "
         about.call += f"PointGravity(Vector3{center}, {strength}).update_force(p, 0.5)"
@@ -43,15 +43,15 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
             "This force pushes the particle away from the center. Use the direction from the "
             "particle to the center instead.": [-part for part in wanted],
             "This force grows with the distance, because the vector to the center was not "
-            "normalized. Use its unit vector.": [part * distance for part in wanted],
+            "normalized. Use the unit vector.": [part * distance for part in wanted],
             "The mass is missing, so this is an acceleration. Multiply it by particle.mass to get "
             "a force.": [part / mass for part in wanted],
-            "This force decreases with the square of r, as in exercise 5.4. Here it must have the "
-            "same strength at every distance, so do not divide by the distance.": [
+            "This force falls off with the square of r, as in exercise 5.4. Here its strength "
+            "must be the same at every distance, so don't divide by the distance.": [
                 part / distance**2 for part in wanted
             ],
-            "This force pulls toward (0, 0, 0), but the center is somewhere else. Measure the "
-            "direction and the distance from self.center.": [
+            "This force pulls toward (0, 0, 0), but the center is somewhere else. Measure both "
+            "the direction and the distance from self.center.": [
                 -mass * strength * part / reach for part in xyz(place)
             ],
         }
@@ -80,23 +80,22 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
     center = components(rng)
     about.call = f"p = Particle(Vector3{center}); PointGravity(Vector3{center}, "
     about.call += "10.0).update_force(p, 0.5)"
-    about.cause = "The particle is exactly at the center, so the force has no direction. Add no "
-    about.cause += "force, and do not divide by 0."
+    about.cause = "The particle is exactly at the center, so the force has no direction. Don't "
     p = Particle(Vector3(*center))
     PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
     expect_full_strength(
         1e-9,
-        "The particle is close to the center but not at it, so the force "
-        "must still have its full strength.",
+        "The particle is close to the center but not at it, so the force must still have its full "
+        "strength.",
     )
 
 
 @pytest.mark.exercise("5.3")
 @pytest.mark.robust
 def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
-    about.cause = "The distance is tiny but not 0, although its square rounds to 0 in a float. So "
+    about.cause = "The distance is tiny but not 0. Only its square rounds to 0 in a float, so "
     about.cause += "check magnitude() instead of the squared magnitude."
     expect_full_strength(1e-170, about.cause)
 
@@ -105,7 +104,7 @@ def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
 def test_point_gravity_leaves_an_immovable_particle_alone() -> None:
     about("p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(Vector3(), ", read=READ)
     about.call += "10.0).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "An immovable particle has an infinite mass, which can make the force NaN. Check "
+    about.cause = "An immovable particle has infinite mass, which can make the force NaN. Check "
     about.cause += "has_finite_mass first, and add no force if it is False."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
@@ -123,22 +122,22 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     force, center = components(rng), (7.0, 0.0, 0.0)
     about.call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= PointGravity(Vector3(), -5.0); gravity.update_force(p, 0.5)"
-    about.cause = "A negative strength is valid, and it pushes the particle away from the center. "
-    about.cause += "Add the force to the other forces with add_force."
+    about.cause = "A negative strength is valid and pushes the particle away from the center. Use "
+    about.cause += "add_force, which adds to the other forces."
     p, gravity = Particle(Vector3(3, 0, 0), mass=2.0), PointGravity(Vector3(), -5.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 10.0, force[1], force[2])
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator")
-    about.cause = "The center or the position has changed. Compute with new vectors instead of "
+    about.cause = "The center or the position has changed. Work with new vectors instead of "
     about.cause += "changing these two."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
     expect_unchanged("p.position", xyz(p.position), (3, 0, 0))
     about.call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "The center or the strength has changed since the last call. Read self.center "
-    about.cause += "and self.strength in every call."
+    about.cause = "The check changes the center and the strength between the two calls. Read "
+    about.cause += "self.center and self.strength in every call."
     gravity.center, gravity.strength = Vector3(*center), 1.5
     p.clear_forces()
     gravity.update_force(p, 0.5)

@@ -47,14 +47,14 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
         about.call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
         at = SniperRange(1)
-        about.cause = "Shots are left and no bullet is in flight, so this shot must be fired. "
-        about.cause += "Return True."
+        about.cause = "There are shots left and no bullet is in flight, so fire this shot and "
+        about.cause += "return True."
         fired = at.shoot(azimuth, elevation)
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")
         bullet: Any = at.bullet
-        about.cause = "The vertical component of the velocity is speed x sin(elevation), and its "
-        about.cause += "horizontal part is speed x cos(elevation). The azimuth rotates this "
+        about.cause = "The vertical part of the velocity is speed x sin(elevation), and the "
+        about.cause += "horizontal part is speed x cos(elevation). The azimuth rotates the "
         about.cause += "horizontal part from Z toward X."
         wanted = (
             120.0 * math.cos(elevation) * math.sin(azimuth),
@@ -63,26 +63,26 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         )
         got = xyz(bullet.velocity)
         slips = {
-            "Azimuth and elevation are swapped. The elevation decides the vertical component, and "
-            "the azimuth rotates the horizontal part.": (
+            "Azimuth and elevation are swapped. The elevation sets the vertical part, and the "
+            "azimuth rotates the horizontal part.": (
                 120.0 * math.cos(azimuth) * math.sin(elevation),
                 120.0 * math.sin(azimuth),
                 wanted[2],
             ),
-            "The azimuth rotates the shot away from X. A positive azimuth must give a positive x "
-            "component.": (
+            "Your azimuth rotates the shot away from X. A positive azimuth must give a positive "
+            "x component.": (
                 -wanted[0],
                 *wanted[1:],
             ),
             "The sine and the cosine of the azimuth are swapped. At an azimuth of 0 the bullet "
             "must fly along Z.": wanted[::-1],
-            "The bullet is too fast, because the horizontal part was not multiplied by "
+            "The bullet is too fast, because you didn't multiply the horizontal part by "
             "cos(elevation).": (
                 120.0 * math.sin(azimuth),
                 wanted[1],
                 120.0 * math.cos(azimuth),
             ),
-            "The angles were converted from degrees, but they are in radians already. Pass them "
+            "The angles were converted from degrees, but they are already in radians. Pass them "
             "to sin and cos as they are.": (
                 120.0 * math.cos(math.radians(elevation)) * math.sin(math.radians(azimuth)),
                 120.0 * math.sin(math.radians(elevation)),
@@ -91,8 +91,8 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         }
         blame(got, slips)
         expect_close(got, wanted, then="; range.bullet.velocity")
-        about.cause = "The new bullet has a wrong attribute. Use MUZZLE, GRAVITY and BULLET_MASS "
-        about.cause += "from the top of the file, and a damping of 1."
+        about.cause = "One attribute of the new bullet is wrong. Use MUZZLE, GRAVITY and "
+        about.cause += "BULLET_MASS from the top of the file, and a damping of 1."
         got = xyz(bullet.position)
         expect_close(got, (0, 1.5, 0), then="; range.bullet.position")
         got = xyz(bullet.acceleration)
@@ -108,8 +108,8 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator"
-    about.cause = "The wind must act on the bullet exactly once. Add the bullet together with the "
-    about.cause += "wind to self.forces, once for each shot."
+    about.cause = "The wind must act on the bullet exactly once. For every shot, add the pair of "
+    about.cause += "bullet and wind to self.forces once."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
     at.shoot(0.0, 0.0)
@@ -128,7 +128,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     about.call = f"range = SniperRange(1); range.shoot({a}, {e}); a step of 1/60 s later"
     at = SniperRange(1)
     about.cause = "One step must move the bullet by v h, exactly once. Check that update "
-    about.cause += "integrates the bullet and that shoot does not."
+    about.cause += "integrates the bullet and that shoot doesn't."
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
@@ -138,7 +138,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     way = "the docstring of update"
     expect_close(place[:2], wanted, call=name, read=way, tolerance=1e-12)
     about.call += "; range.shoot(0.0, 0.0)"
-    about.cause = "A bullet is still in flight, so no other one may be fired. Return False and "
+    about.cause = "A bullet is still in flight, so you must not fire another. Return False and "
     about.cause += "change nothing."
     expect_exactly(at.shoot(0.0, 0.0), False)
     expect_exactly(at.shots_left, 9, then="; range.shots_left")
@@ -150,7 +150,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
 def test_without_shots_left_none_is_fired() -> None:
     about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
     about.call += "range.bullet = None; range.shoot(0.0, 0.0)"
-    about.cause = "No shots are left, so shoot must return False instead of firing a bullet."
+    about.cause = "There are no shots left, so shoot must return False instead of firing a bullet."
     at = SniperRange(1)
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
@@ -158,7 +158,7 @@ def test_without_shots_left_none_is_fired() -> None:
         fired,
         True,
         call="range.shots_left = 1; range.shoot(0.0, 0.0)",
-        cause="One shot is left, so shoot must fire it and return True.",
+        cause="There is one shot left, so shoot must fire it and return True.",
     )
     at.bullet = None
     expect_exactly(at.shoot(0.0, 0.0), False)
@@ -173,8 +173,8 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
     about.read = SHOOT
     for angles in ((bad, 0.0), (0.0, bad)):
         about.call = f"range.shoot{angles}"
-        about.cause = "Both angles must be between -SWING and SWING, which is 0.2. Raise "
-        about.cause += "ValueError for an angle outside this range, but allow exactly 0.2."
+        about.cause = "Both angles must lie between -SWING and SWING, which is 0.2. Raise "
+        about.cause += "ValueError for any angle outside that range, but allow exactly 0.2."
         at = SniperRange(1)
 
         def allowed() -> None:
@@ -182,7 +182,7 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
                 SniperRange(1).shoot(*good)
 
         expect_error(lambda at=at, angles=angles: at.shoot(*angles), ValueError, allowed=allowed)
-        about.cause = "The angles were rejected, but something has changed. Check both angles "
+        about.cause = "The angles were rejected, but something changed anyway. Check both angles "
         about.cause += "before you change shots_left or anything else."
         expect_exactly(at.shots_left, 10, then="; range.shots_left")
         expect_exactly(at.bullet is None, True, then="; range.bullet is None")
@@ -203,18 +203,18 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
 @pytest.mark.exercise("P4.2b")
 def test_the_innermost_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
-    about.cause = "The points depend on the distance from the center. Up to 0.1 m the hole scores "
-    about.cause += "10 points, up to 0.25 m it scores 5, and up to 0.5 m it scores 2."
+    about.cause = "The points depend on the distance from the center. A hole within 0.1 m scores "
+    about.cause += "10 points, one within 0.25 m scores 5, and one within 0.5 m scores 2."
     use = "Compare the distance from the center, math.hypot(x, y), with the radii."
     for x, y, points, slip, gives in (
-        (0.0, 0.3, 2, "Only x was compared with the radii of the rings.", 10),
-        (0.3, 0.0, 2, "Only y was compared with the radii of the rings.", 10),
-        (0.08, -0.08, 5, "The sum x + y was used as the distance.", 10),
+        (0.0, 0.3, 2, "You compared only x with the radii of the rings.", 10),
+        (0.3, 0.0, 2, "You compared only y with the radii of the rings.", 10),
+        (0.08, -0.08, 5, "You used the sum x + y as the distance.", 10),
         (
             0.2,
             0.2,
             2,
-            "Only the larger one of |x| and |y| was used, which makes the rings square.",
+            "You used only the larger of |x| and |y|, which makes the rings square.",
             5,
         ),
     ):
@@ -236,10 +236,10 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
             about.call = f"ring_points({x!r}, {y!r}), {away} m from the center"
             got = ring_points(x, y)
             slips = {
-                "This is the sum of the points of all rings around the hole. Only the smallest of "
-                "these rings counts.": sum(points for radius, points in RINGS if away <= radius),
+                "You added up the points of all rings around the hole. Only the smallest of these "
+                "rings counts.": sum(points for radius, points in RINGS if away <= radius),
                 "These are the points of the largest ring. Check the smallest ring first, because "
-                "it gives the most points.": RINGS[-1][1],
+                "it scores the most.": RINGS[-1][1],
             }
             why = named(got, about.cause, slips)
             expect_exactly(got, points, cause=why)
@@ -320,15 +320,15 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
 @pytest.mark.exercise("P4.2b")
 def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
-    about.cause = "This path hits a target. Check every target on the path, measure x and y of the "
-    about.cause += "hole from its center, and multiply the points by its factor."
+    about.cause = "This path hits a target. Check every target along the path, measure x and y of "
+    about.cause += "the hole from the target's center, and multiply the points by its factor."
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)
             end = (middle + x, height + y, distance + 1.0)
             expect_hole(start, end, (distance, x, y, 10 * factor))
     about.cause = "This path is oblique, so x and y change along it. Interpolate them at the "
-    about.cause += "target's plane, which the path crosses at a quarter of its length."
+    about.cause += "target's plane, which the path crosses a quarter of the way along."
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
@@ -341,8 +341,8 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         (
             (-2.1, 1.5, 49.0),
             (-2.1, 1.5, 51.0),
-            "This path passes beside the target and misses its largest ring, so there is no hole. "
-            "Return None.",
+            "This path passes beside the target, outside even its largest ring, so there is no "
+            "hole. Return None.",
         ),
         (
             (-1.5, 1.5, 40.0),
@@ -352,12 +352,13 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         (
             (-1.5, 1.5, 50.1),
             (-1.5, 1.5, 60.0),
-            "This path begins behind the target, so it does not cross its plane. Return None.",
+            "This path starts behind the target, so it doesn't cross the target's plane. Return "
+            "None.",
         ),
         (
             (-1.5, 1.5, 51.0),
             (-1.5, 1.5, 49.0),
-            "This path crosses the target's plane from behind, which does not count as a hit. "
+            "This path crosses the target's plane from behind, which doesn't count as a hit. "
             "Return None.",
         ),
         (
@@ -369,14 +370,14 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         (
             (3.5, 1.5, 49.0),
             (-1.5, 1.5, 51.0),
-            "Where this path crosses the target's plane, x is 1, so it misses the target. Do not "
+            "Where this path crosses the target's plane, x is 1, so it misses the target. Don't "
             "use the end of the path, where x is -1.5.",
         ),
         (
             (-1.5, 1.5, 50.0),
             (-1.5, 1.5, 52.0),
-            "This path begins exactly on the target's plane, so the step before has already been "
-            "checked there. Use start.z < distance as the condition.",
+            "This path starts exactly on the target's plane, so the previous step has already "
+            "been checked there. Use start.z < distance as the condition.",
         ),
     ):
         about.cause = cause
@@ -389,7 +390,7 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
 @pytest.mark.exercise("P4.2b")
 def test_a_long_way_hits_the_first_target_that_it_meets() -> None:
     about.cause = "The path meets two targets, but the nearer one stops the bullet. Return the "
-    about.cause += "hole in the nearer target."
+    about.cause += "hole in the nearer one."
     expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10))
     about.cause = "The path misses the nearer target, so it can still hit one behind it. Continue "
     about.cause += "with the next target."

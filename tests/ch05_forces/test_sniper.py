@@ -42,8 +42,8 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
 @pytest.mark.exercise("P4.2b")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     about.read = UPDATE
-    about.cause = "In each step, copy the position, update the forces and integrate. After that, "
-    about.cause += "check which target was hit on the path from the copy to the new position."
+    about.cause = "In each step, copy the position, update the forces and integrate. Then check "
+    about.cause += "which target was hit on the path from the copy to the new position."
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
         azimuth, elevation = math.atan2(x, distance), distance * 0.00007
         level = 120.0 * math.cos(elevation) * math.cos(azimuth)
@@ -54,7 +54,7 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         holes = [tuple(hole) for hole in came["holes"]]
         expect_exactly(len(holes), 1, then="; number of holes")
         frames = math.floor(distance / (level * FRAME))
-        about.cause = "The bullet flies on after it has hit a target. The target stops it, so set "
+        about.cause = "Your bullet flies on after it has hit a target. The target stops it, so set "
         about.cause += "self.bullet to None."
         expect_exactly(len(came["positions"]), frames, then="; steps in flight before")
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
@@ -63,8 +63,7 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         expect_close(
             holes[0], wanted, then="; distance, x, y and points of the hole", tolerance=1e-10
         )
-        about.cause = "Add the points of the hole to the score. Do not multiply them again, "
-        about.cause += "because they already include the target's factor."
+        about.cause = "Add the points of the hole to the score. Don't multiply them again, "
         expect_exactly(came["score"], points, then="; range.score")
 
 
@@ -73,7 +72,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
     about.call = "range with a wind of 10 m/s along X; range.shoot(0.0, 0.02); range.update(1/60)"
     once = "In each step, update the forces exactly once, and then integrate."
     about(
-        cause=f"{once} The shot has landed when z is larger than END_OF_RANGE, 210 m.", read=UPDATE
+        cause=f"{once} The shot has landed once z is larger than END_OF_RANGE, 210 m.", read=UPDATE
     )
     still = play([(0.0, 0.02)], FRAME, wind=(0.0, 0.0, 0.0), k1=0.05)["positions"]
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
@@ -82,8 +81,8 @@ def test_the_wind_carries_the_bullet_away() -> None:
     blame(
         frames,
         {
-            "This is how long the flight takes without drag. Update the forces in each "
-            "step before you integrate.": (105, 105)
+            "This is how long the flight takes without drag. Update the forces in each step before "
+            "you integrate.": (105, 105)
         },
     )
     expect_exactly(frames, (109, 109), then=": steps in flight, and in still air")
@@ -94,12 +93,12 @@ def test_the_wind_carries_the_bullet_away() -> None:
     got = (blown[-1][0], still[-1][0])
     about.cause = once
     if got[1] != 0.0:
-        about.cause = "The bullet was carried to the side although there was no wind. Change the "
+        about.cause = "The bullet drifted to the side even though there was no wind. Change the "
         about.cause += "wind only after the shot has landed."
     expect_close(got, wanted, then=": x at the end, and in still air", tolerance=1e-10)
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
-    about.cause = "The bullet must be slowed down by drag. Call update_forces with the duration "
-    about.cause += "before each integration."
+    about.cause = "Drag must slow the bullet down. Call update_forces with the duration before "
+    about.cause += "each integration."
     expect_close(blown[-1][2], z, then=": z at the end", tolerance=1e-9)
 
 
@@ -109,8 +108,8 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     h = round(rng.uniform(0.1, 0.3), 3)
     about.call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); a Drag(0.5, 0.0) "
     about.call += f"of the bullet added to range.forces; range.update({h})"
-    about.cause = "A step must last as long as the duration says. Pass the duration to "
-    about.cause += "update_forces and to integrate, and let all registered forces act."
+    about.cause = "A step must take exactly the given duration. Pass it to both update_forces and "
+    about.cause += "integrate, and let all registered forces act."
     at = SniperRange(1)
     at.wind.k1, at.wind.k2, at.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
     at.shoot(0.0, 0.1)
@@ -125,8 +124,8 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     wanted = tuple(v[i] + (gained[i] - 0.75 * v[i]) * h for i in range(3))
     got = xyz(bullet.velocity)
     windy = tuple(v[i] + (gained[i] - 0.25 * v[i]) * h for i in range(3))
-    only = "Only the wind has acted on the bullet. Call update_forces of the registry, so that the "
-    blame(got, [(windy, f"{only}Drag that was added here acts as well.")])
+    only = "Only the wind acted on the bullet. Call update_forces of the registry, so that the "
+    blame(got, [(windy, f"{only}Drag that the check added acts too.")])
     expect_close(got, wanted, then="; the velocity")
 
 
@@ -135,7 +134,7 @@ def test_what_is_exactly_at_the_edge_flies_on() -> None:
     about("a bullet without forces from (20, 1, 178) with (0, -2, 64) m/s; ", read=UPDATE)
     about.call += "range.update(0.5): the bullet is at (20, 0, 210); range.bullet is None"
     about.cause = "This bullet is exactly at the edge, so it is still in flight. A shot has landed "
-    about.cause += "if y < 0 or z > 210, without the equal sign."
+    about.cause += "if y < 0 or z > 210, with no equals sign."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
@@ -159,12 +158,12 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
     for (azimuth, elevation), cause in (
         (
             (0.1, -0.1),
-            "The bullet is below the ground when y < 0, which means that the shot has landed.",
+            "Once y < 0, the bullet is below the ground, so the shot has landed.",
         ),
         (
             (0.15, 0.19),
-            "The bullet has left the range when z is larger than END_OF_RANGE, 210 m. "
-            "Then the shot has landed.",
+            "Once z is larger than END_OF_RANGE, which is 210 m, the bullet has left the range, "
+            "so the shot has landed.",
         ),
     ):
         about.cause = cause
@@ -178,8 +177,8 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         came = play([(azimuth, elevation)], FRAME)
         expect_exactly(len(came["positions"]), n, then="; steps in flight")
         got = (len(came["holes"]), came["score"], came["shots_left"])
-        about.cause = "This shot has missed, so it must make no hole and earn no points. Only "
-        about.cause += "shots_left is reduced by 1."
+        about.cause = "This shot has missed, so it must not make a hole or earn points. It only "
+        about.cause += "reduces shots_left by 1."
         expect_exactly(got, (0, 0, 9), then="; holes, score and shots left")
 
 
@@ -192,8 +191,8 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     for aim, what in (((0.1, -0.1), "misses"), ((math.atan2(-1.5, 50.0), 0.0035), "hits")):
         about.call = f"range.wind.velocity = Vector3{wind}; range.shoot{aim}, which {what}; "
         about.call += "range.update(1/60)"
-        about.cause = "The wind must stay the same during the flight. Call change_wind only after "
-        about.cause += "the shot has landed."
+        about.cause = "The wind must stay the same throughout the flight. Call change_wind only "
+        about.cause += "after the shot has landed."
         came = play([aim], FRAME, wind=wind)
         blown = [tuple(one) for one in came["winds"]]
         during = [*dict.fromkeys(blown[:-1])]
@@ -208,8 +207,8 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about("range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; ", read=UPDATE)
     about.call += "range.update(1/60) 20 times; range.forces.update_forces(0.5); "
     about.call += "bullet.force_accumulator"
-    about.cause = "No force may act on a bullet that has landed. Remove the bullet and the wind "
-    about.cause += "with self.forces.remove, or clear the registry."
+    about.cause = "No force may act on a bullet that has landed. Remove the pair of bullet and "
+    about.cause += "wind with self.forces.remove, or clear the registry."
     at = SniperRange(1)
     at.shoot(0.1, -0.1)
     bullet: Any = at.bullet
@@ -220,21 +219,21 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
         True,
         call="range.bullet is None, after 20 steps",
         cause="After 8 steps the bullet is below the ground, so the shot has landed. Set "
-        "self.bullet to None then.",
+        "self.bullet to None at that point.",
     )
     at.forces.update_forces(0.5)
     expect_close(xyz(bullet.force_accumulator), (0, 0, 0))
-    about.cause = "A bullet that has landed must not move anymore. Return early from update if no "
-    about.cause += "bullet is in flight."
+    about.cause = "A bullet that has landed must no longer move. If no bullet is in flight, return "
+    about.cause += "from update early."
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
     expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
-    about.cause = "The wind has changed although no bullet is in flight. In this case, update must "
-    about.cause += "change nothing."
+    about.cause = "The wind has changed even though no bullet is in flight. In that case, update "
+    about.cause += "must change nothing."
     got = xyz(at.wind.velocity)
     expect_unchanged("the wind", got, wind, call="range.update(1/60)")
     about.cause = "This shot has landed, so the next one can be fired. Set self.bullet to None "
-    about.cause += "when a shot has landed."
+    about.cause += "when a shot lands."
     expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")
 
 
@@ -251,7 +250,7 @@ def test_a_whole_round_is_ten_shots() -> None:
     expect_exactly(came["shots_left"], 0, then="; range.shots_left")
     points = [hole[3] for hole in came["holes"]]
     about.cause = "Each hit must append exactly one hole, in the order of the shots. The score is "
-    about.cause += "the sum of their points."
+    about.cause += "the sum of the points of these holes."
     wanted = [10, 30, 30, 10, 30]
     expect_exactly(points, wanted, then="; points of the holes")
     expect_exactly(came["score"], 110, then="; range.score")
@@ -263,7 +262,7 @@ def test_a_whole_round_is_ten_shots() -> None:
 def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: float) -> None:
     about.read = UPDATE
     about.cause = "The duration must be positive and finite. Check it with positive from "
-    about.cause += "arguments.py before anything moves."
+    about.cause += "arguments.py before you move anything."
     error = TypeError if isinstance(duration, str) else ValueError
     about.call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
     flying = SniperRange(1)

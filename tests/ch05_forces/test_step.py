@@ -49,9 +49,9 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
     got = xyz(p.velocity)
     slips = {
-        "The velocity did not change. Either the kick does not use the force, or it clears the "
-        "sum too early. Move the sum to self._forces[1] before you use last_acceleration.": v,
-        "This is v + f h, so the mass is missing. Divide the force by the mass.": [
+        "The velocity did not change. Either the kick doesn't use the force, or it clears the sum "
+        "too early. Move the sum to self._forces[1] before you use last_acceleration.": v,
+        "This is v + f h, so the mass is missing. Divide the force by it.": [
             v[i] + f[i] * h for i in range(3)
         ],
         "This is v + f m h. A heavier particle is harder to accelerate, so divide by the mass "
@@ -67,8 +67,8 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     slips = {
         "The position moved with the new velocity. In this step it must move with the old one, so "
         "drift before you kick.": [wanted[i] * h for i in range(3)],
-        "The position moved by v h + a h^2 / 2. The step of the book leaves out the second term, "
-        "so move it by v h.": [(v[i] + wanted[i]) / 2.0 * h for i in range(3)],
+        "The position moved by v h + a h^2 / 2. The book's step leaves out the second term, so "
+        "move it by v h.": [(v[i] + wanted[i]) / 2.0 * h for i in range(3)],
     }
     wanted = tuple(v[i] * h for i in range(3))
     got = xyz(p.position)
@@ -82,7 +82,7 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     mass, h = draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, a, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.add_force(Vector3{g}); p.integrate({h})"
-    about.cause = "The acceleration in this step must be a + f / m, where f is the sum of all "
+    about.cause = "The acceleration of this step must be a + f / m, where f is the sum of all "
     about.cause += "forces."
     about.read = "the docstring of kick"
     p.add_force(Vector3(*f))
@@ -92,19 +92,19 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     wanted = tuple(v[i] + (a[i] + sums[i]) * h for i in range(3))
     got = xyz(p.velocity)
     slips = {
-        "The constant acceleration is missing. The acceleration of the step is a + f / m, so add "
-        "it.": [v[i] + sums[i] * h for i in range(3)],
+        "The constant acceleration a is missing. Add it, so that the acceleration of the step is a "
+        "+ f / m.": [v[i] + sums[i] * h for i in range(3)],
         "This is v + a h, so the forces are missing. Add f / m to the acceleration.": [
             v[i] + a[i] * h for i in range(3)
         ],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-    about.cause = "p.acceleration has changed, but a step must not change it. Forces act for one "
-    about.cause += "step only, so keep them separate from it."
+    about.cause = "p.acceleration has changed, but a step must leave it alone. Forces act for one "
+    about.cause += "step only, so keep them apart from it."
     slips = {
-        "p.acceleration is now a + f / m. Compute this sum in a new vector, and do not store it "
-        "in p.acceleration.": [a[i] + sums[i] for i in range(3)]
+        "p.acceleration is now a + f / m. Compute this sum in a new vector, and don't store it in "
+        "p.acceleration.": [a[i] + sums[i] for i in range(3)]
     }
     blame(xyz(p.acceleration), slips)
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
@@ -116,8 +116,8 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
     words, p = moving(ZERO, v, a, mass, damping)
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    about.cause = "The damping comes last in the step, so the new velocity must be (v + (a + f / "
-    about.cause += "m) h) d^h."
+    about.cause = "The damping comes last in a step, so the new velocity must be (v + (a + f / m) "
+    about.cause += "h) d^h."
     about.read = "the docstring of kick, E-16 of errata.md"
     p.add_force(Vector3(*f))
     p.integrate(h)
@@ -128,14 +128,14 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
         "end (E-16), so multiply the whole new velocity by d^h.": [
             v[i] * keep + gained[i] for i in range(3)
         ],
-        "The damping was applied before the force. Add f / m to the acceleration first, and "
+        "You applied the damping before the force. Add f / m to the acceleration first, and "
         "multiply by d^h at the end.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
-        "The damping is missing, so multiply the new velocity by d^h.": [
+        "The damping is missing. Multiply the new velocity by d^h.": [
             v[i] + gained[i] for i in range(3)
         ],
-        "The velocity was multiplied by d, which is the damping for a whole second. Multiply by "
+        "You multiplied the velocity by d, which is the damping for a whole second. Multiply by "
         "d^h instead.": [(v[i] + gained[i]) * damping for i in range(3)],
     }
     got = xyz(p.velocity)
@@ -150,9 +150,7 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     words, p = moving(ZERO, v, a, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
     about(
-        cause=(
-            "A force acts for one step only, so the kick must clear the sum after it has used it."
-        ),
+        cause=("A force acts for one step only, so the kick must clear the sum after using it."),
         read="book 5.1",
     )
     p.add_force(Vector3(*f))
@@ -171,7 +169,7 @@ def test_without_forces_the_step_is_chapter_3s(rng: Random) -> None:
     words, p = moving(x, v, a, mass, damping)
     about.call = f"{words}; p.integrate({h})"
     about.cause = "Without forces the step must be the same as in chapter 3. The new position is p "
-    about.cause += "+ v h, the new velocity is (v + a h) d^h, and the mass has no effect."
+    about.cause += "+ v h, the new velocity is (v + a h) d^h, and the mass plays no part."
     about.read = "the docstring of kick"
     p.integrate(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
@@ -187,8 +185,8 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
     v, f, mass = components(rng), components(rng), draw_mass(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; p.mass = "
     about.call += f"{mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
-    about.cause = "The damping and the mass have changed since the last step. Compute d^h and 1 / "
-    about.cause += "m again in every step instead of storing them."
+    about.cause = "The check changes the damping and the mass between the two steps. Compute d^h "
+    about.cause += "and 1 / m afresh in every step instead of storing them."
     about.read = "the docstring of kick"
     p = Particle(velocity=Vector3(*v))
     p.integrate(0.5)
@@ -221,7 +219,7 @@ def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     expect_close(xyz(p.velocity), ZERO)
-    about.cause = "The duration here is the int 1, which must work in the same way as 1.0."
+    about.cause = "Here the duration is the int 1, which must work just like 1.0."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "
     about.call += "p.integrate(1); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.5)
@@ -229,7 +227,7 @@ def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     p.integrate(1)
     wanted = tuple((v[i] + f[i]) / 2.0 for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
-    about.cause = "A damping above 1 is valid and makes the particle faster. Multiply by d^h as "
+    about.cause = "A damping above 1 is valid and speeds the particle up. Multiply by d^h as "
     about.cause += "usual."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=2.0); p.add_force(Vector3{f}); "
     about.call += "p.integrate(2.0); p.velocity"
@@ -245,7 +243,7 @@ def test_a_push_of_5_seconds_lags_as_explicit_euler_does(rng: Random) -> None:
     f, mass = components(rng), draw_mass(rng)
     about.call = f"p = Particle(mass={mass}); 300 times p.add_force(Vector3{f}), p.integrate(1/60)"
     about.cause = "A constant force gives a constant acceleration. With explicit Euler the "
-    about.cause += "velocity must be exact, and the position must be a t h / 2 behind the exact "
+    about.cause += "velocity must be exact, and the position must lag a t h / 2 behind the exact "
     about.cause += "one."
     about.read = "book 5.1, 3.3.2"
     position, velocity = probes.pushed(f, mass, 1.0, 1.0 / 60.0, 300)

@@ -27,8 +27,8 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     )
     about.call = f"p = Particle(acceleration=Vector3{a}, mass={mass}, damping=0.5); "
     about.call += f"p.add_force(Vector3{f}); p.integrate(0.5)"
-    about.cause = "last_acceleration must be the acceleration of the last step, which is a + f / "
-    about.cause += "m. The damping has no effect on it."
+    about.cause = "last_acceleration must be the acceleration of the last step, a + f / m. The "
+    about.cause += "damping plays no part in it."
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=mass, damping=0.5)
     p.add_force(Vector3(*f))
@@ -36,8 +36,8 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     wanted = tuple(a[i] + f[i] / mass for i in range(3))
     got = xyz(p.last_acceleration)
     slips = {
-        "This is only the constant acceleration. The kick must store the forces that it uses in "
-        "self._forces[1], because last_acceleration reads them there.": a,
+        "This is only the constant acceleration. In the kick, store the forces that it uses in "
+        "self._forces[1], where last_acceleration reads them.": a,
         "This is a + f, so the mass is missing. Divide the force by the mass.": [
             a[i] + f[i] for i in range(3)
         ],
@@ -45,21 +45,19 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
             "This is a + f m, but a force causes the acceleration f / m. Divide by the mass "
             "instead of multiplying."
         ): [a[i] + f[i] * mass for i in range(3)],
-        "This is f / m only, so add the constant acceleration to it.": [
-            f[i] / mass for i in range(3)
-        ],
+        "This is only f / m. Add the constant acceleration to it.": [f[i] / mass for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "The added force is for the next step, so it must not change the acceleration of "
-    about.cause += "the last one. Store the forces of the last step separately."
+    about.cause = "The new force is meant for the next step, so it must not change the "
+    about.cause += "acceleration of the last one. Store the forces of the last step separately."
     p.add_force(Vector3(*g))
     got = xyz(p.last_acceleration)
     expect_close(
         got, wanted, then=f"; p.add_force(Vector3{g}); p.last_acceleration", tolerance=ROUNDED
     )
-    about.cause = "clear_forces has changed last_acceleration, but it must clear only the forces "
-    about.cause += "for the next step."
+    about.cause = "clear_forces has changed last_acceleration. It must clear only the forces for "
+    about.cause += "the next step."
     p.clear_forces()
     got = xyz(p.last_acceleration)
     expect_close(got, wanted, then="; p.clear_forces(); p.last_acceleration", tolerance=ROUNDED)
@@ -89,8 +87,8 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
     last = p.last_acceleration
     expect_close(xyz(last), a)
     last.x = 99.0
-    about.cause = "A change to the returned vector must not change the particle. Return a new "
-    about.cause += "vector on every call."
+    about.cause = "Changing the returned vector must not change the particle. Return a new vector "
+    about.cause += "from every call."
     expect_unchanged("p.acceleration", xyz(p.acceleration), a, then=".x = 99.0", cause=UNCHANGED)
     p.integrate(0.5)
     last = p.last_acceleration
@@ -118,19 +116,19 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     p.integrate(h)
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
-    about.cause = "The forces on the immovable particle were not cleared. Clear them as well, "
-    about.cause += "because otherwise they add up until the particle becomes movable."
+    about.cause = "The forces on the immovable particle were not cleared. Clear them too, or they "
+    about.cause += "will pile up until the particle becomes movable."
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "Forces do not accelerate an immovable particle, so its last_acceleration must "
-    about.cause += "be the constant acceleration alone."
+    about.cause = "Forces don't accelerate an immovable particle, so its last_acceleration must be "
+    about.cause += "the constant acceleration alone."
     expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration")
     p.mass = mass
     p.add_force(Vector3(*f))
     p.integrate(h)
     about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    about.cause = "The particle has a finite mass now, so it must move. Only the new force may "
-    about.cause += "act, because the earlier one was cleared."
+    about.cause = "The particle now has a finite mass, so it must move. Only the new force may act "
+    about.cause += "on it, because the earlier one was cleared."
     wanted = tuple(v[i] + (a[i] + f[i] / mass) * h for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
 
@@ -144,8 +142,8 @@ def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     about(f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)", read="the docstring of kick")
     p.add_force(Vector3(*f))
     p.drift(h / 2.0)
-    about.cause = "A drift has changed the velocity or the forces. It must change only the "
-    about.cause += "position, because the kick uses the forces."
+    about.cause = "drift changed the velocity or the forces. It must change only the position, and "
+    about.cause += "leave the forces to the kick."
     expect_unchanged("p.velocity", xyz(p.velocity), v)
     got = xyz(p.force_accumulator)
     expect_close(got, f, then="; p.force_accumulator")
@@ -159,12 +157,12 @@ def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     wanted = tuple(v[i] + total[i] * h for i in range(3))
     got = xyz(p.velocity)
     expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-    about.cause = "The forces are still there after the kick. Each force acts once, so the kick "
-    about.cause += "must clear their sum."
+    about.cause = "The forces are still there after the kick. Each force acts only once, so the "
+    about.cause += "kick must clear their sum."
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
     about.cause = "last_acceleration must be the acceleration that the last kick used. A drift "
-    about.cause += "after that must not change it."
+    about.cause += "after the kick must not change it."
     about.call += f"; p.drift({h} / 2)"
     p.drift(h / 2.0)
     got = xyz(p.last_acceleration)
@@ -186,15 +184,15 @@ def test_a_refused_step_keeps_the_forces(duration: float) -> None:
     for mass in (2.0, math.inf):
         words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass})"
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
-        about.cause = "The duration must be positive and finite, so make sure that integrate "
-        about.cause += "checks it."
+        about.cause = "The duration must be positive and finite. Make sure that integrate checks "
+        about.cause += "it."
         about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
         p.add_force(Vector3(*f))
         expect_error(
             lambda p=p: p.integrate(duration), error, allowed=lambda: Particle().integrate(0.5)
         )
-        about.cause = "The duration was rejected, but the particle has changed. Check the duration "
-        about.cause += "before you change anything."
+        about.cause = "The duration was rejected, but the particle changed anyway. Check the "
+        about.cause += "duration before you change anything."
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.velocity", xyz(p.velocity), v)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)

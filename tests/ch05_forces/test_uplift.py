@@ -32,8 +32,8 @@ def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[st
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
     about.read = READ
     origin, force, radius = components(rng), components(rng), round(rng.uniform(2.0, 5.0), 3)
-    about.cause = "The force must act only inside the column. Add self.force unchanged if "
-    about.cause += "sqrt(dx^2 + dz^2) is at most the radius."
+    about.cause = "The force must act only inside the column. If sqrt(dx^2 + dz^2) is at most the "
+    about.cause += "radius, add self.force unchanged."
     # 0.6 and 0.8: the distance is the radius times the share.
     ways = [
         (dx * share * radius, dz * share * radius)
@@ -46,19 +46,19 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     ]
     inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
     rules = {
-        "The distance was measured from (0, 0), but the column is somewhere else. Measure it from "
+        "You measured the distance from (0, 0), but the column is somewhere else. Measure it from "
         "self.origin.": [math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways],
-        "The distance was measured in X and Y, but the column is vertical, so use X and Z.": [
+        "You measured the distance in X and Y. The column is vertical, so use X and Z.": [
             abs(dx) <= radius for dx, _ in ways
         ],
-        "The column is square, because dx and dz were each compared with the radius. Compare the "
+        "Your column is square, because dx and dz were each compared with the radius. Compare the "
         "distance instead.": [max(abs(dx), abs(dz)) <= radius for dx, dz in ways],
-        "The sum |dx| + |dz| was compared with the radius. Use the distance sqrt(dx^2 + dz^2) "
+        "You compared the sum |dx| + |dz| with the radius. Use the distance sqrt(dx^2 + dz^2) "
         "instead.": [abs(dx) + abs(dz) <= radius for dx, dz in ways],
-        "The squared distance was compared with the radius itself, so square the radius as well.": [
+        "The squared distance was compared with the radius itself. Square the radius as well.": [
             dx * dx + dz * dz <= radius for dx, dz in ways
         ],
-        "The force acts outside the column instead of inside, so reverse the comparison.": [
+        "The force acts outside the column instead of inside. Reverse the comparison.": [
             not acts for acts in inside
         ],
         (
@@ -66,8 +66,8 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
             "before you add the force."
         ): [True for _ in ways],
         (
-            "The force does not act anywhere. Check that you call particle.add_force inside the "
-            "column."
+            "The force doesn't act anywhere. Check that you call particle.add_force when the "
+            "particle is inside the column."
         ): [False for _ in ways],
     }
     acted = [got != ZERO for _, got in came]
@@ -77,9 +77,9 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
         about.call = call
         x, y, z = force
         slips = {
-            "The force was multiplied by the mass of 4 kg. Add self.force as it is, because it is "
-            "a force already.": (4.0 * x, 4.0 * y, 4.0 * z),
-            "The force points straight up, but self.force has another direction, so add the whole "
+            "The force was multiplied by the mass of 4 kg. self.force is already a force, so add "
+            "it as is.": (4.0 * x, 4.0 * y, 4.0 * z),
+            "The force points straight up, but self.force points elsewhere. Add the whole "
             "vector.": (
                 0.0,
                 math.hypot(x, y, z),
@@ -95,7 +95,7 @@ def test_the_column_has_no_end_upwards_or_downwards(rng: Random) -> None:
     about.read = READ
     origin, force = components(rng), components(rng)
     about.cause = "The column has no upper or lower end. Use only the distance in X and Z, and "
-    about.cause += "ignore the heights of the particle and the origin."
+    about.cause += "ignore how high the particle and the origin are."
     for height in (-500.0, 0.0, 500.0):
         place = (origin[0] + 1.0, height, origin[2] - 1.0)
         about.call, got = lifted(origin, 2.0, force, place)
@@ -126,8 +126,8 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     first, force, moved = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(Vector3(1, 2, 1)); p.add_force(Vector3{first}); uplift = "
     about.call += f"Uplift(Vector3(0, 1, 0), 3.0, Vector3{force}); uplift.update_force(p, 0.5)"
-    about.cause = "The sum must contain self.force and also the force that was already there. Use "
-    about.cause += "add_force, which keeps the other forces."
+    about.cause = "The sum must contain both self.force and the force that was already there. Use "
+    about.cause += "add_force, which adds to the other forces."
     p, uplift = Particle(Vector3(1, 2, 1)), Uplift(Vector3(0, 1, 0), 3.0, Vector3(*force))
     p.add_force(Vector3(*first))
     uplift.update_force(p, 0.5)
@@ -142,15 +142,15 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), (1, 2, 1))
     about.call = "uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5); "
     about.call += f"then uplift.radius = 20.0, uplift.force = Vector3{moved}, and again"
-    about.cause = "The column has moved since the last call, and the particle is outside now. Read "
-    about.cause += "self.origin in every call."
+    about.cause = "The check moves the column before this call, so the particle is now outside it. "
+    about.cause += "Read self.origin in every call."
     uplift.origin = Vector3(9, 0, 9)
     p.clear_forces()
     uplift.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO, then="; the first force")
     uplift.radius, uplift.force = 20.0, Vector3(*moved)
     uplift.update_force(p, 0.5)
-    about.cause = "The radius or the force has changed since the last call. Read self.radius and "
-    about.cause += "self.force in every call."
+    about.cause = "The check changes the radius and the force between the two calls. Read "
+    about.cause += "self.radius and self.force in every call."
     got = xyz(p.force_accumulator)
     expect_close(got, moved, then="; the second force")

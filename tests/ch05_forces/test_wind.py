@@ -58,21 +58,21 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         wanted = drag(u, one, two)
         still, blown = drag(v, one, two), drag(w, one, two)
         slips = {
-            "This is the drag in still air. Subtract the velocity of the wind from the velocity "
-            "of the particle first.": still,
+            "This is the drag in still air. First subtract the velocity of the wind from that of "
+            "the particle.": still,
             (
-                "This is the wind's force on a particle at rest. Use the velocity of the particle "
-                "as well."
+                "This is the wind's force on a particle at rest. Take the velocity of the particle "
+                "into account as well."
             ): [-part for part in blown],
-            "The velocity of the wind was added. Drag depends on the velocity relative to the "
-            "air, so use v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
+            "You added the velocity of the wind. Drag depends on the velocity relative to the air, "
+            "so use v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
             "The force points in the wrong direction, because it was computed with w - v. Use v - "
             "w.": [-part for part in wanted],
-            "k1 and k2 are swapped: k1 is multiplied by the speed, and k2 by its square.": drag(
+            "k1 and k2 are swapped. k1 goes with the speed, and k2 goes with its square.": drag(
                 u, two, one
             ),
             "This is the sum of two drags, one for v and one for w. Compute v - w first, and then "
-            "the drag at this relative velocity.": [still[i] - blown[i] for i in range(3)],
+            "the drag at that relative velocity.": [still[i] - blown[i] for i in range(3)],
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 700.
@@ -83,15 +83,15 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
 def test_what_moves_with_the_air_feels_nothing(rng: Random) -> None:
     about.read = READ
     v = components(rng)
-    about.cause = "This particle moves with the wind, so v - w is 0 and there is no force on it."
+    about.cause = "This particle moves along with the wind, so v - w is 0 and no force acts on it."
     about.call, got = blow(v, v, 0.5, 0.25)
     expect_close(got, ZERO)
-    about.cause = "The wind must push a particle at rest in the direction of w. Check the sign, "
-    about.cause += "and use v - w as the relative velocity."
+    about.cause = "The wind must push a particle that is at rest in the direction of w. Check the "
+    about.cause += "sign, and use v - w as the relative velocity."
     about.call, got = blow(ZERO, (2.0, 0.0, 0.0), 0.5, 0.25)
     expect_close(got, (2.0, 0.0, 0.0))
-    about.cause = "The air is still here, so the force must be the usual drag against the velocity "
-    about.cause += "of the particle."
+    about.cause = "The air is still, so the force must be ordinary drag, against the particle's "
+    about.cause += "velocity."
     about.call, got = blow((0.0, 0.0, 2.0), ZERO, 0.5, 0.25)
     expect_close(got, (0.0, 0.0, -2.0))
 
@@ -102,8 +102,7 @@ def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
     f, v, w = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(0.5, "
     about.call += f"0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
-    about.cause = "Add the force with add_force, which keeps the other forces. Do not change the "
-    about.cause += "velocity of the particle or of the wind."
+    about.cause = "Add the force with add_force, which adds to the other forces. Don't change the "
     p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
     p.add_force(Vector3(*f))
     wind.velocity = Vector3(*w)
@@ -121,16 +120,16 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"range = SniperRange({seed}); range.change_wind() 400 times; range.wind.velocity"
-    about.cause = "Each call of change_wind must draw a new wind, with self.random.uniform for "
-    about.cause += "each component."
+    about.cause = "Each call to change_wind must draw a new wind, with one call to "
+    about.cause += "self.random.uniform per component."
     (seen,) = winds([seed], 400)
     expect_exactly(
         len(seen),
         401,
         call=f"how many: {about.call}",
-        cause="Draw exactly one wind in each call of change_wind.",
+        cause="Draw exactly one wind in each call to change_wind.",
     )
-    about.cause = "The wind has a vertical component, but it must be horizontal, so set y to 0."
+    about.cause = "The wind has a vertical component, but it must be horizontal. Set y to 0."
     highest = max(abs(y) for _, y, _ in seen)
     expect_close(highest, 0.0, then=": the largest |y|")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
@@ -148,18 +147,18 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
                 why = "A component of the wind exceeds 10 m/s. Perhaps the new wind was added to "
                 why += f"the old one. {why}"
             expect_between(got, low, high, then=f": the {what} {name}", cause=why)
-    about.cause = "Weak winds are too rare or too frequent. Draw x and z independently of each "
+    about.cause = "Weak winds are too rare or too common. Draw x and z independently of each "
     about.cause += "other."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
     expect_between(weak, 27, 131, then=": how often it is below 5 m/s")
     # x z > 0 for half of all: 200 of 401, and beyond these bounds once in 10^11 runs.
-    about.cause = "The wind does not come equally often from all directions. Draw x and z "
+    about.cause = "The wind is not equally likely to come from all directions. Draw x and z "
     about.cause += "independently of each other."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_between(same, 130, 270, then=": how often x and z have the same sign")
-    about.cause = "x and z have the same size, although two separate random numbers are almost "
-    about.cause += "never equal. Draw one number for each of them."
+    about.cause = "x and z have the same size, but two separate random numbers are almost never "
+    about.cause += "equal. Draw one number for each of them."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then=": how often |x| is |z|")
 
@@ -169,7 +168,7 @@ def test_the_wind_stays_the_same_generator() -> None:
     about.read = CHANGE
     about.call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
     about.cause = "The registry holds the old Wind object, so a new one would have no effect. "
-    about.cause += "Change the velocity of self.wind instead of creating a new object."
+    about.cause += "Change the velocity of self.wind instead of creating a new wind."
     at = SniperRange(1)
     wind = at.wind
     before = xyz(wind.velocity)
@@ -180,7 +179,7 @@ def test_the_wind_stays_the_same_generator() -> None:
     now = xyz(at.wind.velocity)
     gap = tuple(now[i] - after[i] for i in range(3))
     expect_close(gap, ZERO, then="; range.wind.velocity minus wind.velocity")
-    about.cause = "The velocity of the wind is still the same. Draw a new one and store it in "
+    about.cause = "The velocity of the wind is still the same. Draw a new one, and store it in "
     about.cause += "self.wind.velocity."
     expect_exactly(after == before, False, then="; is it the same as before")
 
@@ -199,6 +198,6 @@ def test_the_wind_follows_the_seed_of_its_range(rng: Random) -> None:
     about.cause += "on the seed of the range."
     same = sum(a == b for a, b in zip(first, other, strict=True))
     expect_exactly(same, 0, then=": winds that are the same for two seeds")
-    about.cause = "Some calls gave the same wind as others, but every call must draw a new one."
+    about.cause = "Some calls gave the same wind, but every call must draw a new one."
     kinds = len({tuple(w) for w in first})
     expect_exactly(kinds, 7, then=": how many winds the first has seen")

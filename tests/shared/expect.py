@@ -25,14 +25,16 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "The NaN was accepted. Every comparison with NaN is False, so a test such as x <= 0 does not "
-    "catch it. Test for the valid range instead, such as 0.0 < x < math.inf, or use the functions "
-    "in arguments.py."
+    "The NaN was accepted. Every comparison with NaN is False, so a test such as x <= 0 doesn't "
+    "catch it. Test for the valid range instead, as in 0.0 < x < math.inf, or use the functions in "
+    "arguments.py."
 )
-UNCHANGED = "The call changed a value that it should only read. Work on a copy or on plain numbers."
+UNCHANGED = (
+    "The call changed a value that it should only read. Work on a copy, or on plain numbers."
+)
 LOST = (
-    "v did not change. Assign to self.x, self.y and self.z, because a new vector would be lost "
-    "when the method returns."
+    "v did not change. Assign to self.x, self.y and self.z. If you only create a new vector, it is "
+    "lost when the method returns."
 )
 
 
@@ -193,18 +195,15 @@ def expect_finite_numbers(
     """
     __tracebackhide__ = True
     cause = (
-        "This value is not valid, so the function must raise ValueError. The functions in "
-        "arguments.py check an argument and raise this error for you."
+        "This value is not valid, so raise ValueError. The functions in arguments.py check an "
+        "argument and raise the error for you."
     )
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
         if error is TypeError:
-            cause = (
-                "A string is not a number, even if it contains digits, so the function must raise "
-                "TypeError for it."
-            )
+            cause = "A string is not a number, even if it looks like one, so raise TypeError."
         arguments = [*good]
         arguments[place] = value
         expect_error(
@@ -223,8 +222,8 @@ def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     before.x = 99.0
     about(
         f"{made}; w = v; {step}; w.x = 99.0; v.x",
-        cause="v and w were the same vector, but now v is a new one. Change self.x, self.y and "
-        "self.z, and end with return self, instead of creating a new vector.",
+        cause="v and w should still be the same vector, but v is now a new one. Change self.x, "
+        "self.y and self.z and end with return self, instead of creating a new vector.",
     )
     expect_close(v.x, 99.0)
 
@@ -313,17 +312,15 @@ def _complain(
     other = ""
     if got == "None":
         nothing = (
-            "The call returned None. Perhaps a return statement is missing, or you used the "
-            "result of a method that works in place."
+            "The call returned None. Either a return statement is missing, or you used the result "
+            "of a method that works in place."
         )
         cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):
         cause, other = NOT_IMPLEMENTED, ""
     if "bound method" in got:
-        cause, other = (
-            ("The result is a method, because it was not called. Add parentheses after its name."),
-            "",
-        )
+        cause = "This is the method itself, not its result. Add parentheses after its name."
+        other = ""
     raise ExpectationError(
         Message(
             called=call,

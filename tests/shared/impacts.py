@@ -11,7 +11,7 @@ from expect import about, expect_exactly, scoped
 def expect_impact(impact: Any) -> Any:
     """Expect an impact, as time and contact, and return it."""
     why = (
-        "There is an impact within the duration, so the result must be a tuple (time, contact). "
+        "There is an impact within this duration, so the result must be a tuple (time, contact). "
         "Return None only if there is no impact."
     )
     about.cause = f"{why} {about.cause}"

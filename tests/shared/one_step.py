@@ -69,18 +69,18 @@ def wrong_steps(
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
         return {
-            "Your position moves twice, once by v h and once by v' h. Move it only once, with the "
-            "new velocity.": (
+            "You move the position twice, once by v h and once by v' h. Move it only once, with "
+            "the new velocity v'.": (
                 x + (v + new) * h,
                 new,
             ),
-            "Your position moves with the mean of v and v', but semi-implicit Euler moves it with "
-            "the new velocity v' alone.": (
+            "You move the position with the mean of v and v'. Semi-implicit Euler uses the new "
+            "velocity v' alone.": (
                 x + 0.5 * (v + new) * h,
                 new,
             ),
-            "Your position moves with the velocity before it is damped. Apply the damping first, "
-            "and then move the position.": (
+            "You move the position with the undamped velocity. Apply the damping first, and "
+            "then move the position.": (
                 x + (v + first * h) * h,
                 new,
             ),
@@ -91,16 +91,16 @@ def wrong_steps(
         early = (v + first * h) * keep
         halved = (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h)
         return {
-            "The forces are those at the start of the step. Evaluate them after the half drift "
-            "instead.": (x + 0.5 * h * (v + early), early),
-            "Your code drifts for h after the kick. The first drift already covered h / 2, so "
-            "drift only for h / 2 here.": (
+            "You evaluate the forces at the start of the step. Evaluate them after the first half "
+            "drift instead.": (x + 0.5 * h * (v + early), early),
+            "After the kick, you drift for the whole step h. The first drift already covered h "
+            "/ 2, so drift only for the other h / 2.": (
                 middle + h * new,
                 new,
             ),
             "The second half drift is missing. After the kick, move the position by the new "
             "velocity times h / 2.": (middle, new),
-            "Your code kicks for h / 2. Leapfrog has only one kick, so it must last for the whole "
+            "You kick only for h / 2. Leapfrog has a single kick, so it must cover the whole "
             "step h.": (
                 middle + 0.5 * h * halved,
                 halved,
@@ -110,27 +110,29 @@ def wrong_steps(
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
         second, later = force(half, v + first * h), force(whole, v + first * h)
         return {
-            "Your position contains the term a h^2. The velocity reaches v + a h only at the end "
-            "of the step, so on average just half of it counts, and the term must be a h^2 / 2.": (
+            "You add a h^2 to the position. The velocity doesn't reach v + a h until the end of "
+            "the step, so on average only half of that change counts. The term must be a h^2 / "
+            "2.": (
                 whole,
                 (v + 0.5 * (first + later) * h) * keep,
             ),
-            "Your velocity is v' = v + b h, which uses only the acceleration at the end of the "
-            "step. Use the mean of both accelerations, a and b, instead.": (
+            "Your new velocity is v + b h, which uses only b, the acceleration at the end of "
+            "the step. Use the mean of the two accelerations a and b instead.": (
                 half,
                 (v + second * h) * keep,
             ),
-            "Your velocity changes by the sum of the forces from both evaluations, which is twice "
-            "as much as it should be. Use their mean instead.": (
+            "You add up the forces of both evaluations, so the velocity changes by twice as "
+            "much as it should. Use their mean instead.": (
                 half,
                 (v + (first + second - a) * h) * keep,
             ),
-            "The forces of the first evaluation still count in the second one. Clear the "
-            "accumulators in between, and then add the forces that were added by hand again.": (
+            "The forces of the first evaluation are still in the accumulators during the second "
+            "one. Clear the accumulators in between, and then add the forces that were applied "
+            "by hand again.": (
                 half,
                 (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
-            "This evaluates b with the old velocity. Change the velocity to v + a h before you "
+            "You evaluate b with the old velocity. Set the velocity to v + a h before you "
             "evaluate the forces again.": (
                 half,
                 (v + 0.5 * (first + force(half, v)) * h) * keep,
@@ -139,13 +141,13 @@ def wrong_steps(
     if method == "runge_kutta_4":
         parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "All four rates count the same in your mean, but the two in the middle must count "
+            "You give all four rates the same weight, but the two in the middle must count "
             "double.": mean_of((1.0, 1.0, 1.0, 1.0), parts),
-            "In your mean the first and the last rate count double, but only the two in the middle "
-            "should.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
-            "Your third rate is evaluated at the end of the step. Evaluate it in the middle, with "
+            "You give the first and the last rate double weight. It is the two in the middle that "
+            "must count double.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
+            "You evaluate the third rate at the end of the step. Evaluate it in the middle, with "
             "the second rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)),
-            "Your last rate is evaluated in the middle of the step. Evaluate it at the end, with "
+            "You evaluate the last rate in the middle of the step. Evaluate it at the end, with "
             "the third rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)),
         }
     return {}

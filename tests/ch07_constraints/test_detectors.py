@@ -354,7 +354,7 @@ def test_a_grid_has_no_seams(rng: Random) -> None:
 @pytest.mark.exercise("B7.9")
 def test_a_pile_of_six_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
-    about.call = "six spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 semi-implicit steps "
+    about.call = "six spheres of 1 kg, radius 0.5 m, stacked on the ground; 12 semi-implicit steps "
     about.call += "of 1/60 s with ParticlePairs and a ContactResolver of 500 iterations"
     about.cause = "The spheres should not sink into each other. Check that in every step each "
     about.cause += "sphere has a contact with the one below it."
@@ -363,7 +363,7 @@ def test_a_pile_of_six_holds() -> None:
         for i in range(6)
     ]
     heights, overlap = piled(
-        particles, ParticlePairs(particles, 0.5), ContactResolver(500), 15, 1.0 / 60.0
+        particles, ParticlePairs(particles, 0.5), ContactResolver(500), 12, 1.0 / 60.0
     )
     wanted = tuple(i + 0.5 for i in range(6))
     # Measured: 0.02 m of overlap at most; 6 % of the diameter is allowed.

@@ -31,9 +31,10 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """Regrades one student after an earlier run has graded the class.
+    """Grades one student again, after an earlier run has graded the whole class.
 
-    Everything else must be as it was for the class, so that the grades remain comparable.
+    The chapters, the seed and the due dates must be those of the class's run, so that the grades
+    remain comparable.
 
     Raises:
         ValueError: The folder has no earlier run, or the student did not hand anything in.

@@ -129,7 +129,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
-    """Write the files that can count in a submission, and return notes on the others."""
+    """Copy the files that can be graded into ``folder``. Return a note for each file skipped."""
     notes: list[str] = []
     sizes: Counter[str] = Counter()
     for one in files:

@@ -1,8 +1,8 @@
-"""An integrator of your own that is accurate but evaluates the forces only a few times.
+"""Your own integrator, which should be accurate with only a few force evaluations per step.
 
-The cost of a step is the number of times that it evaluates the forces. With more evaluations, a
-step can be more accurate, so every integrator is a compromise. Which compromise is best depends on
-the scene, and here the scene is an orbit.
+The cost of a step is the number of times that it evaluates the forces. A step can use more
+evaluations to be more accurate, so every integrator is a compromise. Which compromise is best
+depends on the scene. Here the scene is an orbit.
 """
 
 from __future__ import annotations

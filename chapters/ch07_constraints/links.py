@@ -54,7 +54,7 @@ class AnchoredCable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut, as a Cable does.
+        """Return a contact if the cable is taut, just as ``Cable`` does.
 
         In the contact, ``other`` is None, and the normal points to the anchor.
         """

@@ -75,11 +75,12 @@ class TiltingPlatform:
         )
 
     def free_pivot(self) -> None:
-        """Make the pivot movable, so that it only stands on the ground (8.1).
+        """Make the pivot movable, so that it rests on the ground without being fixed to it (8.1).
 
-        Give each of its two particles the mass ``MASS``. An immovable pivot needed no rod between
-        these two particles, but now nothing else keeps their distance. So if no rod joins them yet,
-        add one to ``self.rods`` and to the generators of the world, which keeps the platform rigid.
+        Give each of its two particles the mass ``MASS``. While they were immovable, they needed no
+        rod between them, but now nothing else keeps them the same distance apart. So if no rod
+        joins them yet, add one to ``self.rods`` and to the generators of the world. It keeps the
+        platform rigid.
         The ground has no friction. This method is called only once.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")

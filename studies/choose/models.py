@@ -51,7 +51,7 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Prepare to run ``world`` at one of the choices.
+        """Set up ``world`` for one of this model's choices, such as 8 steps per frame.
 
         Return the function that takes a step, and the number of steps per frame.
         """

@@ -23,9 +23,9 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Measure all models of a reader's scene, and report the cheapest.
+    """Run every model on the user's scene, and print the cheapest one that meets the tolerance.
 
-    Return 1 if no model meets the tolerance.
+    Return 1 if none does.
 
     Raises:
         SceneError: The file does not describe a scene.

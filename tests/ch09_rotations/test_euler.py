@@ -110,9 +110,9 @@ def test_what_the_rates_make(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y}, {z})"
         about.cause = (
-            "Each column of the map is the axis that one of the angles rotates about. The last "
-            "rotation is about Z itself, so that is the column for z. The column for y is Y "
-            "rotated by z, and the column for x is X rotated by y and then by z."
+            "Each column of the map is the axis about which one of the three angles turns the "
+            "object. For z, that is the Z axis itself, because this rotation comes last. For y, it "
+            "is the Y axis after the rotation by z, and for x, the X axis after those by y and z."
         )
         got = entries(rate_map(x, y, z))
         slips = {

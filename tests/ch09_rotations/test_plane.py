@@ -96,7 +96,8 @@ def test_no_angle_is_no_direction() -> None:
 def test_the_direction_of_an_angle(rng: Random) -> None:
     about.read = "book 9.1.1, Eq. 9.1"
     about.cause = (
-        "The direction of an angle is (cos(angle), sin(angle)), with the angle in radians."
+        "Return the unit vector at this angle from the X axis: (cos(angle), sin(angle)), with the "
+        "angle in radians."
     )
     angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
     for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):

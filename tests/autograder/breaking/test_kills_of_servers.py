@@ -120,7 +120,7 @@ def test_no_engine_outlives_a_lab_that_is_killed() -> None:
         await asyncio.gather(*(play(address) for _ in range(2)))
 
     for number in range(KILLS):
-        seconds = rng.uniform(0.0, 1.0) if number else 0.7
+        seconds = rng.uniform(0.0, 1.0) if number else 1.5
         with killed_after(seconds, "lab", "serve", "--engine", "solutions") as address:
             if number % 4 == 3:
                 with contextlib.suppress(*GONE):

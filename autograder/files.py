@@ -31,12 +31,12 @@ def replace_bytes(path: Path, content: bytes) -> None:
 
 
 def is_full(folder: Path) -> bool:
-    """Return whether the disk is so full (under 1 MB free) that programs may fail."""
+    """Return whether the disk has less than 1 MB free, so that programs may fail."""
     return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:
-    """Return the path where ``replace_bytes`` first writes the new contents of a file."""
+    """Return the path of the temporary file that ``replace_bytes`` writes before moving it."""
     return path.with_name(path.name + ".tmp")
 
 

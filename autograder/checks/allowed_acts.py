@@ -41,7 +41,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """From now on, block everything that the student's code may not do in the grader."""
+    """From now on, block every operation that the grader's sandbox would not allow student code."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),
@@ -92,7 +92,7 @@ def _list(code: StudentsCode, path: Any) -> None:
 def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
     """Let the student's code read only Python's library and the files in the folders of ``more``.
 
-    Any other file raises the PermissionError that the sandbox would cause.
+    For any other file, raise the PermissionError that the sandbox would cause.
     """
     inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):

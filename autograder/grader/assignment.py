@@ -78,10 +78,10 @@ class Assignment:
 
 
 class OnceForAll:
-    """Verdicts that are the same for every submission and need to be found only once.
+    """Verdicts that are the same for every submission, so that they are computed only once.
 
-    All threads that grade the class share this object. The first one that needs a verdict runs the
-    checks for it, while the others wait for the result.
+    All the threads that grade a class share this object. The first thread that needs a verdict runs
+    the checks for it, and the others wait for the result.
     """
 
     def __init__(self) -> None:
@@ -90,7 +90,7 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts for a student who has handed in nothing for this chapter.
+        """Return the verdicts on a chapter for which a student has handed in nothing.
 
         The earlier chapters come from the reference.
 
@@ -103,9 +103,9 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the results of our own solution, whose cost and error appear on the charts.
+        """Return the results of our own solution, whose cost and error are shown on the charts.
 
-        Only the checks of open exercises are needed for that, so the others have no verdicts.
+        Only open exercises have charts, so only their checks are run.
         """
         root = assignment.root
         with self._lock:

@@ -57,7 +57,7 @@ class Work:
 
     @classmethod
     def of(cls, assignment: Assignment) -> Work:
-        """Put together what the workers need for an assignment."""
+        """Assemble what a cluster's workers need in order to grade an assignment."""
         public = replace(assignment, hidden=None)
         return cls(public, run_key(public), _tree(assignment.hidden))
 
@@ -138,7 +138,7 @@ def grade_over(
 
 
 def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
-    """Grade a student's submission; Dask calls this on a worker of the cluster.
+    """Grade one student's submission on a worker of the cluster, where Dask calls this function.
 
     Raises:
         ValueError: The worker would not grade exactly as the sending machine does.
@@ -163,7 +163,7 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 def check_worker(work: Work) -> None:
     """Raise ValueError if this worker would not grade exactly as the sending machine does.
 
-    Otherwise a student's grade could depend on which machine happened to compute it.
+    Otherwise a student's grade could depend on the machine that happened to compute it.
     """
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_sandbox)
@@ -196,7 +196,7 @@ def _shared(work: Work) -> OnceForAll:
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment, with its paths pointing to this machine's repository."""
+    """Return the assignment, with its paths changed to those of this machine's repository."""
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment
@@ -209,7 +209,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A function call that happens on the worker, when its pickle is loaded."""
+    """A function call that the worker makes when it loads the pickle of this object."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts
@@ -229,7 +229,7 @@ def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Read all files in a folder into a dict, to send over the network.
+    """Read all the files in a folder into a dict that can be sent over the network.
 
     If ``folder`` is None, the dict is empty.
     """
@@ -241,9 +241,9 @@ def _tree(folder: Path | None) -> Tree:
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write the files of a tree into a folder.
+    """Write the files that ``_tree`` has read into a folder.
 
-    They are readable by all users, because the student's code may run under another account.
+    All users may read them, because the student's code may run under another account.
     """
     for name, content in tree.items():
         path = folder / name

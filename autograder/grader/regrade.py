@@ -33,7 +33,8 @@ MAY_DIFFER = {
 class Regrade:
     """Regrades one student after an earlier run has graded the class.
 
-    Everything else must be as it was for the class, so that the grades remain comparable.
+    The seed, the exercises and the checks must be the same as when the class was graded, so that
+    the grades remain comparable.
 
     Raises:
         ValueError: The folder has no earlier run, or the student did not hand anything in.
@@ -56,7 +57,7 @@ class Regrade:
         """The student's report before this regrade, or None if there is none.
 
         If an earlier regrade was killed before it could write the log, this is the report from
-        before that one, so that no change goes unlogged.
+        before that regrade, so that every change is logged.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -79,7 +80,7 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Set up a run that regrades the student, and return the student's submission.
+        """Check that nothing has changed since the class was graded, and return the submission.
 
         Raises:
             ValueError: The exercises or the checks are not those of the class.
@@ -112,7 +113,7 @@ class Regrade:
     def finish(
         self, graded: Sequence[StudentReport], why: str, console: Console
     ) -> list[StudentReport]:
-        """Log what has changed, and return the reports of the whole class."""
+        """Log how the student's scores have changed, and return the reports of the whole class."""
         (report,) = graded
         console.print(self._log(report, why), markup=False)
         self.kept.unlink(missing_ok=True)

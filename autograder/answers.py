@@ -75,7 +75,7 @@ class Question:
 
     @property
     def place(self) -> str:
-        """The file and line where the answer belongs, or just the file if it has no section yet."""
+        """Where the answer belongs: file and line, or only the file if the section is missing."""
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 

@@ -49,7 +49,7 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Return the exercises of the assignment. Use the result only if there were no mistakes."""
+        """Return the exercises of the assignment. They are valid only if there were no mistakes."""
         given = self._chapters("given")
         listed = self._ids("exercises")
         extra = self._ids("extra_credit")

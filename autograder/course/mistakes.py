@@ -27,7 +27,7 @@ class Mistakes:
         self._found: list[tuple[int, str]] = []
 
     def add(self, path: Path, words: str, word: str = "") -> None:
-        """Record a mistake in the value at ``path``, or in the item ``word`` of that value."""
+        """Record a mistake in the value at ``path`` or, given ``word``, in that item of a list."""
         self._found.append((self._lines.of(path, word), words))
 
     def raise_any(self) -> None:
@@ -40,7 +40,10 @@ class Mistakes:
         raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
 
     def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
-        """Record each unknown key as a mistake, and suggest the most similar known one."""
+        """Record each unknown key of a table as a mistake, suggesting the most similar known key.
+
+        The known keys are those in ``known``.
+        """
         keys = list(known)
         for key in table:
             if key not in keys:

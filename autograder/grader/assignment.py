@@ -105,7 +105,7 @@ class OnceForAll:
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
         """Return the results of our own solution, whose cost and error are shown on the charts.
 
-        Only open exercises have charts, so only their checks are run.
+        Only open exercises have charts, so the results of all other exercises are not needed.
         """
         root = assignment.root
         with self._lock:

@@ -128,7 +128,7 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run, or None if it cannot be reused."""
+        """Return an earlier run's report on this submission, or None if it cannot be reused."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
         if not self.keeps_reports or report is None or not self.is_valid(report, submission):

@@ -191,7 +191,7 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the verdicts that this worker finds once and uses for every submission of a run."""
+    """Return the verdicts that this worker computes once and reuses for every submission."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 

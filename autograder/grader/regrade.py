@@ -33,7 +33,7 @@ MAY_DIFFER = {
 class Regrade:
     """Regrades one student after an earlier run has graded the class.
 
-    The seed, the exercises and the checks must be the same as when the class was graded, so that
+    The seed, the exercises and their points must be the same as when the class was graded, so that
     the grades remain comparable.
 
     Raises:
@@ -80,10 +80,13 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Check that nothing has changed since the class was graded, and return the submission.
+        """Check that the class was graded under the same conditions, and return the submission.
+
+        Some differences, such as a new version of the grader, are allowed, but the user is told of
+        them.
 
         Raises:
-            ValueError: The exercises or the checks are not those of the class.
+            ValueError: The exercises, their points or the hidden checks are not those of the class.
         """
         run.keeps_reports = False
         differing = self._differing(run.key)
@@ -121,13 +124,13 @@ class Regrade:
         return sorted([*others, report], key=lambda one: one.student)
 
     def _differing(self, key: RunKey) -> list[str]:
-        """Return which conditions have changed since the class was graded."""
+        """Return which grading conditions, such as the checks, are not those of the class's run."""
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]
         return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]
 
     def _log(self, report: StudentReport, why: str) -> str:
-        """Add a row to regrades.csv, and return a sentence about what has changed."""
+        """Add a row to regrades.csv, and return a sentence on how the scores have changed."""
         before, after = _points(self.before), _points(report)
         changes = "; ".join(_changes(self.before, report))
         path = self.out / LOG

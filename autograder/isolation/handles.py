@@ -74,7 +74,7 @@ class Session:
             self._fail(Message(f"{BROKEN}: {error}"))
 
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Send a request, answer the callbacks that it causes, and return the reply."""
+        """Send a request, answer any callbacks from the worker meanwhile, and return its reply."""
         try:
             self.wire.send(message, self.deadline)
             while "callback" in (reply := self._receive()):

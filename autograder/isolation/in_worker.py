@@ -81,7 +81,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that the checks avoid the others."""
+        """Find out which of the student's modules cannot be imported, and mark them as broken."""
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
@@ -192,7 +192,7 @@ class InWorker:
 
 
 class Name(Handle):
-    """A placeholder for a name in a student's module, such as Vector3. It works with any worker."""
+    """A placeholder for a name in a student's module, such as Vector3, for use with any worker."""
 
     __slots__ = ("_module", "_name", "_workers")
 
@@ -237,7 +237,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 
 class ChapterModule(ModuleType):
-    """A module that holds placeholders during collection, and real objects during a check."""
+    """A student's module as the checks see it: placeholders, or real values during a check."""
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)

@@ -73,11 +73,11 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the points, the late days and the penalty, with None for whatever is unknown."""
+    """Return the points before the penalty, the late days and the penalty, or None if unknown."""
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
 
 
 def as_cell(text: str) -> str:
-    """Put a text on one line, and keep spreadsheets from reading it as a formula."""
+    """Put a text on one line, and make sure that no spreadsheet treats it as a formula."""
     return FORMULA.sub(r"\1\2'", clean_line(text))

@@ -13,7 +13,7 @@ END = "<!-- end of exercises -->"
 
 
 def exercise_table(chapter: Chapter) -> str:
-    """Return the exercises of a chapter as a Markdown table."""
+    """Return the exercises of a chapter as a table in Markdown."""
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:
@@ -32,9 +32,9 @@ def _extra(exercise: Exercise) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List the functions that students write for an exercise, by file, then its data files.
+    """List the functions that students write for an exercise, file by file, then its data files.
 
-    If several classes in a file have a method of that name, the class is named as well.
+    If several classes in a file have a method with the same name, the class is named as well.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]

@@ -53,7 +53,7 @@ def wrapped_rows(rows: list[Row], width: int) -> list[str]:
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print a text, wrapped to the width of the window if it goes to a terminal.
+    """Print a text. If the output is a terminal, wrap it to the width of the window.
 
     All lines but the first are indented by ``hanging`` columns.
     """
@@ -62,7 +62,7 @@ def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 
 
 
 def print_rows(console: Console, rows: list[Row]) -> None:
-    """Print the rows of a message, wrapped if they go to a terminal."""
+    """Print the rows of a message, wrapping them if the output is a terminal."""
     lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
     console.print("\n".join(lines), markup=False, soft_wrap=True)
 
@@ -91,7 +91,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list to at most ``room`` lines, putting ``note`` in place of its middle."""
+    """Shorten a list of lines to at most ``room``, replacing its middle with ``note``."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

@@ -38,7 +38,7 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """How many students score at least ``low`` but less than ``high`` percent."""
+    """A bin of the histogram: how many scores are at least ``low`` and below ``high`` percent."""
 
     low: int
     high: int

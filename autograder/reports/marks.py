@@ -60,7 +60,11 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
 def read_rows(
     path: Path, chapters: list[Chapter], students: Iterable[str]
 ) -> tuple[str, list[Row]]:
-    """Return the separator and the rows of marks.csv. Raise ValueError as ``read_marks`` does."""
+    """Return the column separator and the rows of marks.csv.
+
+    Raises:
+        ValueError: A line is invalid, as in ``read_marks``.
+    """
     if not path.exists():
         return ",", []
     exercises = {exercise.id: exercise for chapter in chapters for exercise in chapter.exercises}

@@ -30,7 +30,7 @@ def keep_report(path: Path, report: StudentReport) -> None:
 
 
 def read_result(path: Path) -> StudentReport | None:
-    """Read a report from a JSON file, or return None if the file is missing or incomplete."""
+    """Read a report from a JSON file, or return None if there is no valid report in it."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
         return from_json(StudentReport, data)

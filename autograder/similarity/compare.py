@@ -158,7 +158,7 @@ class Measure:
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def size(self, name: str) -> float:
-        """Return the weight of a part in the average: the square root of its usual size."""
+        """Return a part's weight in the average: the square root of its typical size."""
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:

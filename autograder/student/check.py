@@ -65,10 +65,10 @@ def report_on(
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
 ) -> Report:
-    """Check a chapter, or one exercise with its prerequisites, and return the report.
+    """Check a chapter, or one exercise and its prerequisites, and return the report.
 
-    ``run`` is the function that runs the checks. A check that fails only because of an earlier
-    chapter is marked as inherited.
+    ``run`` is the function that runs the checks. A check that fails only because of a mistake in an
+    earlier chapter is marked as inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)

@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks, and remembers the verdicts for each state of the files.
+    """Runs checks, and remembers their verdicts for as long as no file changes.
 
     ``run`` is a function with the same parameters as ``run_checks``.
     """
@@ -48,7 +48,7 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Compute a hash of all files that can affect the checks of a chapter."""
+    """Compute a hash of all the files on which the checks of a chapter depend."""
     state = hashlib.sha256()
     for number, folder in enumerate(engine):
         for file in sorted(folder.glob("ch??_*/*.*")):

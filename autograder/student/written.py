@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 def print_written(
     console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question of a written exercise and, once it is answered, the model answer.
+    """Print the question of a written exercise and, once it has been answered, our model answer.
 
-    The rubric follows, so that students can judge their own answers. A hand-out contains neither
-    the model answer nor the rubric, which are for the instructor only.
+    The rubric follows, so that students can assess their own answers. A hand-out has neither the
+    model answer nor the rubric, because both are reserved for the instructor.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -63,7 +63,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return the sentence that says that all checks pass, with the questions still open."""
+    """Return the sentence that says that all checks pass, plus any questions still unanswered."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -75,7 +75,7 @@ def _is_open(question: Question) -> bool:
 
 
 def listed(words: list[str], last: str = "and") -> str:
-    """Join words as in a sentence, such as "a, b and c"."""
+    """Join words into an English list, such as "a, b and c"."""
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 

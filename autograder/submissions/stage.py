@@ -71,7 +71,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
-    """Find all chapters' files in any kind of submission, with notes on any problems."""
+    """Find the files of all chapters in a submission of any kind, with notes on any problems."""
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode
@@ -112,7 +112,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 
 def _text(content: bytes) -> bytes:
-    """Return the contents of a file unchanged, or reject the file if it is not text.
+    """Return the contents of a submitted file unchanged, provided that it is a text file.
 
     Raises:
         NotTakenError: The contents are not text.

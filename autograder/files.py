@@ -44,7 +44,7 @@ def is_new(folder: Path, first: Path) -> bool:
     """Return whether a folder for results is missing or empty, so that a run can start there.
 
     Every run writes the file ``first`` before any other. A folder that holds nothing but an
-    unfinished copy of that file also counts as empty: an earlier run was killed right after it
-    started.
+    unfinished copy of that file counts as empty too, because an earlier run must have been killed
+    right after it started.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

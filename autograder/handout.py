@@ -72,7 +72,7 @@ def make_handout(
 
     Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
     code without checks. If ``chapters`` contain only some of the exercises in a manifest, the
-    others are marked as optional. ``about`` is the README section about the assignment.
+    others are marked as optional. ``about`` is the text about the assignment for the README.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.

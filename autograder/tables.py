@@ -61,7 +61,7 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Update every chapter's exercise table, and return the paths of the changed files."""
+    """Update the exercise tables of all chapters, and return the paths of the changed files."""
     changed = []
     for chapter in chapters:
         path = root / "chapters" / chapter.name / "reference.md"

@@ -46,7 +46,7 @@ def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
-    """Wrap the rows of a message to a terminal's width, keeping each text beside its label."""
+    """Wrap the rows of a message to a terminal's width, so that texts stay next to their labels."""
     return [
         line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
     ]

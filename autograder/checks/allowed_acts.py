@@ -1,10 +1,11 @@
 """Keep a student's code from writing files, starting programs or threads, and opening sockets.
 
-The grader runs submissions in a sandbox that blocks all of these. There is no sandbox when students
-run the checks at home, so this module relies on Python's audit events, which Python raises just
-before it opens a file, for example. It then raises the same error that the sandbox would cause.
+The grader runs submissions in a sandbox that blocks all of these operations. There is no sandbox
+when students run the checks at home, so this module relies on Python's audit events. Python raises
+one just before it opens a file, for example, and this module then raises the same error that the
+sandbox would cause.
 
-The purpose is to warn students early about what the grader will refuse. This is no defense against
+The purpose is to warn students early about what the grader will block. This is no defense against
 hostile code, and operations without an audit event, such as os.pipe, slip through.
 """
 

@@ -53,7 +53,7 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The files and names that a check process works with, in JSON-compatible form.
+    """The files and names that a check process works with, as data that can be stored as JSON.
 
     Attributes:
         known: The exercises of the chapter.
@@ -77,7 +77,7 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """Everything a check process needs to know: files, settings, and the checks to run.
+    """The configuration of a check process: its files, its settings, and the checks to run.
 
     Attributes:
         apart: Whether each exercise's checks run in a forked copy of the process.

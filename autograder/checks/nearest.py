@@ -1,7 +1,7 @@
 """Guess which name a student meant when the code uses one that does not exist.
 
 Python's error contains only the missing name. Only the process that ran the code knows which names
-exist, so it finds the nearest one itself and returns it as plain data.
+exist, so that process finds the most similar one and reports it as plain data.
 """
 
 from __future__ import annotations

@@ -48,7 +48,7 @@ class GraderError(Exception):
 
 @dataclass(frozen=True)
 class Order:
-    """Which checks to run, and on which engine.
+    """What to check: the chapter's checks to run, and the engine to run them on.
 
     ``engine`` is a list of folders with chapters; if several of them have a module, the first one
     wins. ``behind`` describes the sandbox for the student's code. If it is None, the code runs in
@@ -103,7 +103,7 @@ def run_checks(
 
 
 class Run:
-    """Keeps track of one run of the checks, which may take several processes to finish.
+    """One run of the checks, which may take several processes to finish.
 
     ``judge`` is the function that starts such a process and passes its events to the run. It
     returns an ``Ending``, which says how the process ended.

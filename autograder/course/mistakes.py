@@ -40,10 +40,7 @@ class Mistakes:
         raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
 
     def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
-        """Record each unknown key of a table as a mistake, suggesting the most similar known key.
-
-        The known keys are those in ``known``.
-        """
+        """Record each key of a table that is not a known one, suggesting the most similar key."""
         keys = list(known)
         for key in table:
             if key not in keys:

@@ -22,7 +22,7 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """What a class is graded on, which is the same for every submission.
+    """What the submissions of a class are graded on: the same exercises and checks for everyone.
 
     ``chapters`` contain only the graded exercises, perhaps fewer than the manifest lists. The
     ``given`` chapters come from the reference, even if a student has handed in files for them.

@@ -43,11 +43,11 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 
 @dataclass(frozen=True)
 class Work:
-    """What every worker of the cluster receives: the assignment, and facts about the sender.
+    """What the sender gives every worker of the cluster: the assignment, and facts about itself.
 
-    The worker compares its own machine with ``key``, because it must grade under the same
-    conditions as the sender. ``hidden`` contains the hidden checks, and ``home`` is the path of the
-    repository on the sending machine.
+    A worker compares its own machine with ``key``, because it must grade under the same conditions
+    as the sender. ``hidden`` contains the hidden checks, and ``home`` is the path of the repository
+    on the sending machine.
     """
 
     assignment: Assignment

@@ -86,7 +86,7 @@ def _all_results(
     box: Path,
     compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
-    """Run each chapter's checks twice, and return both lists of results.
+    """Run each chapter's checks twice, and return the results of both runs.
 
     The first run uses the student's own earlier chapters, and the second takes them from the
     reference. The reports show only the messages of the first run: in the second one, the student's
@@ -132,9 +132,9 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return the cost and error of a submission and of the reference, for the chart.
+    """Return the cost and error of a submission and of our solution, for an exercise's chart.
 
-    Most exercises have no chart, and then the result is None. It is also None for a submission that
+    Most exercises have no chart, and then the result is None. It is also None if the submission
     fails because of an earlier chapter, because only the second run shows which of its checks pass.
     """
     if result.on_chart is None:

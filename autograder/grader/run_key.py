@@ -1,6 +1,6 @@
 """Describe the conditions of grading, such as the checks and the seed.
 
-A report stays valid for as long as they stay the same.
+A report stays valid for as long as these conditions stay the same.
 """
 
 from __future__ import annotations

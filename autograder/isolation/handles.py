@@ -91,7 +91,7 @@ class Session:
     def _receive(self) -> dict[str, Any]:
         """Return the next message from the worker process.
 
-        If a busy machine left the worker too little processor time, wait once more.
+        If the worker got too little processor time because the machine was busy, wait once more.
 
         Raises:
             TimeoutError: No message arrives in time.

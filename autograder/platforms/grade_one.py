@@ -42,9 +42,9 @@ def main(folder: Path, root: Path = ROOT) -> None:
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
-    """Grade the submission in ``folder``, and return the report.
+    """Grade the submission in ``folder``, and return the report on it.
 
-    The file assignment.json in the zip says what to grade. If it has no seed, every run draws new
+    The file assignment.json in our zip says what to grade. If it has no seed, each run draws new
     random numbers for its checks.
 
     Raises:

@@ -32,10 +32,10 @@ def write_gradebook(
 ) -> Path:
     """Write gradebook.csv and return its path. Its second row lists the points possible.
 
-    A cell is empty if there is no grade yet: nobody has marked the answer, the grader failed, or
-    the student has not handed anything in. ``missing`` lists students who have handed in nothing,
-    and ``unmatched`` lists those who are not on the roster. With a due date, there are three more
-    columns for the points, the late days and the penalty, and the total is the points minus the
+    A cell is empty if there is no grade yet, because nobody has marked the answer, the grader
+    failed, or the student has not handed anything in. ``missing`` lists students who have handed in
+    nothing, and ``unmatched`` lists those who are not on the roster. With a due date, three more
+    columns give the points, the late days and the penalty, and the total is the points minus the
     penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]

@@ -35,9 +35,9 @@ def check(
     """Check chapters or a single exercise, print the results, and return whether all checks pass.
 
     With ``exercise``, only that exercise and its prerequisites are checked. With ``only``, nothing
-    but that exercise's physics checks is shown and counted; everything else runs silently. The
-    ``given`` chapters come from the reference. A written exercise has no checks, so it is just
-    shown. Unanswered questions do not affect the result.
+    but that exercise's physics checks is shown and counted, and all other checks run silently. The
+    ``given`` chapters come from the reference. A written exercise has no checks, so it is only
+    displayed. Unanswered questions do not affect the result.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)

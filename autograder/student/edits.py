@@ -35,7 +35,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return the parts of a file that have changed, and remember its contents."""
+        """Return the parts of a file that changed since the last call, and remember the file."""
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()

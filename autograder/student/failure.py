@@ -93,7 +93,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the beginning of what the code printed, or [] if it printed nothing."""
+    """Return a row with the beginning of the code's output, or [] if it printed nothing."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 

@@ -42,7 +42,7 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the closing screen of a finished chapter, or a line about playable scenes.
+    """Return the closing screen of a finished chapter, or a line that names playable scenes.
 
     Each line comes with its style. The screen is that of the last finished chapter, unless the
     student has already begun another one. In that case we only name the scenes unlocked by

@@ -1,6 +1,6 @@
 """Remember verdicts for as long as the student's files stay the same, to save time.
 
-They are kept only in memory. In a file, a student could edit them.
+The verdicts are kept only in memory, because students could edit a file that stores them.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the same verdicts as ``run_checks``, but run the checks only if necessary."""
+        """Return the verdicts of ``run_checks``, running the checks only if a file has changed."""
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
         for ids in (with_needs(chapter, None), wanted):

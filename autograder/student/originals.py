@@ -1,6 +1,6 @@
 """Find out whether a student has edited a file that should stay as is, such as cloth.py.
 
-The grader uses our own copy of it, so the student's changes would be lost.
+The grader uses our own copy of such a file, so the student's changes would have no effect there.
 """
 
 from __future__ import annotations

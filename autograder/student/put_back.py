@@ -57,7 +57,7 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert a node after its nearest predecessor in the stub, or else before its successor."""
+    """Insert a definition in stub order: after its nearest predecessor, or before its successor."""
     names = [_name(other) for other in body]
     at = [*order].index(node)
     for other in reversed(order[:at]):

@@ -48,8 +48,8 @@ def reset(
 ) -> str:
     """Restore the stubs of an exercise, and return a text that lists the changes and the copies.
 
-    Only the functions of this exercise change. If any were deleted, the reset brings back just
-    those and leaves the others alone. With ``whole``, it restores entire files.
+    Only the functions of this exercise change. If the student deleted any of them, the reset brings
+    those back and leaves the others alone. With ``whole``, it restores entire files.
 
     Raises:
         ValueError: A file cannot be read or lacks a function. Nothing is changed.

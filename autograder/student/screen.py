@@ -41,10 +41,10 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """The results of a chapter, as found by the checks in one or two runs.
+    """The results of a chapter's checks, which may have run once or twice.
 
     ``results`` come from a run on the student's own earlier chapters. ``on_reference`` comes from a
-    second run on ours, and is empty if that run was not needed or not possible. ``suspects`` are
+    second run on ours, and is empty if that run was unnecessary or impossible. ``suspects`` are
     earlier chapters that may be to blame for failures.
     """
 

@@ -129,7 +129,7 @@ class Session:
         page.say(self.progress.words(chapter))
 
     def say_done(self, result: Result, *, wait: bool) -> None:
-        """Show that the physics of an exercise passes, and which robust checks are left."""
+        """Show that the physics of an exercise passes, and which robust checks are still to do."""
         exercise, count = result.exercise, len(result.checks)
         title = f"{exercise.id} {exercise.title}"
         left = sum(check.status != "passed" for check in result.robust)
@@ -149,8 +149,8 @@ class Session:
     def find_next(self) -> None:
         """Find the next open exercise, and show the student how to move on to it.
 
-        At the start we move on at once, because there is no other exercise to finish first. We do
-        the same if keys cannot be read, because then the student cannot press Enter.
+        When watch starts, we move on at once, because there is no other exercise to finish first.
+        We do the same if keys cannot be read, because then the student cannot press Enter.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

@@ -49,7 +49,7 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Say which questions are open and where to answer them, or return "" if there are none."""
+    """Say which questions are unanswered and where to answer them, or return "" if none are."""
     groups = [
         open_ones
         for chapter in chapters

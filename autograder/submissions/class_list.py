@@ -89,10 +89,10 @@ class ClassList:
 def match(
     submissions: list[Submission], roster: list[Student] | None, path: Path | None
 ) -> ClassList:
-    """Match each submission with its student on the roster, and return the class.
+    """Match each submission with a student on the roster, and return the class.
 
-    Submissions that belong to no student are part of the class as well, and so are students without
-    a submission.
+    Submissions without a student are part of the class as well, and so are students without a
+    submission.
 
     Raises:
         ValueError: A submission matches two students, or a student matches two submissions. The

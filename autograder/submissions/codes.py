@@ -23,7 +23,7 @@ QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
-    """Return the class with codes instead of names, and write the key file that explains them.
+    """Return the class with codes instead of names, and write the key file that decodes them.
 
     A code is computed from the student's id and from a secret in the key file, so every student
     keeps the same code for as long as that file exists. For a submission that belongs to no student

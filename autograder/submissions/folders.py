@@ -25,9 +25,10 @@ class NotTakenError(Exception):
 class Found:
     """A chapter's file that was found in a submission.
 
-    ``place`` lists the folders on the way to the file, ending with the chapter's own. ``read``
+    ``place`` lists the folders on the path to the file, ending with the chapter's own. ``read``
     takes the maximum size to accept, and returns the contents or raises NotTakenError. A
-    ``doubtful`` file is in an unreadable folder and counts only if there is no other.
+    ``doubtful`` file is in an unreadable folder, which counts only if the chapter has no other
+    folder.
     """
 
     place: tuple[str, ...]

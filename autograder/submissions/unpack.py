@@ -49,7 +49,7 @@ class Unpacked:
 
 @dataclass(frozen=True)
 class _File:
-    """A file in the zip. The first of its ``parts`` is the name of the student's submission."""
+    """A file in a class's zip. The first of its ``parts`` names the submission it belongs to."""
 
     parts: list[str]
     entry: zipfile.ZipInfo

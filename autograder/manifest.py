@@ -131,7 +131,7 @@ def _read_chapter(path: Path, text: str) -> Chapter:
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:
-    """Read the manifests of all chapters in ``root``/chapters, in chapter order."""
+    """Read the manifest of every chapter in ``root``/chapters, in chapter order."""
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 

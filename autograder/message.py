@@ -131,7 +131,7 @@ class Message:
 
 
 def one_per_line(call: str) -> str:
-    """Put each statement of a long call on its own line, without splitting inside brackets."""
+    """Put each statement of a long call on its own line, without splitting inside parentheses."""
     if len(call) <= LONG_CALL:
         return call
     lines, depth = [""], 0

@@ -48,7 +48,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Return the text of reference.md with its exercise table brought up to date.
+    """Return the text of a reference.md with its exercise table brought up to date.
 
     Raises:
         ValueError: The page lacks the two comment lines between which the table belongs.

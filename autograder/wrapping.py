@@ -18,10 +18,10 @@ MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
-    """Return a console that prints every text as is, by default to standard output.
+    """Return a console that prints text as is, to standard output by default.
 
-    Rich normally interprets brackets as styles and words between colons as emoji. A student whose
-    name contains "[/]" would then cause an error.
+    Rich normally interprets brackets as styles and words between colons as emoji, so a student
+    whose name contains "[/]" would cause an error.
     """
     from rich.console import Console
 
@@ -68,11 +68,11 @@ def print_rows(console: Console, rows: list[Row]) -> None:
 
 
 def few_lines(text: str, lines: int, characters: int) -> str:
-    """Return the beginning of a long text, ending with a note on how many lines were left out.
+    """Return the beginning of a long text, followed by a note on how many lines were left out.
 
     If an earlier call has already shortened the text, the count includes the lines left out then.
-    Output of LONGEST_PRINTED or more characters was cut while it was captured, and its true length
-    is unknown, so the note then says "at least".
+    Output of LONGEST_PRINTED or more characters was cut while it was captured. Its true length is
+    unknown, so the note then says "at least".
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")

@@ -85,7 +85,7 @@ def write_event(event: Event) -> str:
 
 
 def read_event(line: str) -> Event:
-    """Parse a line of JSON into an event.
+    """Parse a line of JSON that a check process printed into an event.
 
     Raises:
         ValueError: The line is not an event.

@@ -75,7 +75,7 @@ class Judge:
         self.code = 0
 
     def lines(self, silence: float, deadline: float) -> Generator[str]:
-        """Run the process, and yield each line of its output until it ends.
+        """Run the check process, and yield each line that it prints until it ends.
 
         If the caller stops reading early, kill the process.
 

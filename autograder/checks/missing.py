@@ -50,7 +50,7 @@ def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
 
 
 def file_of(module: str) -> str:
-    """Return the path of a module as students know it, such as ch02_vectors/vector.py."""
+    """Return the file of a module as students know it, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 

@@ -89,5 +89,5 @@ def late_of(
 
 
 def clock(time: datetime) -> str:
-    """Format a time for people to read, such as 2026-10-23 23:59 CEST."""
+    """Format a time for people to read, as in 2026-10-23 23:59 CEST."""
     return f"{time:%Y-%m-%d %H:%M} {time.tzname()}"

@@ -47,9 +47,9 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises and of their prerequisites.
+        """Run the checks of a chapter's graded exercises, along with those of their prerequisites.
 
-        ``missing`` maps the rejected modules to the reasons. ``compiled`` is a folder that caches
+        ``missing`` maps each rejected module to the reason. ``compiled`` is a folder that caches
         the compiled code of a submission between runs.
 
         Raises:

@@ -64,7 +64,7 @@ class Work:
 
 @contextmanager
 def connect(address: str, assignment: Assignment, console: Console) -> Iterator[Client]:
-    """Connect to the scheduler of a cluster, and print how many workers can grade.
+    """Connect to the scheduler of a Dask cluster, and print how many workers can grade.
 
     Raises:
         ValueError: Dask is not installed, the scheduler does not answer, there are no workers, or a
@@ -104,7 +104,7 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
 def grade_over(
     client: Client, assignment: Assignment, submissions: list[Submission]
 ) -> Iterator[StudentReport]:
-    """Grade the submissions on the cluster, and yield each report as soon as it is ready.
+    """Grade a class's submissions on the cluster, and yield each report as soon as it is ready.
 
     Raises:
         ValueError: A worker that joined later would not grade exactly as this machine does.
@@ -220,10 +220,10 @@ class _Call:
 
 
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
-    """Return a call in a form that Dask can send without importing the autograder.
+    """Return a function call in a form that Dask can send without importing the autograder.
 
     If Dask had to import the autograder, the scheduler would need it as well, and a worker without
-    it would go silent instead of reporting an error.
+    it would fall silent instead of reporting an error.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 

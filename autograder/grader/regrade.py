@@ -147,7 +147,7 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return the chapters and the given chapters of an earlier run, as command-line options.
+    """Return an earlier run's chapters and given chapters, written as options such as "2,3".
 
     Raises:
         ValueError: There is no earlier run.

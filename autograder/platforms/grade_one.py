@@ -106,8 +106,8 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 def _level(submission: Path, *, unsafe: bool) -> Level:
     """Return the sandbox that the command `grade` would choose on this machine.
 
-    If there is none and ``unsafe`` allows for that, a process running as root first switches to an
-    unprivileged user.
+    If there is none and ``unsafe`` permits grading without one, a process running as root first
+    switches to an unprivileged user.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

@@ -53,7 +53,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students and how similar their code is, from 0 to 1.
+    """Two students, and the similarity of their code on a scale from 0 to 1.
 
     ``surprise`` says how unusual that similarity is in their class.
     """

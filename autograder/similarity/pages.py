@@ -51,7 +51,7 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write index.html and a page for each listed pair, and return the path of the index."""
+    """Write index.html and a page for each listed pair of students, and return the index's path."""
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))

@@ -65,7 +65,7 @@ def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | No
 
 
 def _read(file: Path) -> ast.Module | None:
-    """Return the syntax tree of a file, or None if the file is missing or unreadable."""
+    """Return the syntax tree of a Python file, or None if it is missing or unreadable."""
     try:
         return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors add a BOM
     except (OSError, SyntaxError, ValueError):

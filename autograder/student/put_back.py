@@ -14,7 +14,7 @@ from autograder.definitions import functions
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
     """Insert the stubs of deleted functions, such as Vector3.dot, and return the new module.
 
-    If a whole class is gone, all of it comes back.
+    If the student has deleted a whole class, all of it is restored.
 
     Raises:
         ValueError: The stub does not define one of the names.

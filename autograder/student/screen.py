@@ -88,9 +88,10 @@ def print_report(
     engine: list[Path],
     given: list[Chapter],
 ) -> bool:
-    """Print the chapters and the first failure in full, and return whether all checks pass.
+    """Print the results and the first failure in full, and return whether all checks pass.
 
-    Open questions are listed, but no check can judge an answer, so they do not affect the result.
+    Unanswered questions are listed, but they do not affect the result, because no check can judge
+    an answer.
     """
     for report in reports:
         print_chapter(console, report, engine)

@@ -69,7 +69,7 @@ class Session:
             self.current, self.edited = (chapter, exercise), names
 
     def go_on(self) -> None:
-        """Move on to the next exercise, if there is one."""
+        """Make the next exercise the current one, if there is a next one."""
         if self.next:
             self.current, self.edited = self.next, []
             self.show()

@@ -86,8 +86,8 @@ def _ids(questions: list[Question]) -> list[str]:
 def flowing(text: str) -> str:
     """Join the lines of each paragraph and list item, so that the text fits any screen width.
 
-    Markdown's quotation marks (>) are removed. Indented lines, such as formulas, stay as they are,
-    and a text with code blocks does not change at all.
+    Markdown's block quote markers (>) are removed. Indented lines, such as formulas, are left as
+    they are, and so is any text that contains code blocks.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

@@ -43,7 +43,7 @@ class Student:
 def read_roster(path: Path) -> list[Student]:
     """Return the students on a roster, in file order.
 
-    The file may have other columns too, in any order. They are separated by commas or semicolons.
+    The roster may have other columns too, in any order, separated by commas or semicolons.
 
     Raises:
         ValueError: The roster contains a mistake. The message names the line.

@@ -116,9 +116,9 @@ def path_in_zip(entry: zipfile.ZipInfo) -> str:
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path in a zip could lead outside it, or is not a plain path.
+    """Return whether a path in a zip could lead outside the zip, or is not a plain path.
 
-    Such a path is absolute, or has a part that is empty or made of dots.
+    Such a path is absolute, or one of its parts is empty or made of dots.
     """
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 

@@ -26,7 +26,7 @@ except ImportError:  # a hand-out contains only the student's commands
 
 
 def main() -> int:
-    """Run the command that was typed, and return its exit status."""
+    """Parse the command line, run the command, and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m autograder", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     add_commands(commands)
@@ -46,7 +46,7 @@ def main() -> int:
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Define the commands that a student can type: check, watch, hint and reset."""
+    """Register the student commands (check, watch, hint and reset) with the argument parser."""
     check_command = commands.add_parser("check", help="check your work")
     check_command.add_argument("--exercise", help="check only this exercise, such as 2.5 or B2.3")
     check_command.add_argument(
@@ -88,7 +88,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_check(arguments: argparse.Namespace) -> bool:
-    """Check every requested chapter, or just one exercise."""
+    """Run the checks of every requested chapter or of a single exercise."""
     chapters = select_chapters(arguments.chapter)
     exercise = None
     if arguments.exercise:
@@ -102,7 +102,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 
 def run_watch(arguments: argparse.Namespace) -> int:
-    """Recheck the student's current exercise every time a file is saved."""
+    """Rerun the checks of the student's current exercise whenever a file is saved."""
     from autograder.student.watch import watch  # imported only here, so that check starts quickly
 
     engine = find_engine(arguments.engine)
@@ -112,7 +112,7 @@ def run_watch(arguments: argparse.Namespace) -> int:
 
 
 def run_reset(arguments: argparse.Namespace) -> int:
-    """Put the original stub of an exercise back into the student's file."""
+    """Restore the original stub of an exercise in the student's file."""
     from autograder.student.reset import reset
 
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
@@ -122,7 +122,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 
 def run_hint(arguments: argparse.Namespace) -> int:
-    """Print the first hints for an exercise, and say how to get the next one."""
+    """Print the first few hints for an exercise, and say how to ask for the next one."""
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
     refuse_given(chapter, exercise, arguments.given)
     shown = exercise.hints[: max(1, arguments.count)]
@@ -137,9 +137,9 @@ def run_hint(arguments: argparse.Namespace) -> int:
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Look up an exercise by its id, such as B2.3, and return it with its chapter.
+    """Look up an exercise by its id, such as B2.3, and return it together with its chapter.
 
-    Case is ignored.
+    Upper and lower case are treated alike.
 
     Raises:
         ValueError: No exercise has that id. The message suggests similar ones if there are any.

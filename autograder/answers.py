@@ -26,8 +26,8 @@ ENOUGH = 2  # a text with fewer words does not count as an answer
 class Section:
     """One section of answers.md: a question and its answer.
 
-    ``rubric`` says how to mark the answer; it is empty in a student's file. ``line`` is the number
-    of the line where the answer begins, or where it belongs if it is missing.
+    ``rubric`` says how to mark the answer and is empty in a student's file. ``line`` is the line
+    number at which the answer begins or, if it is missing, should begin.
     """
 
     id: str
@@ -39,7 +39,7 @@ class Section:
 
     @property
     def places(self) -> list[str]:
-        """The placeholder lines that are still there, perhaps with a few letters changed."""
+        """The placeholder lines still in the section, recognized even if a few letters differ."""
         return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
 
     @property
@@ -49,7 +49,7 @@ class Section:
 
     @property
     def words(self) -> int:
-        """The number of words in the answer, without the placeholder, headings and comments."""
+        """The number of words in the answer, not counting placeholders, headings and comments."""
         text = re.sub(r"<!--.*?(-->|\Z)", "", self.answer, flags=re.DOTALL)
         lines = [line for line in text.splitlines() if not (line[:1] in "#>" or _is_place(line))]
         return len(WORD.findall(" ".join(lines)))
@@ -59,8 +59,8 @@ class Section:
 class Question:
     """A written exercise, together with the student's answer to it.
 
-    ``section`` is the student's section in answers.md, and ``problems`` says what is wrong with it,
-    such as a duplicate heading.
+    ``section`` is the student's section in answers.md. ``problems`` lists what is wrong with that
+    section, such as a duplicate heading.
     """
 
     exercise: Exercise
@@ -70,17 +70,17 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether the student has written an answer and its section has no problems."""
+        """Whether the student has answered the question in a section that has no problems."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """The file and line where the answer belongs, or just the file if it has no section yet."""
+        """Where the answer belongs: file and line, or only the file if the section is missing."""
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
-    """Turn our answers.md into the students' version, with a placeholder for each answer."""
+    """Make the students' answers.md from ours by replacing each model answer with a placeholder."""
     title = text.partition("\n")[0]
     parts = [title]
     for section in sections_of(text):
@@ -105,7 +105,7 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
     """Find the written exercises of a chapter, and read the student's answers to them.
 
-    The answers come from the first folder of ``engine`` that has the chapter's answers.md.
+    The answers come from the first folder of ``engine`` that contains this chapter's answers.md.
     """
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     if not exercises:
@@ -135,9 +135,9 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 
 
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
-    """Return our model answer to a written exercise, with its rubric.
+    """Return our model answer to a written exercise, along with its rubric.
 
-    In a hand-out there are no model answers, so the result is None.
+    Return None in a hand-out, which does not include the model answers.
     """
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():
@@ -147,9 +147,9 @@ def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Sec
 
 
 def _section(lines: list[str], start: int, end: int) -> Section:
-    """Read the section whose heading is on line ``start``.
+    """Read one section of answers.md.
 
-    The next section begins on line ``end``.
+    Its heading is on line ``start``, and the next section begins on line ``end``.
     """
     heading = lines[start]
     first = start + 1
@@ -175,7 +175,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return whether a line is the placeholder, give or take a few letters."""
+    """Return whether a line is the placeholder for an answer, even if a few letters differ."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 
@@ -183,11 +183,11 @@ def _is_place(line: str) -> bool:
 def _problems(
     exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
 ) -> list[str]:
-    """Say what the student must fix in answers.md before this answer can count.
+    """List what the student must fix in answers.md before the answer to this exercise counts.
 
-    Each problem is a sentence for the student to read. ``own`` holds the sections for this
-    exercise; there should be exactly one. ``strangers`` holds sections that belong to no exercise,
-    perhaps because the student has changed a heading.
+    Each problem is a sentence addressed to the student. ``own`` holds the sections for this
+    exercise, of which there should be exactly one. ``strangers`` holds the sections that belong to
+    no exercise, perhaps because the student changed a heading.
     """
     heading = f"## {exercise.id}"
     if not file.is_file():

@@ -14,8 +14,9 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 def clean(text: str) -> str:
     """Return the text with every unprintable character replaced by an escape sequence.
 
-    Such a character could repaint the screen, reverse the reading direction, or fail to encode. All
-    line endings become newlines, and unusual spaces become ordinary ones. Tabs stay.
+    Unprintable characters could repaint the screen, reverse the reading direction, or fail to
+    encode. All line endings become newlines, and unusual spaces become ordinary ones. Tabs are
+    kept.
     """
     if text.isprintable():
         return text
@@ -23,12 +24,12 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Clean a text the way ``clean`` does, and put it on a single line."""
+    """Clean a text as ``clean`` does, and join its lines into one."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
 def visible(character: str) -> str:
-    """Return a printable character as is, and any other as an escape sequence."""
+    """Return a printable character as is, and the escape sequence of any other character."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

@@ -37,11 +37,11 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 
 
 def prepare() -> bool:
-    """Set up the output streams, and return whether the required packages are installed.
+    """Set up the output streams, and return whether all required packages are installed.
 
-    If a package is missing, we tell the user how to install it. We also make sure that Python
-    encodes file names in UTF-8: where it does not, as under LC_ALL=C with PYTHONUTF8=0, the program
-    restarts itself in UTF-8 mode.
+    If a package is missing, the user is told how to install it. Python must encode file names in
+    UTF-8; where it does not, as under LC_ALL=C with PYTHONUTF8=0, the program restarts itself in
+    UTF-8 mode.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -60,7 +60,7 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """Say what to do about a full or read-only disk.
+    """If the disk is full or read-only, tell the user what to do about it.
 
     Return an empty string for any other error.
     """
@@ -69,7 +69,7 @@ def advice(error: BaseException) -> str:
 
 
 def sentence(error: Exception) -> str:
-    """Return the text of an error for the user, followed by our advice if we have any."""
+    """Return the text of an error as shown to the user, followed by any advice on fixing it."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
@@ -106,9 +106,9 @@ def command(name: str, **variables: str) -> str:
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return the make variables that select an engine, such as {"ENGINE": "solutions"}.
+    """Return the make variables that select this engine, such as {"ENGINE": "solutions"}.
 
-    The student's own engine in chapters/ is the default and needs no variables.
+    The result is empty for the student's own engine in chapters/, which is the default.
     """
     if engine[0] == ROOT / "chapters":
         return {}
@@ -117,5 +117,5 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Return the command that rechecks this engine, for us to print as the user's next step."""
+    """Return the command with which the user can recheck this engine, to print as the next step."""
     return command("check", **arguments, **engine_variables(engine))

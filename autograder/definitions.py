@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
-    """Return every top-level function and method of a module, keyed by a name such as Vector3.dot.
+    """Return the top-level functions and the methods of a module, keyed by names like Vector3.dot.
 
     A property appears as Particle.mass, and its setter as Particle.mass.setter.
     """
@@ -44,7 +44,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that a module or class itself defines, ignoring nested functions."""
+    """Yield the names defined directly in a module or class, ignoring nested functions."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -60,7 +60,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return the bare name of a function, such as dot for vector.Vector3.dot."""
+    """Return a function's name without its module and class: dot for vector.Vector3.dot."""
     return edited.split(".", 2)[-1]
 
 

@@ -31,12 +31,12 @@ def replace_bytes(path: Path, content: bytes) -> None:
 
 
 def is_full(folder: Path) -> bool:
-    """Return whether the disk is so full (under 1 MB free) that programs may fail."""
+    """Return whether the disk has less than 1 MB free, so that programs may fail."""
     return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:
-    """Return the path where ``replace_bytes`` first writes the new contents of a file."""
+    """Return the path of the temporary file that ``replace_bytes`` writes before moving it."""
     return path.with_name(path.name + ".tmp")
 
 
@@ -44,7 +44,7 @@ def is_new(folder: Path, first: Path) -> bool:
     """Return whether a folder for results is missing or empty, so that a run can start there.
 
     Every run writes the file ``first`` before any other. A folder that holds nothing but an
-    unfinished copy of that file also counts as empty: an earlier run was killed right after it
-    started.
+    unfinished copy of that file counts as empty too, because an earlier run must have been killed
+    right after it started.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

@@ -59,7 +59,7 @@ This folder has the original stubs, which `make reset` restores. Do not edit or 
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files of our own programs that come with the students' hand-out."""
+    """Yield the files of our own programs that are included in a hand-out."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -72,7 +72,7 @@ def make_handout(
 
     Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
     code without checks. If ``chapters`` contain only some of the exercises in a manifest, the
-    others are marked as optional. ``about`` is the README section about the assignment.
+    others are marked as optional. ``about`` is the text about the assignment for the README.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.
@@ -101,7 +101,7 @@ def make_handout(
 
 
 def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, about: str) -> None:
-    """Write all files of a hand-out into the folder ``out``."""
+    """Copy or generate every file of a hand-out in the folder ``out``."""
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
@@ -138,9 +138,9 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 
 
 def _remove_dead_links(out: Path) -> None:
-    """Turn a link into plain text if it leads to a file that students did not receive.
+    """Turn links into plain text if they lead to files that are not in the hand-out.
 
-    The lesson of a later chapter is an example.
+    One example is a link to the lesson of a later chapter.
     """
     for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")
@@ -152,7 +152,7 @@ def _remove_dead_links(out: Path) -> None:
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write the chapter's manifest and exercise table, with the points of this assignment."""
+    """Write a chapter's manifest and exercise table, with the points from the assignment."""
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):
@@ -165,7 +165,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab, without the scenes of chapters that students do not receive."""
+    """Copy the lab into the hand-out, leaving out scenes of chapters that are not in it."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

@@ -16,10 +16,10 @@ from autograder.release import commands as release
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Define the commands that an instructor can type, such as grade and handout.
+    """Register the instructor commands, such as grade and handout, with the argument parser.
 
-    Each command imports the modules it needs only when it runs, so a student's `check` does not
-    have to wait for the grader's imports.
+    Each command imports the modules it needs only when it runs, so that a student's `check` does
+    not have to wait for the grader's imports.
     """
     unsafe = "grade without a sandbox if this machine has none; only for a class you trust"
     command = commands.add_parser("grade", help="grade a folder of submissions")
@@ -100,7 +100,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
-    """Grade a whole class, or a single student again."""
+    """Grade a whole class, or regrade one of its students."""
     if sys.platform == "win32":
         raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
     import signal
@@ -133,7 +133,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
-    """Make a hand-out, and print a summary of what is in it."""
+    """Make a hand-out for students, and print a summary of its contents."""
     from autograder.course.handout import about
     from autograder.handout import make_handout
 
@@ -143,7 +143,7 @@ def run_handout(arguments: argparse.Namespace) -> int:
 
 
 def run_classroom(arguments: argparse.Namespace) -> int:
-    """Make a hand-out that GitHub Classroom can grade, and print a summary of what is in it."""
+    """Make a hand-out that GitHub Classroom can grade, and print a summary of its contents."""
     from autograder.course.handout import about
     from autograder.platforms.classroom import make_classroom
 
@@ -153,7 +153,7 @@ def run_classroom(arguments: argparse.Namespace) -> int:
 
 
 def run_gradescope(arguments: argparse.Namespace) -> int:
-    """Make the zip file that Gradescope needs, and print a summary of what is in it."""
+    """Make the zip file to upload to Gradescope, and print a summary of its contents."""
     from autograder.platforms.gradescope import make_gradescope
 
     make_gradescope(work_of(arguments), arguments.out, unsafe=arguments.unsafe_no_sandbox)
@@ -161,7 +161,7 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 
 def run_similarity(arguments: argparse.Namespace) -> int:
-    """Compare all submissions of a class, and print how many pairs are unusually similar."""
+    """Compare the code of all submissions, and print how many pairs are unusually similar."""
     from autograder.similarity.run import similarity
     from autograder.submissions.unpack import class_folder
 
@@ -170,7 +170,7 @@ def run_similarity(arguments: argparse.Namespace) -> int:
 
 
 def run_mark(arguments: argparse.Namespace) -> int:
-    """Serve the page for marking written answers until Ctrl-C is pressed."""
+    """Serve the web page for marking written answers until the user presses Ctrl-C."""
     if sys.platform == "win32":
         raise ValueError("mark needs Linux or macOS; on Windows, run it under WSL")
     from autograder.marking.server import mark
@@ -181,9 +181,9 @@ def run_mark(arguments: argparse.Namespace) -> int:
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:
-    """Generate the stubs and the exercise tables.
+    """Generate the stubs and the exercise tables from our solutions and the manifests.
 
-    With --check, only list the stubs that are out of date.
+    With --check, only list the files that are out of date.
     """
     from autograder.stubs import stale_stubs, write_stubs
     from autograder.tables import write_tables

@@ -26,7 +26,7 @@ HEADERS = {
 
 
 class Site:
-    """A page that we serve on this machine, with its address and the token in it."""
+    """The address of a page that is served on this machine, including the secret token in it."""
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(16)
@@ -46,17 +46,17 @@ class Site:
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Refuse a request addressed to any host name but this machine's.
+        """Reject a request that is addressed to any host name but this machine's.
 
-        A malicious site can point its own host name at this server. Without this check, it could
-        then pose as our page.
+        Otherwise a malicious site could point its own host name at this server and pose as our
+        page.
         """
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether a request comes from our own page, since no other may change data."""
+    """Return whether a request comes from our own page, the only one that may change data."""
     try:
         return urlsplit(origin).netloc == request.host
     except ValueError:  # no address at all, such as http://[
@@ -64,7 +64,7 @@ def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
 
 
 class Handler(RequestHandler):
-    """A request handler that refuses requests for any host name but its site's."""
+    """A request handler that rejects requests addressed to a host name other than its site's."""
 
     site: Site
 
@@ -80,7 +80,7 @@ class Handler(RequestHandler):
 
 
 class Files(StaticFileHandler):
-    """A handler that serves the page itself and its static files, such as scripts and styles."""
+    """A handler that serves our page and its static files, such as scripts and style sheets."""
 
     def initialize(self, site: Site, path: str, default_filename: str = "index.html") -> None:  # type: ignore[override]
         self.site = site

@@ -15,12 +15,12 @@ LOCK_NAME = "stubs.lock"
 
 
 def stub_hash(text: str) -> str:
-    """Compute the hash of a stub's text, as stubs.lock stores it."""
+    """Compute the hash of a stub's text in the form in which stubs.lock stores it."""
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return the hash of each file in stubs.lock, or an empty dict if there is no lock."""
+    """Return the hash of each file listed in stubs.lock, or an empty dict if there is no lock."""
     path = root / LOCK_NAME
     if not path.exists():
         return {}

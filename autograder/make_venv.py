@@ -18,20 +18,20 @@ NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is u
 
 
 def stop(sentence: str) -> None:
-    """Print why the setup failed, and exit.
+    """Print why .venv could not be set up, and exit.
 
-    The next run starts from scratch, because it finds no .venv/ready.
+    The next run starts from scratch, because .venv/ready does not exist.
     """
     sys.exit(f"Cannot set up: {sentence}")
 
 
 def python_of_venv() -> Path:
-    """Return the path of the Python in .venv, for Python 3.11 or later."""
+    """Return the path of the Python interpreter in .venv, as Python 3.11 or later lays it out."""
     return Path(sysconfig.get_path("scripts", "venv", {"base": str(VENV)})) / "python"
 
 
 def shown_python() -> str:
-    """Return the path of the Python in .venv as a user would type it, relative if possible."""
+    """Return the path of .venv's Python as a user would type it, relative if possible."""
     try:
         return str(python_of_venv().relative_to(Path.cwd()))
     except ValueError:
@@ -59,9 +59,9 @@ def check_python() -> None:
 
 
 def install(python: str) -> str:
-    """Install the locked packages with pip, showing its progress.
+    """Install the locked packages with pip, and show its progress.
 
-    Return pip's output if it fails, and an empty string if it succeeds.
+    Return pip's output if the installation fails, and an empty string if it succeeds.
     """
     lock = LOCK.read_text(encoding="utf-8").splitlines()
     total = sum("==" in line and line[0].isalpha() for line in lock)
@@ -84,7 +84,7 @@ def install(python: str) -> str:
 def main() -> None:
     """Create .venv from scratch.
 
-    The file .venv/ready is written last and marks it as complete.
+    The file .venv/ready is written last, as proof that the environment is complete.
     """
     check_python()
     print(

@@ -16,11 +16,11 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise of a chapter, as its manifest describes it.
+    """An exercise of a chapter, as described in its manifest.
 
-    In an assignment, an exercise can be ``extra`` credit: its points come on top of the total. An
-    exercise that is not part of the assignment is ``optional``: students may do it, but it does not
-    count.
+    In an assignment, an exercise can be ``extra`` credit, which means that its points come on top
+    of the total. An ``optional`` exercise is not part of the assignment: students may do it, but it
+    does not count.
     """
 
     id: str
@@ -66,22 +66,22 @@ class Chapter:
 
     @property
     def edited_files(self) -> list[str]:
-        """The modules that students edit, such as vector.py, in manifest order."""
+        """The modules that students write in, such as vector.py, in manifest order."""
         modules = [name.split(".")[0] for exercise in self.exercises for name in exercise.edit]
         return [f"{module}.py" for module in dict.fromkeys(modules)]
 
     @property
     def data_files(self) -> list[str]:
-        """The files in which students enter data of their own, such as drops.csv."""
+        """The files in which students record their own data, such as drops.csv."""
         return [name for exercise in self.exercises for name in exercise.files]
 
     @property
     def handed_in(self) -> list[str]:
-        """All files that are copied from a submission: the edited modules and the data files."""
+        """All files that are copied from a submission: edited modules and data files."""
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
-        """Return the exercise of this chapter with the id ``exercise_id``.
+        """Return this chapter's exercise with the id ``exercise_id``.
 
         Raises:
             ValueError: The chapter has no such exercise.
@@ -94,7 +94,7 @@ class Chapter:
 
 
 def load_chapter(folder: Path) -> Chapter:
-    """Read and validate the manifest in a chapter's folder.
+    """Read a chapter's manifest from the chapter's folder, and validate it.
 
     Raises:
         ValueError: Something in the manifest is invalid. The message says what.
@@ -131,7 +131,7 @@ def _read_chapter(path: Path, text: str) -> Chapter:
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:
-    """Read the manifests of all chapters in ``root``/chapters, in chapter order."""
+    """Read the manifest of every chapter in ``root``/chapters, in chapter order."""
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 
@@ -154,8 +154,8 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
     """Raise ValueError if a student asks about an exercise of a given chapter.
 
-    Such a chapter comes from the reference, so there is nothing to write in it. ``numbers`` says
-    which chapters are given, as in "2-5".
+    The code of such a chapter comes from the reference, so the student has nothing to write.
+    ``numbers`` says which chapters are given, as in "2-5".
     """
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(
@@ -165,7 +165,7 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """Return the earlier chapters whose code a chapter uses."""
+    """Return the earlier chapters that a chapter imports code from."""
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below
@@ -173,9 +173,9 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a user has requested with a text such as "2,4-6".
+    """Return the chapters that a user has selected with a text such as "2,4-6".
 
-    An empty text means all chapters.
+    An empty text selects all chapters.
 
     Raises:
         ValueError: The text is malformed, or it names a chapter that does not exist.
@@ -198,7 +198,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Format consecutive chapter numbers as our commands accept them, such as "2-5"."""
+    """Abbreviate consecutive chapter numbers as our commands accept them, such as "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 
@@ -230,7 +230,7 @@ def _are_words(value: object) -> bool:
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Check that ids are unique and that every exercise comes after its prerequisites.
+    """Check that exercise ids are unique, and that every exercise comes after its prerequisites.
 
     Raises:
         ValueError: An id is used twice, or an exercise is listed before one of its prerequisites.

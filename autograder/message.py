@@ -16,7 +16,7 @@ Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
 class Kind(Enum):
-    """The different ways in which a check can end without passing."""
+    """The ways in which a check can end other than by passing."""
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
@@ -28,7 +28,7 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Place:
-    """A line in the student's code that a message points to.
+    """A line in the student's code, as shown in a message.
 
     ``file`` includes the chapter, as in ch02_vectors/vector.py.
     """
@@ -77,7 +77,7 @@ class Message:
     blocked_by: tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
-        """Return whether the message says anything at all."""
+        """Return whether the message contains any text at all."""
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
@@ -111,9 +111,10 @@ class Message:
 
     @property
     def in_short(self) -> str:
-        """The most helpful part of the message, for use where there is room for only one.
+        """The most helpful part of the message, for places with room for only one part.
 
-        For a wrong value that is the likely mistake, and otherwise the exception.
+        For a wrong value that is the likely mistake, and for an exception it is the exception
+        itself.
         """
         return (self.likely if self.wanted else self.got) or (
             self.blocked or self.title or self.called
@@ -130,7 +131,7 @@ class Message:
 
 
 def one_per_line(call: str) -> str:
-    """Put each statement of a long call on its own line, without splitting inside brackets."""
+    """Put each statement of a long call on its own line, without splitting inside parentheses."""
     if len(call) <= LONG_CALL:
         return call
     lines, depth = [""], 0
@@ -146,7 +147,7 @@ def one_per_line(call: str) -> str:
 def laid_out(rows: list[Row]) -> str:
     """Lay out the rows of a message as text, with labels on the left and texts in column 10.
 
-    Continuation lines are indented as well, so that none can be mistaken for a label.
+    Continuation lines are indented to the same column, so that none can be mistaken for a label.
     """
     lines = []
     for label, words in rows:
@@ -159,9 +160,9 @@ NOTHING = Message()
 
 
 class ExpectationError(AssertionError):
-    """Raised when a student's code does not do what a check expects.
+    """Raised when the student's code does not do what a check expects.
 
-    It carries the check's message.
+    It carries the message for the student.
     """
 
     def __init__(self, message: Message) -> None:

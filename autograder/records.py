@@ -24,7 +24,7 @@ class RecordError(ValueError):
 def to_json(value: Any) -> Any:
     """Convert a dataclass to plain lists and dictionaries for json.dumps.
 
-    Fields with their default value are left out, to keep the data short.
+    Fields that have their default value are omitted, to keep the data short.
     """
     if is_dataclass(value) and not isinstance(value, type):
         data = {}
@@ -55,7 +55,7 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """Return a dataclass's fields with their defaults, or MISSING for required ones."""
+    """Return a dataclass's fields with their defaults, where MISSING means that one is required."""
     found = []
     for field in fields(kind):
         made = field.default_factory
@@ -65,10 +65,9 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 
 @cache
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return a function that reads a value of type ``kind`` from JSON data.
+    """Return a function that validates JSON data and converts it to the type ``kind``.
 
-    That function takes the data and a name for it, so that an error message can say which value is
-    wrong.
+    The function takes the data and a name for it, which error messages use to say what is wrong.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):
@@ -109,9 +108,9 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 
 
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
-    """Return a function that reads a value of any of the types in ``kinds``.
+    """Return a function that reads JSON data of any of the types in ``kinds``.
 
-    If the value fits none of them, the error is the one for the first type.
+    If the data fit none of the types, the error is the one for the first type.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 
@@ -172,9 +171,9 @@ def _choice_reader(choices: Any) -> Callable[[Any, str], Any]:
 
 
 def _plain_reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return a function that reads a string, number or boolean.
+    """Return a function that reads a string, number or boolean from JSON data.
 
-    A float may be written as an int.
+    Where a float is expected, an int is accepted too.
     """
     accepted = (int, float) if kind is float else (kind,)
 

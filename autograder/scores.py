@@ -15,10 +15,10 @@ PHYSICS_SHARE = 0.85  # the physics checks' part of the points, if there are rob
 
 @dataclass(frozen=True)
 class Result:
-    """How a student did on one exercise, with the verdict on each of its checks.
+    """A student's result on one exercise, including the verdicts on its checks.
 
-    The score is None for a written answer that nobody has marked yet, and for any exercise on which
-    the grader itself failed.
+    The score is None if the exercise is a written answer that nobody has marked yet, or if the
+    grader itself failed on it.
     """
 
     exercise: Exercise
@@ -28,7 +28,7 @@ class Result:
 
     @property
     def physics(self) -> list[Verdict]:
-        """The verdicts on the physics checks, which alone decide whether the exercise works."""
+        """The verdicts on the physics checks, which alone determine whether the exercise works."""
         return [check for check in self.checks if not check.robust]
 
     @property
@@ -38,17 +38,17 @@ class Result:
 
     @property
     def works(self) -> bool:
-        """Whether the exercise works, which means that all of its physics checks pass."""
+        """Whether the exercise works, that is, whether all of its physics checks pass."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
     def on_chart(self) -> Point | None:
-        """The cost and error of this student's solution, if a check measured them."""
+        """The cost and error of the student's solution, provided that a check measured them."""
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 
 def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
-    """Group the verdicts by exercise, and return the result of each exercise in the chapter."""
+    """Group the verdicts by exercise, and compute the result of each exercise in the chapter."""
     by_exercise: dict[str, list[Verdict]] = {}
     for verdict in verdicts:
         by_exercise.setdefault(verdict.exercise, []).append(verdict)
@@ -82,7 +82,7 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def _passing(checks: Sequence[Verdict]) -> float:
-    """Return the fraction, from 0 to 1, of the total weight that belongs to passing checks."""
+    """Return the combined weight of the passing checks as a fraction of the total weight."""
     passed = sum(check.weight for check in checks if check.status == "passed")
     return passed / sum(check.weight for check in checks)
 
@@ -100,18 +100,18 @@ def total(results: Iterable[Result]) -> tuple[float | None, float]:
 
 
 def possible(exercises: Iterable[Exercise]) -> float:
-    """Add up what these exercises are worth, leaving out extra credit and optional ones."""
+    """Add up what these exercises are worth, leaving out extra credit and optional exercises."""
     counted = [e.points for e in exercises if not (e.extra or e.optional)]
     return round(sum(counted), 2)
 
 
 def shown(score: float | None) -> str:
-    """Format a score for people to read, such as 2.5, or as a dash if it is unknown."""
+    """Format a score for people to read, as in 2.5, with a dash for an unknown score."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")
 
 
 def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
-    """Describe the cost and the error of a solution in words.
+    """Put the cost and the error of a solution into words, for the chart.
 
     ``axes`` names the two quantities, such as the number of force evaluations.
     """

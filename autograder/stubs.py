@@ -45,7 +45,7 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 
 
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
-    """Generate the stub of a single module, such as vector.py, and return its text.
+    """Generate the stub of one module, such as vector.py, from our solution, and return its text.
 
     Raises:
         OSError: The solution cannot be read.
@@ -56,9 +56,9 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
 
 @cache
 def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
-    """Generate the stub for the text of a solution.
+    """Generate a stub from the text of a solution.
 
-    The result is cached, because libcst is slow.
+    Stubs are cached, because libcst is slow.
     """
     return stub_module(source, dict(messages))
 
@@ -77,9 +77,10 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write all stubs and stubs.lock, leaving alone any stub that somebody has edited.
+    """Write all stubs and stubs.lock, without overwriting any stub that somebody has edited.
 
-    Return two lists of paths: the stubs that were written, and the edited ones that were not.
+    Return two lists of paths: the stubs that were written, and the edited ones that were left
+    alone.
     """
     locked = read_lock(root)
     written, left_alone = [], []
@@ -103,9 +104,9 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
-    """Return the paths of all files in chapters/ that differ from what would be generated.
+    """Return the paths of all files in chapters/ that are out of date or have been edited.
 
-    These are stubs that no longer match their solutions, and complete modules that no longer match
+    These are stubs that no longer match our solutions, and complete modules that no longer match
     stubs.lock.
     """
     stale = [path for path, text in make_stubs(root).items() if _read(root / path) != text]
@@ -114,7 +115,7 @@ def stale_stubs(root: Path = ROOT) -> list[str]:
 
 
 def complete_hashes(root: Path = ROOT) -> dict[str, str]:
-    """Return the hash of every module that students use unchanged, keyed by its path."""
+    """Return the hashes of the modules that students use without changing them, keyed by path."""
     files = [
         root / "chapters" / chapter.name / name
         for chapter in load_chapters(root)
@@ -127,9 +128,10 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 
 
 def _read(file: Path) -> str | None:
-    """Return the text of a file, or None if there is no such file.
+    """Return the text of a file, or None if it does not exist.
 
-    Bytes that are not valid UTF-8 are replaced, so a file with such bytes counts as edited.
+    Bytes that are not valid UTF-8 are replaced. A stub that contains such bytes then counts as
+    edited.
     """
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
@@ -168,7 +170,7 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Return the message that each stub of a module raises, keyed by the function's name."""
+    """Return the message that each stub in a module raises, keyed by the name of the function."""
     prefix = file.removesuffix(".py") + "."
     return {
         name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"
@@ -198,7 +200,7 @@ def _helpers_of(
 
 
 def _short(name: str) -> str:
-    """Return the name of a function or method without its class."""
+    """Return the name of a function or method without the name of its class."""
     return name.rpartition(".")[2]
 
 
@@ -220,14 +222,14 @@ def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
 
 
 def _used_names(source: str) -> set[str]:
-    """Return every name and attribute that a piece of source code reads."""
+    """Return every variable name and attribute name that some source code reads."""
     nodes = [*ast.walk(ast.parse(source))]
     names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
     return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}
 
 
 def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return _NAME if a statement has the form ``_NAME = value``, and None otherwise."""
+    """Return _NAME if a statement has the form ``_NAME = value``, or else None."""
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
@@ -237,7 +239,7 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
 
 
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
-    """Replace the body of each function named in ``messages`` with a raise statement."""
+    """Replace the body of each function named in ``messages`` by one that raises its message."""
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"
         for name, message in messages.items()
@@ -246,9 +248,9 @@ def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
 
 
 def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
-    """Replace the bodies of some functions with other code, keeping their docstrings.
+    """Give some functions new bodies, keeping their docstrings.
 
-    ``bodies`` maps the name of a function to the source of its new body.
+    ``bodies`` maps the name of each function to the source code of its new body.
     """
 
     def changed(node: Any, prefix: str = "") -> Any:
@@ -272,7 +274,7 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
 
 
 def _tidied(source: str) -> str:
-    """Have ruff remove the imports and blank lines that are no longer needed."""
+    """Have ruff remove imports and blank lines that a stub no longer needs."""
     one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
     unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
     for arguments in (unused, ["format", "-"]):

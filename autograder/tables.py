@@ -13,7 +13,7 @@ END = "<!-- end of exercises -->"
 
 
 def exercise_table(chapter: Chapter) -> str:
-    """Return the exercises of a chapter as a Markdown table."""
+    """Return the exercises of a chapter as a table in Markdown."""
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:
@@ -32,9 +32,9 @@ def _extra(exercise: Exercise) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List the functions that students write for an exercise, by file, then its data files.
+    """List the functions that students write for an exercise, file by file, then its data files.
 
-    If several classes in a file have a method of that name, the class is named as well.
+    If several classes in a file have a method with the same name, the class is named as well.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
@@ -48,7 +48,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Return the text of reference.md with its exercise table brought up to date.
+    """Return the text of a reference.md with its exercise table brought up to date.
 
     Raises:
         ValueError: The page lacks the two comment lines between which the table belongs.
@@ -61,7 +61,7 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Update every chapter's exercise table, and return the paths of the changed files."""
+    """Update the exercise tables of all chapters, and return the paths of the changed files."""
     changed = []
     for chapter in chapters:
         path = root / "chapters" / chapter.name / "reference.md"

@@ -18,10 +18,10 @@ MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
-    """Return a console that prints every text as is, by default to standard output.
+    """Return a console that prints text as is, to standard output by default.
 
-    Rich normally interprets brackets as styles and words between colons as emoji. A student whose
-    name contains "[/]" would then cause an error.
+    Rich normally interprets brackets as styles and words between colons as emoji, so a student
+    whose name contains "[/]" would cause an error.
     """
     from rich.console import Console
 
@@ -46,14 +46,14 @@ def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
-    """Wrap the rows of a message to a terminal's width, keeping each text beside its label."""
+    """Wrap the rows of a message to a terminal's width, so that texts stay next to their labels."""
     return [
         line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
     ]
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print a text, wrapped to the width of the window if it goes to a terminal.
+    """Print a text. If the output is a terminal, wrap it to the width of the window.
 
     All lines but the first are indented by ``hanging`` columns.
     """
@@ -62,17 +62,17 @@ def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 
 
 
 def print_rows(console: Console, rows: list[Row]) -> None:
-    """Print the rows of a message, wrapped if they go to a terminal."""
+    """Print the rows of a message, wrapping them if the output is a terminal."""
     lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
     console.print("\n".join(lines), markup=False, soft_wrap=True)
 
 
 def few_lines(text: str, lines: int, characters: int) -> str:
-    """Return the beginning of a long text, ending with a note on how many lines were left out.
+    """Return the beginning of a long text, followed by a note on how many lines were left out.
 
     If an earlier call has already shortened the text, the count includes the lines left out then.
-    Output of LONGEST_PRINTED or more characters was cut while it was captured, and its true length
-    is unknown, so the note then says "at least".
+    Output of LONGEST_PRINTED or more characters was cut while it was captured. Its true length is
+    unknown, so the note then says "at least".
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")
@@ -91,7 +91,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list to at most ``room`` lines, putting ``note`` in place of its middle."""
+    """Shorten a list of lines to at most ``room``, replacing its middle with ``note``."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

@@ -23,9 +23,9 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 @dataclass(frozen=True)
 class ShownMistake:
-    """A mistake on class.html, with the number of students who made it.
+    """A common mistake listed on class.html, with the number of students who made it.
 
-    ``places`` says where to read up on the topic, such as in a lesson or the glossary.
+    ``places`` lists what to read about the topic, such as a lesson or a glossary entry.
     """
 
     mistake: Mistake
@@ -34,7 +34,7 @@ class ShownMistake:
 
 
 def write_class_page(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
-    """Write class.html into the folder ``out``, and return its path."""
+    """Write class.html, the overview of a class, into the folder ``out``, and return its path."""
     path = out / "class.html"
     clean = [clean_all(report) for report in reports]
     mistakes = mistakes_of(clean)

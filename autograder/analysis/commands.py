@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Define the command `progress` and its options."""
+    """Register the command `progress` and its options with the argument parser."""
     command = commands.add_parser("progress", help="compare several graded assignments of a class")
     command.add_argument("runs", nargs="+", type=Path, help="folders with the results of grade")
     command.add_argument("--out", type=Path, required=True, help="folder for the page")
@@ -15,7 +15,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_progress(arguments: argparse.Namespace) -> int:
-    """Write the progress page of a class, and print its path."""
+    """Write progress.html, which compares a class's assignments, and print its path."""
     from autograder.analysis.progress import write_progress
 
     page = write_progress(arguments.runs, arguments.out)

@@ -24,7 +24,7 @@ LOW = (
 class Discrimination:
     """The item-rest correlation of an exercise, with its 95 % confidence interval.
 
-    If the correlation cannot be computed, ``value`` is None and ``reason`` says why.
+    ``value`` is None if the correlation is undefined, and ``reason`` then says why.
     """
 
     students: int
@@ -34,15 +34,15 @@ class Discrimination:
 
     @property
     def is_low(self) -> bool:
-        """Whether the exercise barely separates the students, or even favors the weaker ones."""
+        """Whether the exercise barely tells strong students from weak ones, or favors the weak."""
         return self.value is not None and self.value < LOW
 
 
 def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discrimination:
-    """Compute the item-rest correlation of an exercise.
+    """Compute the item-rest correlation, which shows how well an exercise separates students.
 
     ``own`` holds each student's score on this exercise, and ``rest`` the same student's total on
-    all the others. Both must list the students in the same order.
+    all the other exercises. Both list the students in the same order.
     """
     count = len(own)
     if count < FEWEST:
@@ -62,7 +62,7 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
 
 
 def _interval(value: float, count: int) -> tuple[float, float]:
-    """Return the 95 % confidence interval of a correlation, using Fisher's transformation."""
+    """Return the 95 % confidence interval of a correlation, using Fisher's z-transformation."""
     if abs(value) == 1.0:
         return value, value
     half = statistics.NormalDist().inv_cdf(0.975) / math.sqrt(count - 3)

@@ -23,7 +23,7 @@ HIDDEN = "a hidden check"
 
 @dataclass(frozen=True)
 class CheckItem:
-    """How a class did on one check: how many students passed it, how many failed it, and so on."""
+    """The class's results on one check, such as how many students passed it and how many failed."""
 
     name: str
     robust: bool
@@ -33,9 +33,9 @@ class CheckItem:
 
 @dataclass(frozen=True)
 class ExerciseItem:
-    """How a class did on one exercise: how many students earned all, some or none of its points.
+    """The class's results on one exercise: how many students got full, partial or no credit.
 
-    ``mean`` is the average fraction of the points earned, or None if nobody has a score.
+    ``mean`` is the average fraction of the points earned, or None if no student has a score.
     """
 
     exercise: Exercise
@@ -53,7 +53,7 @@ class ExerciseItem:
 
 
 def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[ExerciseItem]:
-    """Compute the statistics of each exercise in a chapter, in manifest order."""
+    """Compute the class's results on each exercise of a chapter, in manifest order."""
     return [_item(exercise, reports) for exercise in chapter.exercises]
 
 
@@ -85,7 +85,7 @@ def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
 
 
 def _checks(results: Sequence[ExerciseReport]) -> list[CheckItem]:
-    """Compute the statistics of an exercise's checks, physics checks first."""
+    """Compute the class's results on each check of an exercise, physics checks first."""
     items: dict[tuple[str, bool], CheckItem] = {}
     for result in results:
         for check in result.checks:

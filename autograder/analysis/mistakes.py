@@ -39,10 +39,10 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Mistakes:
-    """All mistakes of a class, the most widespread first.
+    """All the mistakes that a class made, the most common first.
 
-    ``unexplained`` counts the failed checks whose messages name no likely mistake. That includes
-    every hidden check, because its message must not reveal what it tests.
+    ``unexplained`` counts the failed checks whose messages do not name a likely mistake. Every
+    hidden check is among them, because its message must not reveal what it tests.
     """
 
     found: list[Mistake]
@@ -50,7 +50,7 @@ class Mistakes:
 
     @property
     def misconceptions(self) -> list[Mistake]:
-        """The most common physics mistakes, which are worth a few minutes in a lecture."""
+        """The most common physics mistakes, which are worth going over briefly in a lecture."""
         physics = [one for one in self.found if one.in_values and not one.robust]
         return [one for one in physics if len(one.students) >= SHARED_BY][:MOST]
 

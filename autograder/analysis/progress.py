@@ -23,9 +23,9 @@ FEWEST = 2  # assignments
 
 @dataclass(frozen=True)
 class Run:
-    """A graded assignment, with the percentage of the check points that each student earned.
+    """The results of one graded assignment: each student's percentage of the check points.
 
-    The percentage is None if the grader failed on the submission.
+    A student's percentage is None if the grader failed on the submission.
     """
 
     name: str
@@ -34,14 +34,14 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of all students whose submissions could be graded."""
+        """The percentages of all the students whose submissions could be graded."""
         return [value for value in self.percent.values() if value is not None]
 
     @property
     def five(self) -> list[float]:
-        """The five numbers of the box plot: the minimum, the three quartiles and the maximum.
+        """The five-number summary for the box plot: minimum, quartiles and maximum.
 
-        The list is empty if no percentage is known.
+        The list is empty if there are no percentages.
         """
         values = self.known
         if len(values) < 2:
@@ -52,10 +52,10 @@ class Run:
 
 @dataclass(frozen=True)
 class Returning:
-    """A mistake that students made in more than one assignment.
+    """A mistake that came up in more than one assignment.
 
-    ``counts`` says how many students made it in each assignment, and ``again`` how many made it in
-    more than one.
+    ``counts`` holds the number of students who made it in each assignment, and ``again`` the number
+    who made it in more than one.
     """
 
     words: str
@@ -64,9 +64,10 @@ class Returning:
 
 
 def write_progress(folders: Sequence[Path], out: Path) -> Path:
-    """Write progress.html, which compares several graded assignments, and return its path.
+    """Write progress.html, which compares a class's graded assignments, and return its path.
 
-    Each of the ``folders`` holds the results of one assignment. The page keeps their order.
+    Each of the ``folders`` holds the results of one assignment, and the page shows the assignments
+    in that order.
 
     Raises:
         ValueError: There are fewer than two folders, or one of them has no results.
@@ -89,9 +90,9 @@ def write_progress(folders: Sequence[Path], out: Path) -> Path:
 
 
 def _run(folder: Path, folders: Sequence[Path]) -> Run:
-    """Read the results of one graded assignment.
+    """Read the results of one graded assignment for the progress page.
 
-    The page names each assignment after its folder, or shows its full path if two folders share a
+    The assignment is named after its folder, or by its full path if another folder has the same
     name.
     """
     reports = [clean_all(report) for report in read_results(folder)]
@@ -105,7 +106,7 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 
 
 def returning(runs: Sequence[Run]) -> list[Returning]:
-    """Find the mistakes that came up in several assignments, the most often repeated first."""
+    """Find the mistakes that came up in more than one assignment, the most often repeated first."""
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}
     for number, run in enumerate(runs):

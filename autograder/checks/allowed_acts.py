@@ -1,10 +1,11 @@
 """Keep a student's code from writing files, starting programs or threads, and opening sockets.
 
-The grader runs submissions in a sandbox that blocks all of these. There is no sandbox when students
-run the checks at home, so this module relies on Python's audit events, which Python raises just
-before it opens a file, for example. It then raises the same error that the sandbox would cause.
+The grader runs submissions in a sandbox that blocks all of these operations. There is no sandbox
+when students run the checks at home, so this module relies on Python's audit events. Python raises
+one just before it opens a file, for example, and this module then raises the same error that the
+sandbox would cause.
 
-The purpose is to warn students early about what the grader will refuse. This is no defense against
+The purpose is to warn students early about what the grader will block. This is no defense against
 hostile code, and operations without an audit event, such as os.pipe, slip through.
 """
 
@@ -41,7 +42,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """From now on, block everything that the student's code may not do in the grader."""
+    """From now on, block every operation that the grader's sandbox would not allow student code."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),
@@ -92,7 +93,7 @@ def _list(code: StudentsCode, path: Any) -> None:
 def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
     """Let the student's code read only Python's library and the files in the folders of ``more``.
 
-    Any other file raises the PermissionError that the sandbox would cause.
+    For any other file, raise the PermissionError that the sandbox would cause.
     """
     inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):

@@ -23,7 +23,7 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """From now on, block every import by the student's code that would fail in the grader."""
+    """From now on, make student code's imports fail wherever they would fail in the grader."""
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -48,7 +48,7 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise Python's own import error here if importing ``name`` would fail in the grader."""
+    """If importing ``name`` would fail in the grader, raise the same ImportError here."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

@@ -20,10 +20,10 @@ DONE = 87  # exit code of a copy that has finished its work
 
 
 def run_in_a_copy(work: Callable[[], object]) -> None:
-    """Fork this process, and call ``work`` in the copy.
+    """Fork this process, and call ``work`` in the child process.
 
-    If the copy crashes, this process deliberately ends the same way. The runner notices, and starts
-    a new process for the remaining checks.
+    If the child crashes, this process deliberately ends the same way. The runner notices that, and
+    starts a new process for the remaining checks.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
@@ -47,7 +47,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Tell a student how the process that ran the code ended. ``code`` is its exit code."""
+    """Explain to a student how the process that ran the code ended, given its exit code."""
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
         return f"the process ended early: Python crashed ({name})"

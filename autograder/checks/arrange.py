@@ -38,10 +38,10 @@ class Behind:
 
 @dataclass(frozen=True)
 class Workers:
-    """What a check process needs in order to start its workers.
+    """The settings with which a check process starts its workers.
 
     A worker is the sandboxed process that runs the student's code. ``probes`` and ``compiled`` are
-    the folders for the probes and for the compiled code.
+    the folders that hold the probes and the compiled code.
     """
 
     level: dict[str, bool]
@@ -53,7 +53,7 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The files and names that a check process works with, in JSON-compatible form.
+    """The files and names that a check process works with, as data that can be stored as JSON.
 
     Attributes:
         known: The exercises of the chapter.
@@ -77,7 +77,7 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """Everything a check process needs to know: files, settings, and the checks to run.
+    """The configuration of a check process: its files, its settings, and the checks to run.
 
     Attributes:
         apart: Whether each exercise's checks run in a forked copy of the process.
@@ -98,7 +98,7 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Put a check process's files into ``folder``, and return their paths and names."""
+    """Copy what a check process needs into ``folder``, and return the paths and names to use."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
@@ -117,16 +117,16 @@ def arrange(
 
 
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
-    """Return the folder that contains the checks.
+    """Return the root folder from which pytest runs the checks.
 
-    Without hidden checks, that is the project itself. Otherwise it is a copy of the project with
-    the hidden checks added.
+    That is the project itself or, if there are hidden checks, a copy of the project that includes
+    them.
     """
     return folder / "root" if behind and behind.hidden else root
 
 
 def shared_by_checks(root: Path) -> list[Path]:
-    """Return the helper files in tests/ that every chapter's checks share."""
+    """Return the helper modules in tests/ that the checks of all chapters share."""
     return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
 
 
@@ -135,8 +135,8 @@ def _put_hidden_checks(
 ) -> list[str]:
     """Copy a chapter's public and hidden checks into the check process's folder.
 
-    Return a list with the folder of the hidden checks, relative to the root. The list is empty if
-    the chapter has none.
+    Return a list with one entry, the folder of the hidden checks relative to the root, or an empty
+    list if the chapter has no hidden checks.
     """
     if not behind or not behind.hidden:
         return []
@@ -179,10 +179,10 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the names of the modules to import before the checks, to see which ones fail.
+    """Return the names of the modules to import before the checks, to find out which of them fail.
 
-    One broken module does not keep the others from being imported. In some hand-outs an earlier
-    chapter has no manifest; all of its files are then imported.
+    A module that fails does not keep the others from being imported. In some hand-outs an earlier
+    chapter has no manifest, and then all of its files are imported.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

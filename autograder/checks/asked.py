@@ -16,9 +16,9 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """Words for a single expectation, overriding those that its check has stored in ``about``.
+    """Texts for one expectation, which override those that the check has stored in ``about``.
 
-    ``then`` is appended to the call rather than replacing it.
+    ``then`` is appended to the call instead of replacing it.
     """
 
     call: str
@@ -28,10 +28,10 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """What a failure message will show: the call, the likely mistake, and what to read.
+    """The texts for a failure message: the call, the likely mistake, and what to read.
 
-    To change some of these and keep the rest, call the object with the new values, or assign to one
-    of them, as in ``about.call += "; v.x"``.
+    To change only some of them, call the object with the new texts or assign to its attributes, as
+    in ``about.call += "; v.x"``.
     """
 
     def __init__(self) -> None:
@@ -45,12 +45,12 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the call, the mistake and what to read, with the overrides of ``words``."""
+        """Return the call, the likely mistake and the reading, as overridden by ``words``."""
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
-        """Clear everything, so that the next check starts without this one's words."""
+        """Clear the texts of this check, to keep them out of the next check's messages."""
         self("", cause="", read="")
 
 
@@ -58,7 +58,7 @@ about = About()
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Wrap a helper of the checks, so that its changes to ``about`` are undone when it returns.
+    """Decorate a helper of the checks, so that its changes to ``about`` are undone when it returns.
 
     If the helper raises an exception, its changes stay, because the failure message needs them.
     """

@@ -21,9 +21,9 @@ OPERATORS = {  # for each special method, the operator that calls it
 
 
 def calls(expression: str, name: str) -> bool:
-    """Return whether an expression such as "v.dot(w)" calls a function.
+    """Return whether a check's expression, such as "v.dot(w)", calls the function ``name``.
 
-    ``name`` is the function's name in the manifest, such as vector.Vector3.dot.
+    ``name`` is the function's full name in the manifest, such as vector.Vector3.dot.
     """
     short = own_name(name)
     pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
@@ -36,9 +36,9 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return whether an expression creates an object of the class that a method belongs to.
+    """Return whether a check's expression creates an object of the class that defines a method.
 
-    ``name`` is the method's name in the manifest. For a plain function, the answer is always True.
+    ``name`` is the method's full name in the manifest. For a function outside a class, return True.
     """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

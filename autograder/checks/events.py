@@ -14,7 +14,7 @@ from autograder.records import from_json, to_json
 class Check:
     """A check that is about to run.
 
-    Of a hidden check, students see only ``rationale``.
+    If the check is hidden, ``rationale`` is all that students see of it.
     """
 
     name: str
@@ -26,7 +26,7 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """Sent once, at the start: all checks, in the order in which they will run."""
+    """The first event of a process: all of its checks, in the order in which they will run."""
 
     checks: list[Check]
 
@@ -40,7 +40,7 @@ class Importing:
 
 @dataclass(frozen=True)
 class Imported:
-    """Sent when the import that was announced last has finished."""
+    """Sent when the import announced by the last ``Importing`` event has finished."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Started:
 
 @dataclass(frozen=True)
 class Decided:
-    """Sent when a check has ended. The status "error" means that the grader itself failed."""
+    """Sent when a check has its verdict. The status "error" means that the grader itself failed."""
 
     name: str
     status: Literal["passed", "failed", "error"]
@@ -80,12 +80,12 @@ KINDS: dict[str, type[Event]] = {
 
 
 def write_event(event: Event) -> str:
-    """Turn an event into a line of JSON."""
+    """Serialize an event as one line of JSON."""
     return json.dumps({type(event).__name__: to_json(event)}) + "\n"
 
 
 def read_event(line: str) -> Event:
-    """Parse a line of JSON into an event.
+    """Parse a line of JSON that a check process printed into an event.
 
     Raises:
         ValueError: The line is not an event.

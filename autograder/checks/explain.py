@@ -196,7 +196,7 @@ def explain_import(
 ) -> Message:
     """Build the message that tells a student why a module cannot be imported.
 
-    ``complete`` lists the modules that the student did not write. The message never points to a
+    ``complete`` lists the modules that the student did not write, and the message never points to a
     line in one of them.
     """
     file = file_of(module)
@@ -221,8 +221,8 @@ def explain_import(
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
     """Build the message for a check that ran out of time.
 
-    ``stack`` is the stack trace that the process wrote to a file. The student's code can write to
-    that file too, so the trace may contain anything.
+    ``stack`` is the stack trace that the process wrote to a file. It may contain anything, because
+    the student's code can write to that file too.
     """
     hung = Message(
         f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
@@ -240,12 +240,12 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
 
 
 def _unescaped(text: str) -> str:
-    """Decode the escape sequences that Python puts in a stack trace for special characters."""
+    """Decode the escape sequences that Python writes for special characters in a stack trace."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
 def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
-    """Return the most likely mistake behind an exception, and a second one that may be empty."""
+    """Return the likeliest mistake behind an exception, and an alternative that may be empty."""
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""
@@ -254,24 +254,24 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def slip_of(text: str) -> str:
-    """Explain a common Python mistake, recognized by the text of its exception.
+    """Explain the common Python mistake that typically causes an exception with this text.
 
-    Return an empty string if the mistake is unknown.
+    Return an empty string for any other exception.
     """
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether the code at ``place`` is not the student's own.
+    """Return whether the code at ``place`` is code that the student was given.
 
-    If such code raises an error, the mistake is in whatever called it. Students never write
-    constructors, so a constructor that rejects its arguments also counts as given.
+    If given code raises an error, the mistake is in its caller. The same goes for constructors,
+    which students never write.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the source line to ``place``, read from the first folder that has the file."""
+    """Add the source line to ``place``, taken from the first engine folder that has the file."""
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

@@ -21,7 +21,8 @@ MOST_FRAMES = 50
 class CheckEnded(BaseException):
     """Raised to end a check with a message for the student.
 
-    It derives from BaseException, so an ``except Exception`` in the student's code cannot catch it.
+    It derives from BaseException, so that an ``except Exception`` in the student's code cannot
+    catch it.
     """
 
     def __init__(self, message: Message) -> None:
@@ -33,18 +34,18 @@ class CheckEnded(BaseException):
 
 
 class GraderFault(BaseException):
-    """Raised to end a check because of an error in the grader rather than the student's code."""
+    """Raised to end a check because the grader, rather than the student's code, has a problem."""
 
 
 class StudentLeft(BaseException):
-    """Raised when a student's code raises anything but an Exception, such as SystemExit."""
+    """Raised when student code raises something other than an Exception, such as SystemExit."""
 
     fault: Fault
 
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception as plain data: its type, its text, and its path through the student's code.
+    """An exception as plain data: its type, its text, and the student's lines in its traceback.
 
     For a syntax error, ``syntax`` holds the file, the line and the text that Python could not
     parse. If the exception is about a missing name, ``unknown`` describes that name.
@@ -61,7 +62,7 @@ class Fault:
     def first_line(self) -> str:
         """The type and text of the exception, as in the last line of a traceback.
 
-        A very long text is cut to the beginning of its first line.
+        A very long text is reduced to the beginning of its first line.
         """
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
@@ -70,7 +71,7 @@ class Fault:
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
     """Describe an exception as plain data that can be sent to another process.
 
-    Of its stack, only the lines in files of ``folders`` are kept, innermost last.
+    Of its traceback, keep only the lines in files of ``folders``, innermost last.
     """
     syntax = None
     text = text_of(error)
@@ -91,7 +92,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
 
 
 def text_of(error: BaseException) -> str:
-    """Return the text of an exception, even if the student's own __str__ fails."""
+    """Return the text of an exception, even if its __str__ is the student's own and fails."""
     try:
         return str(error).strip()
     except BaseException:
@@ -99,13 +100,13 @@ def text_of(error: BaseException) -> str:
 
 
 def is_inside(file: str, folders: Sequence[Path]) -> bool:
-    """Return whether a file is in one of the folders."""
+    """Return whether a file lies in one of these folders."""
     parents = _parents(file)
     return any(folder in parents for folder in folders)
 
 
 def short(file: str) -> str:
-    """Return a file's name with its folder, such as ch02_vectors/vector.py."""
+    """Shorten a path to the file and its folder, as in ch02_vectors/vector.py."""
     return f"{Path(file).parent.name}/{Path(file).name}"
 
 

@@ -26,10 +26,10 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Create an engine whose given chapters come from the reference.
+    """Return an engine that takes the ``given`` chapters from the reference.
 
     Raises:
-        ValueError: ``root`` lacks the reference of a chapter, as every hand-out does.
+        ValueError: ``root`` does not have the reference for a chapter. No hand-out has it.
     """
     if not given:
         yield engine
@@ -48,7 +48,7 @@ def with_given(
 
 
 def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
-    """Return whether the reference of a chapter is available in this folder."""
+    """Return whether ``root`` contains our solution of a chapter, which hand-outs lack."""
     return (root / "solutions" / chapter.name).is_dir()
 
 
@@ -79,9 +79,10 @@ def run_on_given(
 
 
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Mark each failed check as inherited if it passes once the earlier chapters are correct.
+    """Mark a failed check as inherited if it passes with our solutions of the earlier chapters.
 
-    ``verdicts`` come from the first run, and ``again`` from the run on the reference.
+    ``verdicts`` come from the run on the student's own earlier chapters, and ``again`` from the run
+    on ours.
     """
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
@@ -93,7 +94,7 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """For each check that failed in both runs, use the verdict of the second run.
+    """For each check that failed in both runs, keep the verdict of the second run.
 
     ``verdicts`` come from the first run, and ``again`` from the run on the reference. The second
     verdict explains the failure better, because only the student's own chapter can have caused it.
@@ -110,8 +111,8 @@ def suspects(
 ) -> list[Chapter]:
     """Return the earlier chapters that fail some of their own checks.
 
-    This is for a folder without the reference. There we cannot tell which failures are inherited,
-    but we can at least warn the student that an earlier chapter may be to blame.
+    This is for a hand-out, which lacks the reference. Without it we cannot tell which failures are
+    inherited, but we can at least warn the student that an earlier chapter may be to blame.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -129,22 +130,22 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """Return the earlier chapters that this one uses and that the student has written."""
+    """Return the earlier chapters that this one imports and that the student wrote."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 
 def _is_unwritten(verdict: Verdict) -> bool:
-    """Return whether a check fails only because a function of its chapter is not written yet."""
+    """Return whether a check fails only because a function of its own chapter is still a stub."""
     message = verdict.message
     return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
 
 
 def _number(exercise: str) -> str:
-    """Return the chapter number in an exercise id, such as 4 for B4.2."""
+    """Return the chapter number in an exercise id, which is 4 for B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 
 def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
-    """Return whether a check got stuck in this chapter's own code."""
+    """Return whether any of these failed checks hung in the code of this chapter."""
     hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
     return any(m.where and m.where.file.startswith(f"{chapter.name}/") for m in hung)

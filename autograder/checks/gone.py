@@ -26,7 +26,8 @@ def explain_gone(
 ) -> Message:
     """If a check failed because the student removed a function, say so in its message.
 
-    ``edits`` maps each exercise to the functions that students write, such as vector.Vector3.dot.
+    ``edits`` maps each exercise to the full names of the functions that students write for it, such
+    as vector.Vector3.dot.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -42,7 +43,7 @@ def _candidates(
 ) -> list[tuple[str, str]]:
     """Return the functions that the student may have removed, with their exercises.
 
-    Those that the message mentions come first, then those that the check's expression calls.
+    Functions named in the message come first, then those called by the check's expression.
     """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
@@ -51,7 +52,7 @@ def _candidates(
 
 
 def _names(says: str, name: str) -> bool:
-    """Return whether the text of an error reports that ``name`` or its class is missing."""
+    """Return whether the text of an error says that ``name`` or its class does not exist."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
     signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]
@@ -66,7 +67,7 @@ def _names(says: str, name: str) -> bool:
 def _words(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Tell the student that a function is gone or renamed, and how to get it back."""
+    """Tell the student that a function was deleted or renamed, and how to restore it."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
     if prefix and not any(name.startswith(prefix) for name in there):
         short = own_name(f"{module}.{path}")

@@ -32,7 +32,7 @@ CALLS = 13  # nested calls of pytest and the check between start() and the stude
 
 
 class InProcess:
-    """Runs the student's modules in the same process as the checks."""
+    """Runs the student's code in the same process as the checks, for use on a student's machine."""
 
     def __init__(
         self,
@@ -55,7 +55,7 @@ class InProcess:
         self.depth = Depth()
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Import the student's modules one by one, before the checks do.
+        """Import the student's modules one by one, before pytest imports the checks.
 
         If a module cannot be imported, only the checks that use it fail.
         """
@@ -75,14 +75,14 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Set up the grader's restrictions and environment for the student's code."""
+        """Give the student's code the same restrictions and environment as in the grader."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Hide all existing objects from the garbage collector, so that forks share more memory."""
+        """Exempt all existing objects from garbage collection, so that forks share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
@@ -101,18 +101,18 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that the module in ``file`` defines, or None if that is unknown."""
+        """Return the names that the module in ``file`` defines, or None if they are unknown."""
         return read_definitions(file)
 
     def start(self) -> None:
-        """Start the time limit, and capture what the student's code prints."""
+        """Start a check's time limit, and begin to capture what the student's code prints."""
         self.depth.adapt(CALLS)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - closed by stop
         sys.stdout = sys.stderr = CappedText(self.printed.append)
         self.start_clock()
 
     def stop(self) -> str:
-        """Stop the clock, and return what the student's code has printed."""
+        """Cancel the check's time limit, and return what the student's code printed."""
         self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams
@@ -121,13 +121,12 @@ class InProcess:
         return printed
 
     def start_clock(self) -> None:
-        """Start the clock for a check.
+        """Start the time limit for a check.
 
-        When the time is up, the process writes a stack trace and exits, even if it is stuck in a
-        loop.
+        When it runs out, the process writes a stack trace and exits, even if it is stuck in a loop.
         """
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 
     def stop_clock(self) -> None:
-        """Cancel the time limit."""
+        """Cancel the time limit of the current check."""
         faulthandler.cancel_dump_traceback_later()

@@ -38,7 +38,7 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """Stop the checks running in all threads, and start no others until the context ends.
+    """While the context lasts, stop the check processes of all threads and start no new ones.
 
     Every run that is stopped raises GraderError.
     """
@@ -52,18 +52,19 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return whether a thread is currently using ``stopping`` to end all runs."""
+    """Return whether a thread is currently using ``stopping`` to stop all check processes."""
     return _stopping.is_set()
 
 
 class SilentError(Exception):
-    """Raised when the process has not printed anything for too long."""
+    """Raised when a check process has not printed anything for too long."""
 
 
 class Judge:
     """A process that runs the checks described in a configuration file.
 
-    Once it has ended, ``code`` is its exit code and ``stderr`` the end of its standard error.
+    After the process has ended, ``code`` holds its exit code and ``stderr`` the last part of its
+    standard error.
     """
 
     def __init__(self, config: Path, folder: Path, *, behind: bool) -> None:
@@ -74,7 +75,7 @@ class Judge:
         self.code = 0
 
     def lines(self, silence: float, deadline: float) -> Generator[str]:
-        """Run the process, and yield each line of its output until it ends.
+        """Run the check process, and yield each line that it prints until it ends.
 
         If the caller stops reading early, kill the process.
 
@@ -118,10 +119,11 @@ class Judge:
 
 @dataclass(frozen=True)
 class Ending:
-    """How a check process ended, and what is known about the reason.
+    """How a check process ended and, as far as we know, why.
 
     If the process ran out of time, ``stack`` shows what it was doing at that moment. ``silent`` is
-    true if it stopped responding and had to be killed. ``stderr`` is the end of its standard error.
+    true if it stopped responding and had to be killed. ``stderr`` is the last part of its standard
+    error.
     """
 
     stack: str = ""
@@ -137,7 +139,7 @@ class Ending:
 
 
 def judge(run: Run) -> Ending:
-    """Run the checks that have no verdict yet in a new process, and wait for it to end."""
+    """Start a process that runs the remaining checks of ``run``, and wait for it to end."""
     order, silent = run.order, False
     # On Windows the files of a process stay locked for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
@@ -184,7 +186,7 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
 
 
 def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
-    """Kill a process and, where process groups exist, every program that it started."""
+    """Kill a process and, on systems with process groups, every program that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
             assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
@@ -194,7 +196,7 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment for a check process, which keeps pytest from loading plugins."""
+    """Return the environment for a check process, in which pytest loads no third-party plugins."""
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

@@ -18,7 +18,7 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class MissingName:
-    """A name that a student's module should define but does not.
+    """A name that should be defined in a student's module but is not.
 
     ``nearest`` is the most similar name that the module does define.
     """
@@ -29,7 +29,7 @@ class MissingName:
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
-        """Build the message for a check that uses the missing name."""
+        """Build the message for a check that uses this missing name."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
         likely = f"Did you mean {self.nearest}?" if self.nearest else ""
         return Message(says, likely=likely)
@@ -50,14 +50,14 @@ def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
 
 
 def file_of(module: str) -> str:
-    """Return the path of a module as students know it, such as ch02_vectors/vector.py."""
+    """Return the file of a module as students know it, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Create a placeholder for a module that cannot be imported.
+    """Create a placeholder for a student's module that cannot be imported.
 
-    Any check that uses a name from it fails with the message ``why``.
+    Every check that uses a name from the module fails with the message ``why``.
     """
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
@@ -65,7 +65,7 @@ def broken_module(name: str, why: Message) -> ModuleType:
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Return a __getattr__ function that creates a placeholder for any name a module lacks."""
+    """Return a module-level __getattr__ that makes a placeholder for any name the module lacks."""
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
@@ -76,7 +76,7 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Build the message for a module whose import hung or ended the process."""
+    """Build the message for a module that hung or ended the process while it was being imported."""
     return Message(
         f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,
@@ -85,7 +85,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a placeholder for a missing name: a class that raises an error when called."""
+    """Create a class that stands in for a missing name and raises an error when it is called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -1,7 +1,7 @@
 """Guess which name a student meant when the code uses one that does not exist.
 
 Python's error contains only the missing name. Only the process that ran the code knows which names
-exist, so it finds the nearest one itself and returns it as plain data.
+exist, so that process finds the most similar one and reports it as plain data.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Unknown:
 
 
 def unknown_of(error: BaseException) -> Unknown | None:
-    """Return the missing name behind an error, or None if the error has another cause."""
+    """Return the missing name that caused an error, or None if the error has another cause."""
     try:
         if isinstance(error, UnboundLocalError):
             return None
@@ -60,9 +60,9 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return the name in ``there`` most similar to ``name``, as a suggestion for the student.
+    """Return the name in ``there`` that is most similar to ``name``, to suggest it to the student.
 
-    Return an empty string if none is similar enough. Dunder names such as __init__ are never
+    Return an empty string if no name is similar enough. Dunder names such as __init__ are never
     suggested.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
@@ -72,7 +72,7 @@ def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
 
 
 def explain_unknown(unknown: Unknown) -> str:
-    """Suggest a name in place of the missing one, or return "" if there is none to suggest."""
+    """Suggest an existing name in place of a missing one, or return "" if none is similar."""
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
         held = ", ".join(unknown.slots)
@@ -131,14 +131,14 @@ def _import(error: ImportError) -> Unknown | None:
 
 
 def _innermost(traceback: TracebackType | None) -> FrameType | None:
-    """Return the frame in which an error was raised."""
+    """Return the innermost frame of a traceback, in which the error was raised."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
     return traceback.tb_frame if traceback else None
 
 
 def _assigns(traceback: TracebackType | None) -> bool:
-    """Return whether an error comes from an assignment to an attribute."""
+    """Return whether an error was raised by an assignment to an attribute."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
     if traceback is None:

@@ -9,7 +9,7 @@ LONGEST = 4000  # characters
 
 
 class CappedText(io.TextIOBase):
-    """A text stream that keeps the first LONGEST characters written to it and drops the rest."""
+    """A text stream that keeps the first LONGEST characters written to it and discards the rest."""
 
     def __init__(self, keep: Callable[[str], object]) -> None:
         self.left = LONGEST

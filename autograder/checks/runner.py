@@ -30,9 +30,9 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory diff
 
 @dataclass(frozen=True)
 class Limits:
-    """How many seconds one check and a whole run may take.
+    """The most seconds that one check and a whole run of checks may take.
 
-    The limit for a check is generous: most checks take a few milliseconds.
+    The limit for a check is generous, since most checks finish within milliseconds.
     """
 
     check: float = 3.0
@@ -43,12 +43,12 @@ Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
-    """Raised when the checks could not run, through no fault of the student's code."""
+    """Raised when the checks could not be run for reasons unrelated to the student's code."""
 
 
 @dataclass(frozen=True)
 class Order:
-    """Which checks to run, and on which engine.
+    """What to check: the chapter's checks to run, and the engine to run them on.
 
     ``engine`` is a list of folders with chapters; if several of them have a module, the first one
     wins. ``behind`` describes the sandbox for the student's code. If it is None, the code runs in
@@ -103,7 +103,7 @@ def run_checks(
 
 
 class Run:
-    """Keeps track of one run of the checks, which may take several processes to finish.
+    """One run of the checks, which may take several processes to finish.
 
     ``judge`` is the function that starts such a process and passes its events to the run. It
     returns an ``Ending``, which says how the process ended.
@@ -129,7 +129,7 @@ class Run:
         self.stderr = ""
 
     def reason(self) -> str:
-        """Explain why the process has ended without giving any verdict."""
+        """Explain why the check process ended before any check had a verdict."""
         if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
             own = self.order.chapter.name
             return f"{missing[1]} is missing: put your own folder of that name beside {own}"
@@ -140,29 +140,29 @@ class Run:
 
     @property
     def limit(self) -> float:
-        """How many seconds the next check may take.
+        """The number of seconds that the next check may take.
 
         Once a function has hung twice, the limit is shorter than usual, so that the student does
-        not wait so long for the same endless loop.
+        not have to wait out the same endless loop again and again.
         """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
-        """The number of verdicts, and the number of modules known to be broken.
+        """The number of verdicts so far, and the number of modules known to be broken.
 
-        If neither number grows while a process runs, starting another one is pointless.
+        If a process ends and neither number has grown, starting another process is pointless.
         """
         return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
-        """Return the verdicts in the order of the checks, with the blocked ones marked."""
+        """Return the verdicts in the order of the checks, after marking the blocked ones."""
         verdicts = [self.verdicts[name] for name in self.checks]
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Start a process for the checks that have no verdict yet, and wait for it to end."""
+        """Start a process for the checks that still need a verdict, and wait for it to end."""
         self.current = None
         ending = self.judge(self)
         self.stderr = ending.stderr
@@ -171,7 +171,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Return the configuration for the next process, which lists the remaining checks."""
+        """Return the configuration for the next check process, with the checks left to run."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -185,7 +185,7 @@ class Run:
         )
 
     def hear(self, line: str) -> None:
-        """Parse one line of the process's output, and handle its event."""
+        """Parse one line of the check process's output, and handle the event it contains."""
         try:
             event = read_event(line)
         except ValueError as error:
@@ -193,7 +193,7 @@ class Run:
         self.take(event)
 
     def take(self, event: Event) -> None:
-        """Handle an event from the process, such as a verdict.
+        """Handle an event from the check process, such as a verdict.
 
         Raises:
             GraderError: The event is about a check that is not part of this run.
@@ -213,7 +213,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record that the running check or import did not finish, with the message to show."""
+        """Record that the current check or import was cut short, with a message for the student."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return
@@ -247,7 +247,7 @@ class Run:
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
-        """Fail all remaining checks because the run as a whole has taken too long."""
+        """Fail all the remaining checks, because the run has exceeded its overall time limit."""
         seconds = f"{self.order.limits.run:g} seconds"
         if not self.checks:
             raise GraderError(f"no check began within {seconds}:\n{self.stderr}")
@@ -260,8 +260,9 @@ class Run:
     def _note_hang(self, exercise: str) -> None:
         """Record that a check of this exercise hung.
 
-        If a check of one of its prerequisites hung too, fail the rest of this exercise without
-        running it. Its checks would most likely end up in the same loop and use up their time.
+        If a check of one of its prerequisites hung too, fail the remaining checks of this exercise
+        without running them, because they would most likely get stuck in the same loop until their
+        time is up.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")
@@ -272,9 +273,9 @@ class Run:
 
 
 def presentable(message: Message) -> Message:
-    """Make a message safe to show: clean it, strip memory addresses, and shorten it.
+    """Make a message safe to show: escape special characters, strip addresses, and shorten it.
 
-    Everything that comes from a student's code passes through this function.
+    All text that comes from a student's code passes through this function.
     """
     message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
     return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)

@@ -17,9 +17,9 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """For each chapter's folder, list the files that the grader will have.
+    """For each chapter's folder, list the files that will also exist in the grader.
 
-    Those are the files that students hand in, plus the ones they receive from us.
+    These are the files that students hand in, plus the ones that we supply.
     """
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
@@ -46,17 +46,17 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """Switch to the code of another engine, leaving all restrictions in place."""
+        """Switch to the student code of another engine, without lifting any restrictions."""
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
         self.ours = ours
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return whether the student's code made the current call.
+        """Return whether the current call was made by the student's code.
 
-        We walk up the stack to the first function outside Python's library, and the answer depends
-        on who wrote it. Python's own steps during an import do not count as the student's.
+        The caller is the first function on the stack that is not part of Python's library. Python's
+        own steps during an import do not count as calls by the student.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -69,7 +69,7 @@ class StudentsCode:
         return False
 
     def _is_students(self, file: str) -> bool | None:
-        """Return whether a file is the student's, or None if it belongs to Python's library."""
+        """Return whether a file is the student's, or None if it is part of Python's library."""
         if file.startswith("<"):  # such as <string>, from exec, and <frozen os>
             return False if file.startswith("<frozen importlib") else None
         if is_inside(file, self.folders):
@@ -78,9 +78,9 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether the grader has this file of the chapter ``package``.
+        """Return whether this file of the chapter ``package`` will also exist in the grader.
 
-        Probes are always there.
+        Probes always do.
         """
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")

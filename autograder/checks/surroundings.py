@@ -23,7 +23,7 @@ FIRST_CALLS = 9  # how many of these calls the grader's own code uses up
 
 
 def leave_home() -> None:
-    """Strip this process of the user's settings for good, and limit its memory."""
+    """Permanently remove the user's own settings from this process, and limit its memory."""
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
     os.environ.clear()
@@ -47,8 +47,8 @@ def leave_home() -> None:
 class Depth:
     """Lets a student's code recurse exactly as deeply as it could in the grader.
 
-    The stack may already be deeper here than in the grader when the student's code is called, so
-    the limit is raised by the difference.
+    When the student's code is called here, the stack may already be deeper than it would be in the
+    grader. The recursion limit is raised by the difference.
     """
 
     def __init__(self, deepest: int = DEPTH) -> None:
@@ -56,10 +56,10 @@ class Depth:
         self.limit = sys.getrecursionlimit()
 
     def adapt(self, more: int) -> None:
-        """Set the recursion limit for the student's code.
+        """Set the recursion limit for a call of the student's code.
 
-        ``more`` is the number of calls between the caller of this method and the student's code. If
-        the student's code has changed the limit itself, it is left alone.
+        ``more`` is the number of calls between this method's caller and the student's code. If the
+        student's code has changed the limit, the new limit stays.
         """
         if sys.getrecursionlimit() != self.limit:
             return

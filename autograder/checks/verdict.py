@@ -14,7 +14,7 @@ Point = tuple[float, float]  # the cost (counted work) and the error, on an open
 
 @dataclass(frozen=True)
 class Verdict:
-    """The verdict on one check.
+    """The verdict on one check: whether it passed and, if not, the message for the student.
 
     A ``robust`` check tries bad arguments, overflow or NaN instead of testing the physics.
     """
@@ -30,13 +30,13 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Return every exercise that this one depends on, directly or indirectly."""
+    """Return all prerequisites of an exercise, direct and indirect."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 
 
 def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Return some exercises and their prerequisites, in manifest order.
+    """Return these exercises together with their prerequisites, in manifest order.
 
     If ``exercises`` is None, return all exercises of the chapter.
     """
@@ -48,15 +48,15 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def asked_for(chapter: Chapter) -> list[str]:
-    """Return the exercises that students have to do, along with their prerequisites."""
+    """Return the exercises that students are required to do, along with their prerequisites."""
     return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Change a failed verdict to blocked if a prerequisite of its exercise fails.
+    """Change a verdict from failed to blocked if a prerequisite of its exercise fails.
 
-    Only the physics checks of a prerequisite can block an exercise; its robust checks cannot. A
-    check that passes although its exercise is blocked keeps its verdict and its points.
+    Only the physics checks of a prerequisite matter here, not its robust checks. A check that
+    passes although its exercise is blocked keeps its verdict and its points.
     """
     failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
     marked = []

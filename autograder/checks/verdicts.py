@@ -49,8 +49,8 @@ MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we
 class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
-    ``engine`` is the object that runs the student's code. Its kind follows from the configuration,
-    unless a test passes its own.
+    ``engine`` is the object that runs the student's code. By default, the configuration determines
+    which kind it is; a test may pass its own.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -60,22 +60,22 @@ class Recorder:
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:
-        """Prepare the student's modules, so that the checks can import them."""
+        """Make the student's modules importable before pytest collects the checks."""
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Let the engine finish its preparations after the checks are collected."""
+        """Let the engine finish its preparations, now that all checks have been collected."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """If the checks cannot be collected, say why on stderr, where the runner looks."""
+        """If a check file cannot be collected, print why on stderr, where the runner reads it."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
-        """Put the checks into manifest order, report them, and drop those that are done."""
+        """Sort the checks into manifest order, announce them, and drop those already decided."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
             if exercise_of(item) not in self.config.arranged.known:
@@ -105,7 +105,7 @@ class Recorder:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
-        """If the student's code runs in this process, run each exercise in a forked copy."""
+        """If the student's code runs in this process, run each exercise's checks in a fork."""
         apart = isinstance(self.engine, InProcess) and self.engine.apart
         if session.testsfailed or not apart:  # if the collection failed, pytest reports that
             return None
@@ -115,7 +115,7 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
-        """Start the clock for a check and, in a sandbox, its worker."""
+        """Start the time limit of a check and, in a sandbox, the worker for it."""
         self.send(Started(item.name))
         about.forget()
         self.engine.start()  # stopped after the report, since an exception's str() may hang
@@ -130,7 +130,7 @@ class Recorder:
     def pytest_runtest_makereport(
         self, item: pytest.Item, call: pytest.CallInfo[None]
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-        """Report the verdict on a check.
+        """Report the verdict on a check to the runner.
 
         An error outside the body of the check is the grader's fault, not the student's.
         """
@@ -167,13 +167,13 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Strip the engine's folders from a text, because they differ in the grader."""
+        """Strip the engine's folders from the paths in a text, since they differ in the grader."""
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
 
     def _defined(self, module: str) -> set[str] | None:
-        """Return the names that a module defines, or None if that is unknown."""
+        """Return the names that a student's module defines, or None if they are unknown."""
         if module not in self.definitions:
             arranged = self.config.arranged
             places = [Path(folder) / arranged.chapter for folder in arranged.engine]
@@ -188,13 +188,13 @@ class Recorder:
 
 
 def run_all(checks: list[pytest.Item]) -> None:
-    """Run checks that pytest has already collected, one after another."""
+    """Run the checks that pytest has collected, one after another."""
     for check in checks:
         runtestprotocol(check, log=False)
 
 
 def _engine(config: Config) -> InProcess | InWorker:
-    """Return the object that runs the student's code, in this process or in sandboxed workers."""
+    """Return the object that runs the student's code, either in this process or in workers."""
     arranged = config.arranged
     where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
     if arranged.worker is None:
@@ -205,12 +205,12 @@ def _engine(config: Config) -> InProcess | InWorker:
 
 
 def _properties(item: pytest.Item) -> dict[str, Any]:
-    """Return what a check has recorded about itself, such as its rationale."""
+    """Return the properties that a check has recorded for its report, such as its rationale."""
     return dict(item.user_properties)
 
 
 def _rationale(item: pytest.Item) -> str:
-    """Return the first line of a hidden check's docstring, which is all that students see of it."""
+    """Return the first line of a hidden check's docstring, the only part that students see."""
     words = (getattr(item, "obj", None).__doc__ or "").strip()
     return words.splitlines()[0] if words else "a hidden check of this exercise fails"
 
@@ -233,7 +233,7 @@ def _is_robust(item: pytest.Item) -> bool:
 
 
 def main() -> int:
-    """Run the checks described in the file named on the command line."""
+    """Run the checks described in the configuration file named on the command line."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
@@ -246,7 +246,7 @@ def main() -> int:
 
 
 def pytest_arguments(config: Config) -> list[str]:
-    """Return the command-line arguments with which we start pytest."""
+    """Return the command-line arguments for running the checks with pytest."""
     arranged = config.arranged
     arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
     arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]

@@ -15,7 +15,7 @@ NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # these come from the cou
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """Add the options --assignment and --course to a command."""
+    """Add the options --assignment and --course to a command's argument parser."""
     command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
     command.add_argument(
         "--course", type=Path, default=DEFAULT, help="the course file (default: course.toml)"
@@ -23,10 +23,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Return the assignment or the chapters selected by the command-line options.
+    """Return the assignment or the chapters that the command-line options select.
 
-    With ``handed_out``, the result is for a hand-out. It then leaves out the given chapters,
-    because a hand-out adds those separately.
+    With ``handed_out``, return what goes into a hand-out. The given chapters are left out, because
+    a hand-out adds them separately.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

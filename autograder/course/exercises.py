@@ -16,9 +16,9 @@ from autograder.scores import possible, shown
 
 @dataclass(frozen=True)
 class Chosen:
-    """The exercises of an assignment, by chapter, together with the given chapters.
+    """The exercises of an assignment, grouped by chapter, together with its given chapters.
 
-    ``earlier`` lists exercises from earlier assignments that these build on.
+    ``earlier`` lists the exercises from earlier assignments that they build on.
     """
 
     chapters: list[Chapter]
@@ -27,9 +27,10 @@ class Chosen:
 
 
 class Chooser:
-    """Finds the exercises of one assignment in the course file, and records mistakes in its table.
+    """Determines the exercises of one assignment from its table in the course file.
 
-    ``before`` contains the exercises of all earlier assignments, which this one may build on.
+    Mistakes in the table are recorded. ``before`` contains the exercises of all earlier
+    assignments, which this one may build on.
     """
 
     def __init__(
@@ -48,7 +49,7 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Return the exercises of the assignment. Use the result only if there were no mistakes."""
+        """Return the exercises of the assignment. They are valid only if there were no mistakes."""
         given = self._chapters("given")
         listed = self._ids("exercises")
         extra = self._ids("extra_credit")
@@ -80,7 +81,7 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Return the exercises listed under a key, skipping those that do not exist."""
+        """Return the exercise ids listed under a key of the course file, skipping unknown ones."""
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
             if name not in self.home:
@@ -93,7 +94,7 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Return the chapters listed under a key, skipping those that do not exist."""
+        """Return the chapters listed under a key of the course file, skipping unknown ones."""
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
         for number in numbers:
@@ -105,7 +106,7 @@ class Chooser:
     def _earlier(self, ids: set[str], given: list[Chapter]) -> list[str]:
         """Return the exercises from earlier assignments that this one builds on.
 
-        Building on an exercise that was never assigned is a mistake in the course file.
+        If it builds on an exercise that was never assigned, record a mistake in the course file.
         """
         earlier: set[str] = set()
         for name in (name for name in self.home if name in ids):
@@ -127,20 +128,20 @@ class Chooser:
         return [name for name in self.home if name in earlier]
 
     def _below(self, chapter: Chapter) -> list[Chapter]:
-        """Return the earlier chapters whose code a chapter uses."""
+        """Return the earlier chapters that a chapter imports code from."""
         earlier = [other for other in self.chapters if other.number < chapter.number]
         numbers = chapter.builds_on
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Return the key of the assignment, such as extra_credit, that added this exercise."""
+        """Return the key, such as extra_credit, that brings this exercise into the assignment."""
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
             next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),
         )
 
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
-        """Return the exercises of the assignment, with what each is worth in it."""
+        """Return the exercises of the assignment, each with the points it is worth there."""
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)
             for name, home in self.home.items()
@@ -161,7 +162,7 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points of the exercises so that they add up to ``out_of`` in the course file.
+        """Scale the points of the exercises to add up to the ``out_of`` of the course file.
 
         Without an ``out_of``, the points stay as they are.
         """
@@ -182,6 +183,6 @@ class Chooser:
 
 
 def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
-    """Return a copy of the chapter with only these exercises, or None if it has none of them."""
+    """Return a copy of the chapter reduced to these exercises, or None if it has none of them."""
     mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
     return replace(chapter, exercises=mine) if mine else None

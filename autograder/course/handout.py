@@ -18,9 +18,9 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a chapter as an assignment's students receive it, with all of its exercises.
+    """Return a chapter as the students of an assignment receive it, with all of its exercises.
 
-    The exercises in ``assigned`` have the assignment's points, and all others become optional.
+    Exercises in ``assigned`` carry the assignment's points, and all the others become optional.
     """
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]
@@ -28,9 +28,9 @@ def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
 
 
 def manifest_of(text: str, chapter: Chapter) -> str:
-    """Change the points in the text of a manifest to those of ``chapter``.
+    """Replace the points in the text of a manifest with those of ``chapter``.
 
-    The new text also marks the exercises that are optional or give extra credit.
+    The new text also marks which exercises are optional and which give extra credit.
     """
     first, *rest = START.split(text)
     return first + "".join(_entry(part, chapter) for part in rest)
@@ -49,7 +49,7 @@ def _entry(text: str, chapter: Chapter) -> str:
 
 
 def about(work: Work, root: Path = ROOT) -> str:
-    """Return the README section about the assignment, or "" if there is none."""
+    """Return the section about the assignment for the README, or "" if there is none."""
     if not work.name:
         return ""
     title = f"{work.name}: {work.title}" if work.title else work.name

@@ -13,9 +13,9 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """What a platform such as Gradescope says about when a submission was handed in.
+    """When a submission was handed in, according to a platform such as Gradescope.
 
-    Canvas only says whether the submission was ``late``.
+    Canvas does not give the time; it only says whether the submission was ``late``.
     """
 
     source: str
@@ -24,10 +24,10 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Return how many days late a submission is, where any part of a day counts in full.
+    """Return how many days late a submission is, counting any part of a day as a full day.
 
-    If the work was due at 18:00, each of these days ends at 18:00 in the time zone of ``due``, so a
-    day on which the clocks change has 23 or 25 hours.
+    Each late day begins at the hour at which the work was due, in the time zone of ``due``. A day
+    on which the clocks change therefore has 23 or 25 hours.
     """
     at = submitted.astimezone(UTC)
     if at <= due.astimezone(UTC):
@@ -41,8 +41,8 @@ def days_late(due: datetime, submitted: datetime) -> int:
 def _end(time: datetime) -> datetime:
     """Return the last moment at which a clock shows this local time.
 
-    In the fall a clock shows some times twice. In spring it skips some, and for those we return the
-    moment at which it would have shown them.
+    When the clocks go back, some times occur twice. When they go forward, some are skipped; for
+    those we return the moment at which they would have occurred.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
@@ -61,10 +61,10 @@ def deduction(policy: LatePolicy, days: int, possible: float) -> float:
 def late_of(
     deadline: Deadline, names: Iterable[str], said: HandedIn | None, possible: float
 ) -> Late:
-    """Compute how late a submission is and what that costs, and explain it in words.
+    """Compute how late a submission is and how many points that costs, and explain why.
 
-    ``names`` are the students who handed it in together. If some of them have an extension, the
-    latest of their due dates applies to all.
+    ``names`` lists the students who handed it in together. If some of them have an extension, the
+    latest of their due dates applies to the whole group.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
@@ -89,5 +89,5 @@ def late_of(
 
 
 def clock(time: datetime) -> str:
-    """Format a time for people to read, such as 2026-10-23 23:59 CEST."""
+    """Format a time for people to read, as in 2026-10-23 23:59 CEST."""
     return f"{time:%Y-%m-%d %H:%M} {time.tzname()}"

@@ -12,7 +12,7 @@ Path = tuple[str | int, ...]  # the keys on the way to a value, such as ("assign
 
 
 class Lines:
-    """The line number of every key and table in a TOML file, counted from 1."""
+    """The line number, counted from 1, of every key and table in a TOML file."""
 
     def __init__(self, text: str) -> None:
         self._text = text.splitlines()
@@ -54,5 +54,5 @@ class Lines:
 
 
 def _parts(dotted: str) -> Path:
-    """Split a dotted key such as assignment.late into its parts, without their quotes."""
+    """Split a dotted TOML key, such as assignment.late, into its parts, and unquote them."""
     return tuple(part.strip("\"'") for part in PART.findall(dotted))

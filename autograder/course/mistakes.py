@@ -19,7 +19,7 @@ NAMES = {str: "a string", int: "a whole number", list: "a list", dict: "a table"
 
 
 class Mistakes:
-    """The mistakes found in a course file so far."""
+    """Collects the mistakes found in a course file, each with its line."""
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -27,11 +27,11 @@ class Mistakes:
         self._found: list[tuple[int, str]] = []
 
     def add(self, path: Path, words: str, word: str = "") -> None:
-        """Record a mistake in the value at ``path``, or in the item ``word`` of that value."""
+        """Record a mistake in the value at ``path`` or, given ``word``, in that item of a list."""
         self._found.append((self._lines.of(path, word), words))
 
     def raise_any(self) -> None:
-        """If there were any mistakes, raise a ValueError that lists them in file order."""
+        """If any mistakes were recorded, raise a ValueError that lists them in file order."""
         if not self._found:
             return
         found = sorted(dict.fromkeys(self._found), key=lambda mistake: mistake[0])
@@ -40,7 +40,7 @@ class Mistakes:
         raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
 
     def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
-        """Record each unknown key as a mistake, and suggest the most similar known one."""
+        """Record each key of a table that is not a known one, suggesting the most similar key."""
         keys = list(known)
         for key in table:
             if key not in keys:
@@ -48,9 +48,9 @@ class Mistakes:
                 self.add((*path, key), f"there is no key {key!r}. {wanted}")
 
     def value(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> Any:
-        """Return the value of a key, or None if it is missing or has the wrong type.
+        """Return the value of a key, or None if the key is missing or the value has the wrong type.
 
-        A wrong type is recorded as a mistake; a missing key is fine.
+        Only a wrong type is recorded as a mistake.
         """
         value = table.get(key)
         if value is None or type(value) is kind:
@@ -59,7 +59,7 @@ class Mistakes:
         return None
 
     def items(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> list[Any]:
-        """Return the items of a list that have the right type, recording the others as mistakes."""
+        """Return the list items that have the right type, and record the others as mistakes."""
         value = self.value(table, path, key, list) or []
         for item in value:
             if type(item) is not kind:
@@ -68,9 +68,9 @@ class Mistakes:
         return [item for item in value if type(item) is kind]
 
     def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
-        """Return the number under a key, or None if there is no valid one.
+        """Return the positive number stored under a key, or None if there is none.
 
-        Anything but a positive number is recorded as a mistake; a missing key is fine.
+        Any value but a positive number is recorded as a mistake. A missing key is not.
         """
         value: Any = table.get(key)
         if type(value) in (int, float) and 0 < value <= LARGEST:
@@ -83,7 +83,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Format a value as it would appear in TOML, cut short if it is long."""
+    """Format a value as it would appear in a TOML file, truncated if it is long."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)
@@ -91,7 +91,7 @@ def shown(value: Any) -> str:
 
 
 def nearest(name: str, known: Iterable[str], most: int = MOST_SIMILAR) -> str:
-    """Return a question such as "Did you mean B2.1?", or "" if nothing in ``known`` is similar."""
+    """Return a question such as "Did you mean B2.1?", or "" if no known name is similar."""
     names = {other.lower(): other for other in known}
     wanted = name.lower()
     bare = re.sub(r"^[a-z]\s*(?=\d)", "", wanted)

@@ -33,10 +33,10 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """When an assignment is due, and the later due dates of students with an extension.
+    """When an assignment is due, including the later due dates of students with an extension.
 
-    Every time has a time zone. Without a policy, the reports still say how late a submission is,
-    but it loses no points.
+    Every time has a time zone. Without a late policy, the reports still say how late a submission
+    is, but it loses no points.
     """
 
     due: datetime
@@ -66,7 +66,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Course:
-    """All assignments of a term, in the order in which students do them."""
+    """All the assignments of a term, in the order in which students do them."""
 
     assignments: list[Work]
     title: str = ""

@@ -25,8 +25,8 @@ def lateness(
 ) -> tuple[dict[str, Late], list[str]]:
     """Compute how late each submission of a class is.
 
-    Return the result for each student, plus notes for the instructor, such as a list of the
-    students whose submission time is unknown.
+    Return how late each student was, plus notes for the instructor, such as which students'
+    submission times are unknown.
 
     Raises:
         ValueError: A file with the times of the submissions is not valid.
@@ -70,10 +70,10 @@ def _some(names: list[str]) -> str:
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Compute how late a submission is from the data that Gradescope provides about it.
+    """Compute how late a submission is, using the metadata that Gradescope provides.
 
     A submission can have several authors. If the course file gives one of them an extension, by
-    name or by e-mail address, it applies to the whole group.
+    name or by e-mail address, the extension applies to the whole group.
     """
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)
@@ -87,14 +87,14 @@ def late_on_gradescope(
 
 
 def points_of(chapters: Iterable[Chapter]) -> float:
-    """Return what these chapters are worth in points, including their written answers."""
+    """Return how many points these chapters are worth, including their written answers."""
     return possible(exercise for chapter in chapters for exercise in chapter.exercises)
 
 
 def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
-    """Scale the marks for written answers to the points of the assignment.
+    """Scale the marks for written answers to the points that the assignment gives for them.
 
-    Instructors mark by our rubrics, which add up to the points in the manifest, but the assignment
+    Instructors mark by our rubrics, whose points add up to those in the manifest, but an assignment
     may give more or fewer points for the same exercise.
     """
     rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}

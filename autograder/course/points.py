@@ -25,17 +25,17 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
 
 
 def scaled_alike(value: float, out_of: float, total: float) -> float:
-    """Scale the points for extra credit by the same factor as all the other points.
+    """Scale the points for extra credit by the same factor as the regular points.
 
-    ``value`` is the extra credit. The other points used to add up to ``total`` and now add up to
+    ``value`` is the extra credit. The regular points used to add up to ``total`` and now add up to
     ``out_of``.
     """
     return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
 
 
 def _plain(value: Fraction) -> float:
-    """Turn a fraction into a number.
+    """Convert a fraction to an int or a float.
 
-    A whole number becomes an int, so that it prints as 3 rather than 3.0.
+    A whole number becomes an int, so that it is printed as 3 rather than 3.0.
     """
     return int(value) if value.denominator == 1 else float(value)

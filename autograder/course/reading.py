@@ -49,7 +49,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
 
 class Reader:
-    """Reads the tables of one course file, and records the mistakes in them."""
+    """Reads the tables of one course file, and records any mistakes in them."""
 
     def __init__(
         self, data: dict[str, Any], folder: Path, chapters: list[Chapter], mistakes: Mistakes
@@ -61,7 +61,7 @@ class Reader:
         self.before: set[str] = set()  # the exercises of all assignments that we have read so far
 
     def course(self) -> Course:
-        """Return the whole course, or raise ValueError if the file contains mistakes."""
+        """Return the whole course, or raise ValueError if the course file contains mistakes."""
         mistakes, data = self.mistakes, self.data
         mistakes.check_keys(data, (), OF_COURSE)
         self.zone: tzinfo | None = None
@@ -135,7 +135,7 @@ class Reader:
         return Deadline(due, policy, times)
 
     def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
-        """Read the policy for late work, or return None if lateness costs nothing."""
+        """Read the late policy of an assignment, or return None if late work loses no points."""
         mistakes, at = self.mistakes, (*path, "late")
         late = mistakes.value(table, path, "late", dict)
         if late is None:
@@ -162,7 +162,7 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the path stored under a key, recording a mistake if nothing exists there."""
+        """Return the path stored under a key, recording a mistake if that path does not exist."""
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None
@@ -180,7 +180,7 @@ class Reader:
     ) -> Path | None:
         """Return the folder of the hidden checks.
 
-        If it has no checks for any of the assigned chapters, record a mistake.
+        If none of its checks belong to an assigned chapter, record a mistake.
         """
         hidden = self._path(table, path, "hidden_checks")
         if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):

@@ -27,9 +27,9 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 
 
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
-    """Return when each student handed in the work, as far as that is known.
+    """Return when each student handed in the work, where that is known.
 
-    If several files have a time for the same student, times.csv wins. A time that does not name its
+    If several files give a time for the same student, times.csv takes precedence. A time without a
     time zone is taken to be in ``zone``.
 
     Raises:
@@ -52,7 +52,7 @@ def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[
 
 
 def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times that the instructor entered in times.csv.
+    """Yield the submission times that the instructor entered in times.csv.
 
     That file has the columns student and submitted.
     """
@@ -89,7 +89,7 @@ def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times in Gradescope's metadata, each with the name of the submission's folder."""
+    """Yield the submission times in Gradescope's metadata, each with its submission's folder."""
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
@@ -101,7 +101,7 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times in GitHub Classroom's grades, each with a student's repository."""
+    """Yield the submission times in GitHub Classroom's grades, each with a student's repository."""
     path = folder / OF_GITHUB
     if not path.is_file():
         return
@@ -116,7 +116,7 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
     """Yield whether each submission from Canvas was late.
 
-    Canvas marks late submissions in the file name, but does not put the time there.
+    Canvas marks late submissions in the file name, but does not say when they were handed in.
     """
     for submission in submissions:
         if submission.export and submission.export.platform == "canvas":
@@ -124,9 +124,9 @@ def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _time(value: Any) -> datetime | None:
-    """Read a time as a platform writes it, or return None if the value is not a time.
+    """Parse a submission time as a platform writes it, or return None if the value is not a time.
 
-    A text without a time zone is taken to be in UTC, which is what platforms use.
+    A time without a time zone is taken to be in UTC, which is what platforms use.
     """
     try:
         return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
@@ -136,7 +136,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """If a file turns out not to be valid CSV or YAML, add its name to the error."""
+    """If the file in use turns out not to be valid CSV or YAML, add its name to the error."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:

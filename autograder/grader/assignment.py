@@ -22,7 +22,7 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """What a class is graded on, which is the same for every submission.
+    """What the submissions of a class are graded on: the same exercises and checks for everyone.
 
     ``chapters`` contain only the graded exercises, perhaps fewer than the manifest lists. The
     ``given`` chapters come from the reference, even if a student has handed in files for them.
@@ -47,9 +47,9 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises and of their prerequisites.
+        """Run the checks of a chapter's graded exercises, along with those of their prerequisites.
 
-        ``missing`` maps the rejected modules to the reasons. ``compiled`` is a folder that caches
+        ``missing`` maps each rejected module to the reason. ``compiled`` is a folder that caches
         the compiled code of a submission between runs.
 
         Raises:
@@ -78,10 +78,10 @@ class Assignment:
 
 
 class OnceForAll:
-    """Verdicts that are the same for every submission and need to be found only once.
+    """Verdicts that are the same for every submission, so that they are computed only once.
 
-    All threads that grade the class share this object. The first one that needs a verdict runs the
-    checks for it, while the others wait for the result.
+    All the threads that grade a class share this object. The first thread that needs a verdict runs
+    the checks for it, and the others wait for the result.
     """
 
     def __init__(self) -> None:
@@ -90,7 +90,7 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts for a student who has handed in nothing for this chapter.
+        """Return the verdicts on a chapter for which a student has handed in nothing.
 
         The earlier chapters come from the reference.
 
@@ -103,9 +103,9 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the results of our own solution, whose cost and error appear on the charts.
+        """Return the results of our own solution, whose cost and error are shown on the charts.
 
-        Only the checks of open exercises are needed for that, so the others have no verdicts.
+        Only open exercises have charts, so the results of all other exercises are not needed.
         """
         root = assignment.root
         with self._lock:

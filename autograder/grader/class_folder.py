@@ -34,8 +34,8 @@ def seed_of(state: Path, seed: str | None) -> str:
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
     """Raise ValueError if this run has a roster and the earlier run had none, or vice versa.
 
-    Students go by different names without the roster, so a regrade would list the same student
-    twice.
+    Without a roster, the reports use other names for the students, so a regrade would list the same
+    student twice.
     """
     try:
         before = json.loads(state.read_text(encoding="utf-8"))["roster"]
@@ -54,7 +54,7 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
 def only_run(out: Path) -> Iterator[Path]:
     """Lock the folder ``out`` against other runs, and yield the path of the run's state file.
 
-    The folder is created if it does not exist yet.
+    The folder is created if necessary.
 
     Raises:
         ValueError: The path is not a folder, or another run is using it.
@@ -72,9 +72,9 @@ def only_run(out: Path) -> Iterator[Path]:
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Keep all temporary files in the folder ``out`` until the context ends.
+    """Create all temporary files in the folder ``out`` until the context ends.
 
-    A run that is killed cannot delete its temporary files. In this folder, the next run finds and
+    If a run is killed, it cannot delete its temporary files, but the next run finds them here and
     deletes them.
     """
     own, before = out / ".temporary", tempfile.tempdir
@@ -89,7 +89,7 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move away the reports of students who are not on the list, and return how many there were.
+    """Move the reports of students who are not on the list out of the way, and count them.
 
     Such a report belongs to another class, or to a student who has left this one.
     """

@@ -27,7 +27,7 @@ from autograder.submissions.find import Submission, file_name
 
 
 class ClassRun:
-    """Grades the submissions of a class, and holds everything that they have in common."""
+    """Grades the submissions of a class, and holds the settings that they all share."""
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show the progress while reports come in, and return them in the order of submissions."""
+        """Show a progress bar while reports arrive, and return them in the order of submissions."""
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),
@@ -99,7 +99,7 @@ class ClassRun:
     ) -> Generator[StudentReport]:
         """Grade the submissions on a cluster, and yield the reports.
 
-        A submission whose report from an earlier run is still valid is not sent to the cluster.
+        A submission is not sent to the cluster if its report from an earlier run is still valid.
         """
         left = []
         for submission in submissions:
@@ -120,7 +120,7 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Add the marks and the lateness to a report, write it with its pages, and return it."""
+        """Complete a report with its marks and its lateness, write it to disk, and return it."""
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
         if self.anonymous:
             report = replace(report, notes=[without_names(note) for note in report.notes])
@@ -128,7 +128,7 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run, or None if it cannot be reused."""
+        """Return an earlier run's report on this submission, or None if it cannot be reused."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
         if not self.keeps_reports or report is None or not self.is_valid(report, submission):
@@ -137,14 +137,14 @@ class ClassRun:
         return report
 
     def is_valid(self, report: StudentReport, submission: Submission) -> bool:
-        """Return whether grading the submission again would yield the same report."""
+        """Return whether grading the submission again would produce this same report."""
         if report.status != "graded" or report.run != self.key:
             return False
         return report.submission == digest_of(self.assignment, submission)
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a table of the class: each student's points, checks and first problem."""
+    """Print a table of the class with each student's points, checks and first problem."""
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")

@@ -43,11 +43,11 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 
 @dataclass(frozen=True)
 class Work:
-    """What every worker of the cluster receives: the assignment, and facts about the sender.
+    """What the sender gives every worker of the cluster: the assignment, and facts about itself.
 
-    The worker compares its own machine with ``key``, because it must grade under the same
-    conditions as the sender. ``hidden`` contains the hidden checks, and ``home`` is the path of the
-    repository on the sending machine.
+    A worker compares its own machine with ``key``, because it must grade under the same conditions
+    as the sender. ``hidden`` contains the hidden checks, and ``home`` is the path of the repository
+    on the sending machine.
     """
 
     assignment: Assignment
@@ -57,14 +57,14 @@ class Work:
 
     @classmethod
     def of(cls, assignment: Assignment) -> Work:
-        """Put together what the workers need for an assignment."""
+        """Assemble what a cluster's workers need in order to grade an assignment."""
         public = replace(assignment, hidden=None)
         return cls(public, run_key(public), _tree(assignment.hidden))
 
 
 @contextmanager
 def connect(address: str, assignment: Assignment, console: Console) -> Iterator[Client]:
-    """Connect to the scheduler of a cluster, and print how many workers can grade.
+    """Connect to the scheduler of a Dask cluster, and print how many workers can grade.
 
     Raises:
         ValueError: Dask is not installed, the scheduler does not answer, there are no workers, or a
@@ -104,7 +104,7 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
 def grade_over(
     client: Client, assignment: Assignment, submissions: list[Submission]
 ) -> Iterator[StudentReport]:
-    """Grade the submissions on the cluster, and yield each report as soon as it is ready.
+    """Grade a class's submissions on the cluster, and yield each report as soon as it is ready.
 
     Raises:
         ValueError: A worker that joined later would not grade exactly as this machine does.
@@ -138,7 +138,7 @@ def grade_over(
 
 
 def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
-    """Grade a student's submission; Dask calls this on a worker of the cluster.
+    """Grade one student's submission on a worker of the cluster, where Dask calls this function.
 
     Raises:
         ValueError: The worker would not grade exactly as the sending machine does.
@@ -163,7 +163,7 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 def check_worker(work: Work) -> None:
     """Raise ValueError if this worker would not grade exactly as the sending machine does.
 
-    Otherwise a student's grade could depend on which machine happened to compute it.
+    Otherwise a student's grade could depend on the machine that happened to compute it.
     """
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_sandbox)
@@ -191,12 +191,12 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the verdicts that this worker finds once and uses for every submission of a run."""
+    """Return the verdicts that this worker computes once and reuses for every submission."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment, with its paths pointing to this machine's repository."""
+    """Return the assignment, with its paths changed to those of this machine's repository."""
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment
@@ -209,7 +209,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A function call that happens on the worker, when its pickle is loaded."""
+    """A function call that the worker makes when it loads the pickle of this object."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts
@@ -220,16 +220,16 @@ class _Call:
 
 
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
-    """Return a call in a form that Dask can send without importing the autograder.
+    """Return a function call in a form that Dask can send without importing the autograder.
 
     If Dask had to import the autograder, the scheduler would need it as well, and a worker without
-    it would go silent instead of reporting an error.
+    it would fall silent instead of reporting an error.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Read all files in a folder into a dict, to send over the network.
+    """Read all the files in a folder into a dict that can be sent over the network.
 
     If ``folder`` is None, the dict is empty.
     """
@@ -241,9 +241,9 @@ def _tree(folder: Path | None) -> Tree:
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write the files of a tree into a folder.
+    """Write the files that ``_tree`` has read into a folder.
 
-    They are readable by all users, because the student's code may run under another account.
+    All users may read them, because the student's code may run under another account.
     """
     for name, content in tree.items():
         path = folder / name

@@ -172,9 +172,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions of a class, with notes on everything else in its folder.
+    """Find the submissions of a class, and return them with notes on what else is in its folder.
 
-    The reports may go into a folder beside the submissions, but not into a submission.
+    The reports may be written into a folder next to the submissions, but not into a submission.
 
     Raises:
         ValueError: The reports would be written into the class's folder or into a submission.
@@ -194,7 +194,7 @@ def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
 def check_hidden(assignment: Assignment) -> None:
     """Raise ValueError if the folder has no hidden checks, or if our own solution fails one.
 
-    A check that fails on the reference must be wrong, and would cost every student points.
+    A check that fails on our solution must be wrong, and would cost every student points.
     """
     hidden, root = assignment.hidden, assignment.root
     if hidden is None:

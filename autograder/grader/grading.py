@@ -31,10 +31,10 @@ def grade_submission(
     once: OnceForAll | None = None,
     fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
-    """Grade one submission, and return the report, even if the grader itself fails.
+    """Grade one submission and return the report on it, even if the grader itself fails.
 
-    ``once`` holds the verdicts that all submissions share. Normally ``stage`` copies the
-    submission's files; for files on another machine, ``fill`` does that instead.
+    ``once`` holds the verdicts that all submissions share. ``fill`` copies the files of a
+    submission from another machine; without it, ``stage`` copies them from this one.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -57,13 +57,13 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Build the report on a submission that could not be graded."""
+    """Build the report on a submission that could not be graded, with the reason."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes on a submission, including one if it has no file to grade."""
+    """Return the notes on a submission, such as one that says that it has no file to grade."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
@@ -72,7 +72,7 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Return a digest of the files that would be graded, without grading them."""
+    """Return a digest of the files in a submission that would be graded, without grading them."""
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         chapters = load_chapters(assignment.root)
         return stage(submission.path, chapters, Path(folder), assignment.root).digest
@@ -86,7 +86,7 @@ def _all_results(
     box: Path,
     compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
-    """Run each chapter's checks twice, and return both lists of results.
+    """Run each chapter's checks twice, and return the results of both runs.
 
     The first run uses the student's own earlier chapters, and the second takes them from the
     reference. The reports show only the messages of the first run: in the second one, the student's
@@ -123,7 +123,7 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Return whether a student has handed in nothing for this chapter, not even a rejected file."""
+    """Return whether a student has handed in no file for this chapter, not even a rejected one."""
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
     return not (refused or taken)
@@ -132,9 +132,9 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return the cost and error of a submission and of the reference, for the chart.
+    """Return the cost and error of a submission and of our solution, for an exercise's chart.
 
-    Most exercises have no chart, and then the result is None. It is also None for a submission that
+    Most exercises have no chart, and then the result is None. It is also None if the submission
     fails because of an earlier chapter, because only the second run shows which of its checks pass.
     """
     if result.on_chart is None:
@@ -149,7 +149,7 @@ def _chart(
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
     """Build the results of a chapter whose checks could not be run.
 
-    They count as errors of the grader, so that the student does not get a zero.
+    They count as errors of the grader, so that the student does not get a zero for them.
     """
     why = presentable(Message(reason[:500]))
     ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
@@ -188,7 +188,7 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """Return the numbers of the earlier chapters that the student wrote."""
+    """Return the numbers of the earlier chapters that come from the student, not the reference."""
     below = [
         other.number
         for chapter in assignment.chapters

@@ -16,7 +16,7 @@ from autograder.submissions.roster import read_roster
 def people_of(
     submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
 ) -> ClassList:
-    """Return the students of a class, under the names that the reports use.
+    """Match submissions with the roster, and return the students by the names used in reports.
 
     Raises:
         ValueError: The roster or the key file contains a mistake, or ``out`` contains reports with
@@ -31,7 +31,7 @@ def people_of(
 
 
 def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
-    """Read the marks of a class, in which a student may go by any known name.
+    """Read the marks of a class. A student may be entered under any of the names we know.
 
     Raises:
         ValueError: A line is not valid, or a student has two marks for the same exercise.
@@ -42,13 +42,13 @@ def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
 def folder_with_names(out: Path, *, anonymous: bool) -> Path:
     """Return the folder for files that contain students' names.
 
-    For an anonymous class it is outside ``out``, so that ``out`` can be shared.
+    If the class is anonymous, this folder is outside ``out``, so that ``out`` can be shared.
     """
     return out.resolve().with_name(f"{out.resolve().name}-named") if anonymous else out
 
 
 def differences(people: ClassList) -> list[str]:
-    """Describe in sentences how the roster and the submissions differ."""
+    """Say in sentences who is on the roster but handed in nothing, and the reverse."""
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (

@@ -31,10 +31,10 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """Grades one student again, after an earlier run has graded the whole class.
+    """Regrades one student after an earlier run has graded the class.
 
-    The chapters, the seed and the due dates must be those of the class's run, so that the grades
-    remain comparable.
+    The seed, the exercises and their points must be the same as when the class was graded, so that
+    the grades remain comparable.
 
     Raises:
         ValueError: The folder has no earlier run, or the student did not hand anything in.
@@ -57,7 +57,7 @@ class Regrade:
         """The student's report before this regrade, or None if there is none.
 
         If an earlier regrade was killed before it could write the log, this is the report from
-        before that one, so that no change goes unlogged.
+        before that regrade, so that every change is logged.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -80,10 +80,13 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Set up a run that regrades the student, and return the student's submission.
+        """Check that the class was graded under the same conditions, and return the submission.
+
+        Some differences, such as a new version of the grader, are allowed, but the user is told of
+        them.
 
         Raises:
-            ValueError: The exercises or the checks are not those of the class.
+            ValueError: The exercises, their points or the hidden checks are not those of the class.
         """
         run.keeps_reports = False
         differing = self._differing(run.key)
@@ -113,7 +116,7 @@ class Regrade:
     def finish(
         self, graded: Sequence[StudentReport], why: str, console: Console
     ) -> list[StudentReport]:
-        """Log what has changed, and return the reports of the whole class."""
+        """Log how the student's scores have changed, and return the reports of the whole class."""
         (report,) = graded
         console.print(self._log(report, why), markup=False)
         self.kept.unlink(missing_ok=True)
@@ -121,13 +124,13 @@ class Regrade:
         return sorted([*others, report], key=lambda one: one.student)
 
     def _differing(self, key: RunKey) -> list[str]:
-        """Return which conditions have changed since the class was graded."""
+        """Return which grading conditions, such as the checks, are not those of the class's run."""
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]
         return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]
 
     def _log(self, report: StudentReport, why: str) -> str:
-        """Add a row to regrades.csv, and return a sentence about what has changed."""
+        """Add a row to regrades.csv, and return a sentence on how the scores have changed."""
         before, after = _points(self.before), _points(report)
         changes = "; ".join(_changes(self.before, report))
         path = self.out / LOG
@@ -144,7 +147,7 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return the chapters and the given chapters of an earlier run, as command-line options.
+    """Return an earlier run's chapters and given chapters, written as options such as "2,3".
 
     Raises:
         ValueError: There is no earlier run.

@@ -1,6 +1,6 @@
 """Describe the conditions of grading, such as the checks and the seed.
 
-A report stays valid for as long as they stay the same.
+A report stays valid for as long as these conditions stay the same.
 """
 
 from __future__ import annotations
@@ -17,9 +17,10 @@ from autograder.reports.report import RunKey
 
 
 def run_key(assignment: Assignment) -> RunKey:
-    """Return everything that a report depends on, except for the submission itself.
+    """Return a description of everything besides the submission that a report depends on.
 
-    If any of it changes, the report is no longer valid.
+    That includes the checks, the grader and the seed. If any of them changes, the report is no
+    longer valid.
     """
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]
@@ -45,7 +46,7 @@ def run_key(assignment: Assignment) -> RunKey:
 
 
 def grader_digest() -> str:
-    """Return a digest of the autograder's code, which identifies its version."""
+    """Return a digest of the autograder's source code, which changes with every edit to it."""
     return _digest((ROOT / "autograder").rglob("*.py"))
 
 

@@ -10,7 +10,7 @@ from types import CodeType, ModuleType
 
 
 class CompiledLoader(SourceFileLoader):
-    """Loads a module from compiled code in memory, just as Python's own loader would."""
+    """Loads a module from compiled code in memory, much as Python loads one from a .pyc file."""
 
     def __init__(self, name: str, path: str, code: CodeType) -> None:
         super().__init__(name, path)
@@ -21,10 +21,10 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds modules of the engine and the probes whose code is already compiled.
+    """Finds the modules of the engine and the probes that have already been compiled.
 
-    ``compiled`` holds the marshaled code of each module. Unmarshaling it is safe, because none of
-    it runs until a worker imports the module.
+    ``compiled`` holds each module's marshaled code. Unmarshaling it is safe, because the code does
+    not run until a worker imports the module.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

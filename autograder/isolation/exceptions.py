@@ -20,14 +20,14 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Return the name of an error's nearest base class that can be sent to a worker."""
+    """Return the name of an exception's nearest base class that a worker can recreate."""
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
 
 def exception_of(data: Any) -> BaseException:
-    """Recreate the student's exception from the data that a worker sent.
+    """Recreate an exception of the student's code from the data that a worker sent.
 
-    Its attribute ``fault`` describes the exception as it was in the worker.
+    Its attribute ``fault`` describes the original exception in the worker.
     """
     try:
         frames = [
@@ -57,7 +57,7 @@ def exception_of(data: Any) -> BaseException:
 
 
 class WordedKeyError(KeyError):
-    """A KeyError that shows its text without the quotes that Python adds."""
+    """A KeyError whose text is shown as is, without the quotes that Python would add."""
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -67,7 +67,7 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Return the missing name behind an exception, or None if it has another cause."""
+    """Return the missing name that caused an exception, or None if it has another cause."""
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
@@ -76,7 +76,7 @@ def _unknown(data: Any) -> Unknown | None:
 
 
 def text_of_worker(value: Any, longest: int) -> str:
-    """Cut a text from the worker to ``longest`` characters, and escape its special characters."""
+    """Cut a text that a worker sent to ``longest`` characters, and escape the special ones."""
     if type(value) is not str:
         raise BrokenProtocolError("a value that is not a text")
     return clean(value[:longest])

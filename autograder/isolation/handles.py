@@ -25,13 +25,13 @@ BROKEN = "the code broke the protocol between its process and the checks"
 
 
 class WorkerFailure(CheckEnded):
-    """Raised when the worker has ended or has sent something invalid."""
+    """Raised when the worker process has died or has sent something invalid."""
 
 
 class Session:
-    """The conversation with one worker process, from start to end.
+    """A conversation with one worker process: the checks send requests, and the worker answers.
 
-    ``broken`` maps the modules that cannot be imported to the reasons.
+    ``broken`` maps each module that cannot be imported to the reason.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Session:
             self._fail(Message(f"{BROKEN}: {error}"))
 
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Send a request, answer the callbacks that it causes, and return the reply."""
+        """Send a request, answer any callbacks from the worker meanwhile, and return its reply."""
         try:
             self.wire.send(message, self.deadline)
             while "callback" in (reply := self._receive()):
@@ -91,7 +91,7 @@ class Session:
     def _receive(self) -> dict[str, Any]:
         """Return the next message from the worker process.
 
-        If a busy machine left the worker too little processor time, wait once more.
+        If the worker got too little processor time because the machine was busy, wait once more.
 
         Raises:
             TimeoutError: No message arrives in time.
@@ -116,7 +116,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Build the message for a check that uses a name that does not exist."""
+        """Build the message for a check that uses a name the student's module does not define."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -124,9 +124,9 @@ class Session:
         return why or MissingName(module, name, near, data[3] is True).explain()
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Call one of the check's functions on behalf of the student's code.
+        """Call one of the check's functions, because the student's code has called it.
 
-        If the function raises an Exception, send it to the worker. Anything else that it raises
+        If the function raises an Exception, pass it on to the worker. Anything else that it raises
         ends the session.
         """
         number = message["callback"]
@@ -166,7 +166,7 @@ class Session:
 
 
 class Handle:
-    """An object in the checks' process that stands in for one of the student's objects."""
+    """Stands in for one of the student's objects, which lives in a worker process."""
 
     __slots__ = ()
 
@@ -182,7 +182,7 @@ class Handle:
         return self._session().ask("get", self, name)
 
     def get_together(self, names: list[str]) -> tuple[Any, ...]:
-        """Return the values of several attributes in one go, because every request takes time."""
+        """Return the values of several attributes with a single request, which saves time."""
         values = self._session().ask("get_together", self, names)
         if type(values) is not tuple or len(values) != len(names):
             raise WorkerFailure(Message(f"{BROKEN}: attributes that are not valid"))

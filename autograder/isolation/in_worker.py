@@ -38,7 +38,7 @@ CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
 
 class InWorker:
-    """Runs the student's modules in workers, each of which imports them afresh."""
+    """Runs the student's code in sandboxed workers, each of which imports the modules afresh."""
 
     session: Session | None = None
 
@@ -70,9 +70,9 @@ class InWorker:
         self.broken: dict[str, Message] = {}
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Provide placeholders to the checks that import chapters.
+        """Provide placeholders for the chapters that the checks import.
 
-        The student's modules are imported later, in the workers.
+        The student's modules themselves are imported later, in the workers.
         """
         threading.Thread(target=_exit_with_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
@@ -81,7 +81,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that the checks avoid the others."""
+        """Find out which of the student's modules cannot be imported, and mark them as broken."""
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
@@ -94,7 +94,7 @@ class InWorker:
         self.stop()
 
     def _files(self) -> dict[str, Path]:
-        """Return the paths of all modules that the checks of this chapter may need."""
+        """Return the paths of all the modules that this chapter's checks may need."""
         packages = {module.partition(".")[0] for module in self.modules}
         found: dict[str, Path] = {}
         for folder in [*self.engine, self.probes]:
@@ -104,7 +104,7 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the compiled code of a file, compiling it only if no earlier run did."""
+        """Return a file's compiled code, reusing that of an earlier run if there is one."""
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -117,7 +117,7 @@ class InWorker:
         return code
 
     def _compile(self, module: str, file: Path) -> bytes | None:
-        """Compile a file once for all workers, in a worker that has not run any student code."""
+        """Compile a file for all workers, in a worker that has not yet run any student code."""
         if module in self.modules:
             self.send(Importing(module))
         code = None
@@ -145,7 +145,7 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that a file defines, or None if the worker cannot tell."""
+        """Return the names that a student's file defines, or None if the worker cannot tell."""
         if self.session is None or self.session.dead:
             return None
         try:
@@ -156,9 +156,9 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return the session with the current worker, and reset its time limit.
+        """Return the session with the current worker, and restart its time limit.
 
-        If ``new`` is set or the current worker is gone, start another one first.
+        If there is no current worker, or ``new`` is set, start a new one first.
         """
         if new or self.session is None or self.session.dead:
             self.start()
@@ -167,7 +167,7 @@ class InWorker:
         return self.session
 
     def start(self) -> None:
-        """Start a worker process for a check.
+        """Start a worker process in which to run the student's code for one check.
 
         Raises:
             TemplateError: The worker did not start.
@@ -177,14 +177,14 @@ class InWorker:
             self.session.ask("begin", list(self.broken))
 
     def stop(self) -> str:
-        """End the worker process, and return what the student's code printed in it."""
+        """End the worker process, and return what the student's code printed while it ran."""
         printed = self.template.printed() if self.session else ""
         self.session = None
         self.template.stop_worker()
         return printed
 
     def _on_hang(self) -> NoReturn:
-        """Write a stack trace for the runner, and exit. The runner then starts a new process."""
+        """Write a stack trace for the runner, and exit. The runner then starts another process."""
         self.stack_file.write_text(
             self.template.stack() or "the worker wrote no stack", encoding="utf-8"
         )
@@ -192,7 +192,7 @@ class InWorker:
 
 
 class Name(Handle):
-    """A placeholder for a name in a student's module, such as Vector3. It works with any worker."""
+    """A placeholder for a name in a student's module, such as Vector3, for use with any worker."""
 
     __slots__ = ("_module", "_name", "_workers")
 
@@ -212,7 +212,7 @@ class Name(Handle):
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Handles imports of chapters: chNN_name is a package of modules full of placeholders."""
+    """Handles imports of chapters: chNN_name becomes a package whose modules hold placeholders."""
 
     def __init__(self, workers: InWorker) -> None:
         self.workers = workers
@@ -233,11 +233,11 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Do nothing, because the module's code runs only in workers."""
+        """Do nothing, because the module's code runs only in the workers."""
 
 
 class ChapterModule(ModuleType):
-    """A module that holds placeholders during collection, and real objects during a check."""
+    """A student's module as the checks see it: placeholders, or real values during a check."""
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)
@@ -252,7 +252,7 @@ class ChapterModule(ModuleType):
 
 
 def _exit_with_parent() -> None:
-    """Exit as soon as standard input closes, because that means the runner has ended."""
+    """Exit as soon as standard input closes, which means that the runner has ended."""
     while os.read(0, 1024):
         pass
     os._exit(1)

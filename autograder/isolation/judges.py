@@ -26,7 +26,7 @@ Order = dict[str, Any]
 
 
 class Judges:
-    """The process that waits for orders and forks a judge for each of them."""
+    """The process that has already imported pytest and forks a judge for each order."""
 
     def __init__(self, environment: dict[str, str]) -> None:
         self._control, theirs = socket.socketpair()
@@ -42,9 +42,9 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order to the waiting process, along with some open files.
+        """Send an order to the waiting process, together with the descriptors of some open files.
 
-        The answer is normally the process number of the new judge. If the order was to wait for a
+        The answer is normally the process number of the new judge. If the order asked to wait for a
         judge, it is that judge's exit code.
         """
         data = json.dumps(order).encode() + b"\n"
@@ -53,14 +53,14 @@ class Judges:
         return int(self._answers.readline())
 
     def close(self) -> None:
-        """End the waiting process. Each judge ends when its own input closes."""
+        """End the waiting process. Each running judge ends later, when its input closes."""
         self._answers.close()
         self._control.close()
         self._process.wait()
 
 
 class ForkedJudge:
-    """A forked judge, which the runner can use like a Popen object.
+    """A forked process that runs checks, with the interface of a Popen object.
 
     Raises:
         OSError: The waiting process cannot start a judge.
@@ -81,12 +81,12 @@ class ForkedJudge:
             os.close(their_output)
 
     def wait(self) -> int:
-        """Wait until the judge has ended, and return its exit code."""
+        """Wait for the judge to end, and return its exit code."""
         return _ask({"wait": self.pid}, [])
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Send an order to the waiting process, starting that process first if necessary."""
+    """Send an order to the process that forks judges, after starting it if necessary."""
     own = os.getpid()
     with _lock:
         if own not in _waiting:
@@ -99,7 +99,7 @@ def _ask(order: Order, descriptors: list[int]) -> int:
 
 
 def main() -> None:
-    """Fork a judge for each order, until the control socket closes."""
+    """Fork a judge for each order that arrives, until the control socket closes."""
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting
@@ -139,10 +139,10 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Make this forked process look as if it had been started for ``order``.
+    """Make this forked process behave as if it had been started for ``order``.
 
-    It takes on the folder and the environment of the order, and ``descriptors`` become its input,
-    output and error stream.
+    It adopts the working folder and the environment named in the order, and uses ``descriptors`` as
+    its standard streams.
     """
     os.setpgid(0, 0)
     for new, old in enumerate(descriptors):

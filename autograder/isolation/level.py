@@ -13,7 +13,7 @@ SAMPLE_CLASS = ROOT / "sample_class"
 
 
 def choose_level(folder: Path, *, unsafe: bool) -> Level:
-    """Return the strongest sandbox that works on this machine.
+    """Return the strongest sandbox for student code that works on this machine.
 
     Raises:
         ValueError: No sandbox works, and ``unsafe`` does not permit grading without one.

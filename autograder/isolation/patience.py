@@ -14,7 +14,7 @@ ENOUGH = 0.5  # a worker that had this part of the time limit on a processor get
 
 
 class Patience:
-    """The extra time that a worker may get, but only once.
+    """Extra time for a worker that a busy machine has slowed down, granted at most once.
 
     ``process`` is the process number of the worker, and ``seconds`` is the time limit. Inside a
     bubblewrap sandbox, processes are numbered differently, so we cannot tell how much processor
@@ -26,14 +26,14 @@ class Patience:
         self.seconds = seconds
 
     def more(self) -> float:
-        """Return how many more seconds the worker gets. After the first call, the answer is 0."""
+        """Return how many extra seconds the worker gets. After the first call, the answer is 0."""
         used = processor_time(self.process)
         self.process = 0
         return self.seconds - used if used < ENOUGH * self.seconds else 0.0
 
 
 def processor_time(process: int) -> float:
-    """Return the processor time that a process has used, in seconds, or inf if it is unknown."""
+    """Return the processor time a process has used, in seconds, or inf if it is unknown."""
     try:
         text = Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
         user, system = text.rpartition(")")[2].split()[11:13]  # its name may contain anything

@@ -18,12 +18,12 @@ HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network"
 
 
 def best_level() -> Level:
-    """Return the strongest sandbox that prevents all of the forbidden operations."""
+    """Return the strongest sandbox that really prevents every operation it should prevent."""
     return next((level for level in candidates() if not what_fails(level)), Level())
 
 
 def candidates() -> list[Level]:
-    """Return the kinds of sandbox that may work on this machine, strongest first."""
+    """Return the kinds of sandbox to try on this machine, strongest first."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     found = [around, inside] if shutil.which("bwrap") else [inside]
@@ -31,10 +31,9 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Try a sandbox, and name the forbidden operations that it fails to prevent.
+    """Test a sandbox, and name the forbidden operations that it fails to prevent.
 
-    If it cannot even be started, return the reason. If it prevents all of them, return an empty
-    string.
+    Return the reason if the sandbox cannot be started, and an empty string if it passes.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

@@ -33,7 +33,7 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True)
 class Level:
-    """The layers of the sandbox in which a student's code runs."""
+    """Which layers of the sandbox are used to confine a student's code."""
 
     landlock: bool = False
     seccomp: bool = False
@@ -41,7 +41,7 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """Whether these layers are enough to hold even a hostile submission."""
+        """Whether these layers are enough to contain even a hostile submission."""
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
@@ -68,7 +68,7 @@ _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the Landlock version that the kernel supports, or 0 if it has no Landlock."""
+    """Return the Landlock version that the kernel supports, or 0 if it does not support any."""
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))
@@ -77,7 +77,7 @@ def landlock_version() -> int:
 def landlock_rules(readable: Sequence[str]) -> int:
     """Create Landlock rules that let a worker read these files and folders, and nothing else.
 
-    Return the file descriptor of the rules.
+    Return the file descriptor that stands for the rules.
 
     Raises:
         SandboxError: The kernel does not accept the rules.
@@ -127,7 +127,7 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Create a filter that allows only the listed system calls and fails all others with EPERM."""
+    """Create a seccomp filter that fails every system call with EPERM unless it is listed."""
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -143,7 +143,7 @@ def seccomp_filter() -> bytes:
 
 
 class Filter:
-    """The seccomp filter in the form that the kernel expects. All workers share one object."""
+    """A seccomp filter in the format that the kernel expects. All workers share one object."""
 
     def __init__(self) -> None:
         code = seccomp_filter()
@@ -153,7 +153,7 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return whether this machine has the processor architecture that our filter is for."""
+    """Return whether our seccomp filter is made for this machine's processor architecture."""
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -172,9 +172,9 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Restrict a template process for good. All of its workers inherit the restrictions.
+    """Permanently restrict a template process. All of its workers inherit the restrictions.
 
-    ``rules`` is the descriptor from ``landlock_rules``.
+    ``rules`` is the file descriptor that ``landlock_rules`` returned.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -196,8 +196,8 @@ def confine(level: Level, rules: int | None) -> None:
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
     """Permanently take away a worker's right to fork and to send signals.
 
-    Only the template needs those rights. ``seconds`` is the processor time that the worker may use
-    from now on.
+    Only the template needs those rights. ``seconds`` is how much processor time the worker may
+    still use.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -219,7 +219,7 @@ def _apply(rules: int) -> None:
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:
-    """Set a resource limit, unless it is already lower than that."""
+    """Lower a resource limit to this value, unless it is already lower."""
     _, there = resource.getrlimit(kind)
     if there != resource.RLIM_INFINITY:
         soft, hard = min(soft, there), min(hard, there)
@@ -229,9 +229,9 @@ def _lower(kind: int, soft: int, hard: int) -> None:
 def drop_privileges() -> None:
     """If this process runs as root, switch to an unprivileged user.
 
-    One of root's rights must stay: the process may still read any file, because Python may be
-    installed in a folder that only root can read, such as /root. Landlock then limits that right to
-    the listed folders.
+    It keeps one of root's privileges: it may read any file, because Python may be installed in a
+    folder that only root can read, such as /root. Landlock then restricts reading to the listed
+    folders.
     """
     if os.geteuid() != 0:
         return

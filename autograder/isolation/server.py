@@ -34,7 +34,7 @@ _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
 
 class Server:
-    """Answers the checks' requests about the student's objects, each of which has a number."""
+    """Answers the checks' requests about the student's objects, which it keeps by number."""
 
     def __init__(self, wire: Wire, engine: list[Path]) -> None:
         self.wire = wire
@@ -43,13 +43,13 @@ class Server:
         self.numbers: dict[int, int] = {}
 
     def serve(self) -> None:
-        """Answer requests until the checks close the wire."""
+        """Answer requests from the checks until they close the wire."""
         with contextlib.suppress(EOFError, BrokenPipeError):
             while True:
                 self.answer(self.wire.receive())
 
     def answer(self, request: dict[str, Any]) -> None:
-        """Carry out one request, and send the result back."""
+        """Carry out one request from the checks, and send back the result."""
         reply: dict[str, Any] = {"id": request["id"]}
         try:
             operands = [unpack(operand, self.find) for operand in request["with"]]
@@ -64,7 +64,7 @@ class Server:
         self.wire.send(reply)
 
     def describe(self, error: BaseException) -> dict[str, Any]:
-        """Describe an exception as plain data, from which the checks can recreate it."""
+        """Describe an exception as plain data, so that the checks' process can recreate it."""
         # We compare classes and not names, since a student's class may be called ValueError.
         known = (_KNOWN.get(base) for base in type(error).__mro__)
         fault = fault_of(error, self.engine)
@@ -79,10 +79,10 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Return a reference to an object, under a new number if the object is new.
+        """Return a reference to an object, giving the object a number if it has none yet.
 
-        Numbered objects stay in a list, which also keeps them alive. Otherwise Python could later
-        give the same id to another object.
+        Numbered objects are kept in a list, and so they stay alive. Otherwise Python could later
+        give the id of one to another object.
         """
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):
@@ -90,7 +90,7 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that a reference stands for, or a function if it is a callback."""
+        """Return the object that a reference stands for; for a callback, that is a function."""
         if "object" in data:
             return self.objects[data["object"]]
         if "callback" in data:
@@ -98,7 +98,7 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Return a function that has the checks' process call its function ``number``."""
+        """Return a function that asks the checks' process to call its function ``number``."""
 
         def call(*arguments: Any) -> Any:
             packed = [pack(argument, self.refer) for argument in arguments]
@@ -117,14 +117,14 @@ class Server:
     # The requests. Each method's name is "do_" and the name of its request.
 
     def do_begin(self, broken: list[str]) -> None:
-        """Mark these modules as broken. Only the checks know the reasons."""
+        """Mark these modules as broken. The worker is not told why."""
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
 
     def do_compile(self, file: str) -> str | None:
-        """Compile a file, and return its bytecode as text.
+        """Compile one of the student's files, and return its bytecode as text.
 
-        Return None if the file is not valid Python or the text would be too long to send.
+        Return None if the file is not valid Python, or if the text would be too long to send.
         """
         try:
             code = marshal.dumps(compile(Path(file).read_bytes(), file, "exec", dont_inherit=True))
@@ -133,7 +133,7 @@ class Server:
         return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
 
     def do_definitions(self, file: str) -> list[str] | None:
-        """Return the names that a file defines, or None if the file cannot be read."""
+        """Return the names that a student's file defines, or None if the file cannot be read."""
         found = read_definitions(Path(file))
         return None if found is None else sorted(found)
 
@@ -167,7 +167,7 @@ class Server:
         return iter(value)
 
     def do_next(self, iterator: Any) -> list[Any]:
-        """Return the next item of an iterator in a list, or an empty list at its end."""
+        """Return a list with the next item of an iterator, or an empty list if it has ended."""
         for item in iterator:
             return [item]
         return []
@@ -179,7 +179,7 @@ class Server:
         return str(repr(value))[:1000]
 
     def do_test_walls(self, what: list[str], forbidden: str) -> list[str]:
-        """Try some forbidden operations, and return the ones that the sandbox let through.
+        """Try some forbidden operations, and return the ones that the sandbox did not prevent.
 
         At this point the worker has not loaded any student code.
         """
@@ -192,7 +192,7 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Import a module, discarding its output, which does not belong to any check."""
+    """Import a student's module, discarding what it prints, since that is not part of any check."""
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)
@@ -220,6 +220,6 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
 
 
 def _error(name: str, text: str) -> Exception:
-    """Create a built-in exception of this name, so that the student's code can catch it."""
+    """Create a built-in exception by name, so that the student's code can catch it."""
     kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
     return kind(text)

@@ -31,7 +31,7 @@ _waiting: list[socket.socket] = []
 
 
 def start_waiting() -> None:
-    """Start the process that forks templates, on systems that can send orders as whole packets."""
+    """Start the process that forks templates, on systems whose sockets keep messages whole."""
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
@@ -50,8 +50,8 @@ def start_waiting() -> None:
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
     """Have the waiting process fork a template. Return False if there is no such process.
 
-    ``control`` is the template's end of its control socket, and ``log`` is the descriptor that
-    receives the template's output.
+    ``control`` is the template's end of its control socket, and ``log`` is the file descriptor to
+    which the template's output goes.
     """
     for waiting in _waiting:
         with contextlib.suppress(OSError):
@@ -63,7 +63,7 @@ def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> b
 def start_process(
     config: dict[str, Any], level: Level, control: socket.socket, log: int
 ) -> subprocess.Popen[bytes]:
-    """Start a template as a new Python process, inside bubblewrap if the level says so."""
+    """Start a template as a new Python process, inside bubblewrap if ``level`` says so."""
     command = _python("main", json.dumps({**config, "control": control.fileno()}))
     if level.bubblewrap:
         visible = [*config["readable"], command[0], str(ROOT / "autograder")]
@@ -80,7 +80,7 @@ def start_process(
 
 
 def python_folders() -> list[str]:
-    """Return the folders of the standard library and of the libraries that Python itself needs."""
+    """Return the folders of the standard library and of the shared libraries that Python needs."""
     paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
     if library := sysconfig.get_config_var("LIBDIR"):
         paths |= {str(path) for path in Path(library).glob("libpython*")}
@@ -88,14 +88,14 @@ def python_folders() -> list[str]:
 
 
 def _python(function: str, argument: str) -> list[str]:
-    """Return the command that calls a function of ``worker`` in a new Python process."""
+    """Return the command line that calls a function of ``worker`` in a new Python process."""
     code = f"import sys; sys.path.append({str(ROOT)!r}); "
     code += f"from autograder.isolation import worker; worker.{function}(sys.argv[1])"
     return [os.path.realpath(sys.executable), "-I", "-S", "-B", "-c", code, argument]
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Return the bubblewrap command for a program that may read only these paths."""
+    """Return the bubblewrap command in front of a program that may read only these paths."""
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]

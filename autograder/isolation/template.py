@@ -35,7 +35,7 @@ END_LIMIT = 1.0  # seconds for it to end
 
 
 class TemplateError(GraderFault):
-    """Raised when a worker did not start, through no fault of the student's code."""
+    """Raised when a worker did not start for a reason unrelated to the student's code."""
 
 
 @dataclass
@@ -87,9 +87,9 @@ class Template:
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
     ) -> Session:
-        """Return a session with a worker that has not run anything, and order the next one.
+        """Return a session with a worker that has not run anything yet, and order the next worker.
 
-        ``broken`` maps the modules that cannot be imported to the reasons.
+        ``broken`` maps each module that cannot be imported to the reason.
 
         Raises:
             TemplateError: The worker did not start.
@@ -110,14 +110,14 @@ class Template:
         return Session(wire, deadline, on_hang, self.how_it_ended, broken, patience)
 
     def warm_up(self) -> None:
-        """Order the next worker unless that has been done, without waiting for it."""
+        """Order the next worker, unless it has been ordered already, without waiting for it."""
         if self._control is None:
             self._start()
         if self._next is None:
             self._next = self._order()
 
     def _order(self) -> _Worker:
-        """Ask the template for a worker. It will answer with the worker's process number."""
+        """Ask the template to fork a worker. It will answer with the worker's process number."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         worker = _Worker(own, self._new_file(), self._new_file())
@@ -127,7 +127,7 @@ class Template:
         return worker
 
     def _new_file(self) -> int:
-        """Create a file without a name, in memory if possible, and return its descriptor."""
+        """Create an unnamed temporary file, in memory if possible, and return its descriptor."""
         if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
             return os.memfd_create("output")
         descriptor, path = tempfile.mkstemp(dir=self._own)
@@ -135,7 +135,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, once its process number is known."""
+        """Return the worker that was ordered in advance, after waiting for its process number."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -146,9 +146,9 @@ class Template:
         return self._answers.readline().strip()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Give the compiled code of some modules to every worker that starts from now on.
+        """Give the compiled code of some modules to all workers that start from now on.
 
-        The code was compiled and marshaled by a worker.
+        That code was compiled and marshaled by a worker.
         """
         self._compiled = dict(compiled)
         if self._control is not None:
@@ -174,13 +174,13 @@ class Template:
             self._control.send(b"stop %d\n" % worker.number)
 
     def printed(self) -> str:
-        """Return what the worker has printed or, if there is no worker, the template's output."""
+        """Return what the worker has printed, or the template's own output without a worker."""
         log = self._log if self._worker is None else self._worker.log
         printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
         return printed.decode("utf-8", errors="replace").strip()
 
     def stack(self) -> str:
-        """Return the worker's stack trace, as Python's faulthandler writes it."""
+        """Return the stack trace that Python's faulthandler wrote for the worker."""
         assert self._control is not None
         assert self._worker is not None
         self._control.send(b"stack %d\n" % self._worker.number)
@@ -192,7 +192,7 @@ class Template:
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Say in a sentence how a worker that has closed its wire ended.
+        """Say in a sentence how a worker that has closed its wire came to an end.
 
         Raises:
             TemplateError: The worker was killed from outside, perhaps because the machine ran out
@@ -217,7 +217,7 @@ class Template:
         return how_it_ended(code)
 
     def stop_worker(self) -> None:
-        """End the current worker process, if there is one."""
+        """End the current worker process, if one is running."""
         if self._worker is None:
             return
         worker, self._worker = self._worker, None
@@ -226,7 +226,7 @@ class Template:
             self._end()
 
     def close(self) -> None:
-        """End the template process and its worker."""
+        """End the template process and its current worker."""
         self.stop_worker()
         self._end()
         os.close(self._log)

@@ -35,11 +35,11 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """Raised when the other end sends a message that the protocol does not allow."""
+    """Raised when the process at the other end sends a message that breaks the protocol."""
 
 
 class UnsendableError(Exception):
-    """Raised when a value is too large or too deeply nested to be sent."""
+    """Raised when a value is too large or too deeply nested to be sent over the wire."""
 
 
 COPIED = {float, bool, str, type(None)}  # types of values that are packed as they are
@@ -49,10 +49,10 @@ _DECODER = json.JSONDecoder()
 
 
 class Wire:
-    """One end of the connection between the checks and a worker, which is a socket.
+    """One end of the socket that connects the checks with a worker.
 
-    A worker's end is ``patient``: it waits for the next request for as long as that takes. The
-    checks' end obeys deadlines, because the student's code may never answer.
+    The worker's end is ``patient``: it waits for the next request as long as necessary. The checks'
+    end has deadlines, because the student's code may never answer.
     """
 
     def __init__(self, descriptor: int, *, patient: bool = False) -> None:
@@ -65,11 +65,11 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message to the other end.
+        """Send a message to the process at the other end of the wire.
 
         Raises:
             TimeoutError: The deadline has passed.
-            OSError: The other end is gone.
+            OSError: The other process is gone.
         """
         data = memoryview(_ENCODER.encode(message).encode() + b"\n")
         while data:
@@ -79,11 +79,11 @@ class Wire:
                 self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
-        """Return the next message from the other end.
+        """Return the next message from the process at the other end of the wire.
 
         Raises:
             TimeoutError: The deadline has passed.
-            EOFError: The other end is gone.
+            EOFError: The other process is gone.
             BrokenProtocolError: The line is too long, or it is not a JSON object.
         """
         if deadline is not None and time.monotonic() > deadline:
@@ -113,7 +113,7 @@ class Wire:
 
 
 def _message(line: bytes) -> dict[str, Any]:
-    """Decode a line from the other end into a message."""
+    """Decode a line received over the wire into a message."""
     try:
         text = line.decode()
         message, end = _DECODER.raw_decode(text)
@@ -127,7 +127,7 @@ def _message(line: bytes) -> dict[str, Any]:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert a value to the form in which it can be sent.
+    """Convert a value to the form in which it is sent over the wire.
 
     ``refer`` is called for every object that is not plain data, and returns a reference to it.
 
@@ -162,9 +162,9 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Convert the data in a message back into the value that was sent.
+    """Convert data received over the wire back to the value that was packed.
 
-    ``find`` is called for every reference in the data, and returns the object.
+    ``find`` is called for every reference in the data, and returns the object it stands for.
 
     Raises:
         BrokenProtocolError: The data does not have the form that ``pack`` produces.

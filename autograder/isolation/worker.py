@@ -48,9 +48,9 @@ RULES, WIRE, STACK = 29, 30, 31
 
 
 def start_templates(number: str) -> None:
-    """Fork a template for each order on a socket, until nobody is left to send one.
+    """Fork a template for each order that arrives on a socket, until all senders have closed it.
 
-    ``number`` is the socket's descriptor.
+    ``number`` is the socket's file descriptor.
     """
     orders = socket.socket(fileno=int(number))
     _preload()
@@ -83,12 +83,12 @@ def _preload() -> None:
 
 
 def main(text: str) -> None:
-    """Run the template that this process was started for. ``text`` is its configuration."""
+    """Run the template for which this process was started, given its configuration as text."""
     run_template(json.loads(text))
 
 
 def run_template(config: dict[str, Any]) -> None:
-    """Fork workers on request until the control socket is closed."""
+    """Fork a worker whenever one is ordered, until the control socket is closed."""
     # The number of this descriptor depends on the files that the runner has open. We replace it by
     # a low one, because that cannot be one of the numbers above, and because workers close it.
     control = socket.socket(fileno=os.dup(config["control"]))
@@ -127,7 +127,7 @@ def _obey(
 ) -> None:
     """Carry out orders such as "start" as they arrive, until the control socket closes.
 
-    ``workers`` always contains the process numbers of the running workers.
+    ``workers`` is kept up to date with the process numbers of the running workers.
     """
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
@@ -161,7 +161,7 @@ def _obey(
 def _kill(worker: int) -> None:
     """Kill a worker, along with any processes that it has started.
 
-    It can have started some only if there is no sandbox.
+    It can have started processes only if there is no sandbox.
     """
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
@@ -172,7 +172,7 @@ def _kill(worker: int) -> None:
 def _exit_code(worker: int, seconds: float) -> int | None:
     """Return the exit code of a worker that has closed its wire, or minus the signal that ended it.
 
-    Kill a worker that does not end within a second, and return None.
+    If the worker does not end within a second, kill it and return None.
     """
     for _ in range(100):
         ended, status, used = os.wait4(worker, os.WNOHANG)

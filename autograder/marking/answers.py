@@ -23,10 +23,10 @@ LONGEST = 20_000  # the page shows at most this many characters of an answer
 
 @dataclass(frozen=True)
 class Answer:
-    """One student's answer to a question.
+    """One student's written answer to a question, ready to be marked.
 
-    The page shows ``code`` in place of the student's name. If something is wrong with the student's
-    file, ``note`` says what, and ``text`` is the whole file.
+    The page shows ``code`` instead of the student's name. If something is wrong with the student's
+    answers.md, ``note`` says what it is, and ``text`` is the whole file.
     """
 
     student: str
@@ -37,7 +37,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Task:
-    """A written exercise to mark: its model answer, its rubric and the students' answers."""
+    """A written exercise to mark, with its model answer, its rubric and the students' answers."""
 
     exercise: Exercise
     question: str
@@ -49,10 +49,10 @@ class Task:
 def collect_tasks(
     submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
 ) -> list[Task]:
-    """Return the written exercises of some chapters, with the answers of all students.
+    """Return the written exercises of these chapters, each with the answers of all students.
 
-    The order does not depend on the names, so that nobody can guess from it who wrote an answer. It
-    is the same on every call, with missing answers last.
+    The answers are in an order that does not depend on the students' names, so that it does not
+    give away who wrote what. The order is the same on every call, and missing answers come last.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
@@ -73,7 +73,7 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield the student's answer to each question, with an empty text if it is missing."""
+    """Yield a student's answer to each question. The text of a missing answer is empty."""
     wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
     with tempfile.TemporaryDirectory(prefix="marking-") as folder:
         staged = stage(submission.path, wanted, Path(folder), root)
@@ -89,8 +89,8 @@ def _answers_of(
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
     """Return the text of an answer, and a note if something is wrong with the student's file.
 
-    If the answer is not in its section, return the whole file, because the answer may be elsewhere
-    in it.
+    If its section has problems, such as a duplicate heading, return the whole file, because the
+    answer may be elsewhere in it.
     """
     if not file.exists():
         return "", ""
@@ -109,7 +109,7 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of the chapter in which students hand in nothing but answers.md."""
+    """Return a copy of the chapter in which answers.md is the only file that students hand in."""
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])
     return replace(chapter, complete=[], exercises=exercises)

@@ -15,11 +15,11 @@ from autograder.reports.texts import replace_file
 
 
 class ChangedError(Exception):
-    """Raised when somebody else has changed a mark since the page displayed it."""
+    """Raised when somebody else has changed a mark since the marking page displayed it."""
 
 
 class MarksFile:
-    """The marks.csv of a class, which several people may be changing at once."""
+    """The marks.csv of a class, which several people may be editing at the same time."""
 
     def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
         self.path = path.resolve()  # the file itself, if the path is a link
@@ -27,14 +27,14 @@ class MarksFile:
         self.students = students
 
     def read(self) -> Marks:
-        """Read all marks. If a line is invalid, raise a ValueError with its number."""
+        """Read all marks from the file. For an invalid line, raise ValueError with its number."""
         return read_marks(self.path, self.chapters, self.students)
 
     def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
-        """Write a mark into the file, or delete the old one if ``mark`` is None.
+        """Write a mark into marks.csv, or delete the existing one if ``mark`` is None.
 
-        ``seen`` is the old mark that the page displayed. We compare it with the one in the file, so
-        that nobody overwrites a mark unseen.
+        ``seen`` is the old mark that the page displayed. It must match the one in the file, so that
+        nobody overwrites a mark without having seen it.
 
         Raises:
             ChangedError: The old mark in the file differs from ``seen``.
@@ -59,7 +59,7 @@ class MarksFile:
             replace_file(self.path, "".join(lines))
 
     def _lines(self) -> list[str]:
-        """Return the lines of the file with their line endings, numbered as in ``read_rows``."""
+        """Return the lines of marks.csv with their line endings, numbered as in ``read_rows``."""
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]
         with self.path.open(encoding="utf-8", newline="") as file:
@@ -75,7 +75,7 @@ class MarksFile:
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        """Lock the marks file until the context ends, so that other changes have to wait."""
+        """Lock marks.csv until the context ends, so that other changes have to wait."""
         with (self.path.parent / ".marks.lock").open("w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             yield

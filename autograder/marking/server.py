@@ -23,7 +23,7 @@ LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
 class Marking(Site):
-    """The answers and marks of a class, shared by all request handlers."""
+    """The answers and marks of a class, which all request handlers share."""
 
     def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
         super().__init__()
@@ -36,7 +36,7 @@ class Marking(Site):
         }
 
     def application(self) -> Application:
-        """Return the tornado application, with a handler for each address."""
+        """Return the tornado application, which has a handler for each address."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [
@@ -48,7 +48,7 @@ class Marking(Site):
         )
 
     def known(self) -> dict[str, dict[str, Any]]:
-        """Return the marks in the file, keyed by exercise and then by the student's code."""
+        """Return the marks in marks.csv, keyed by exercise and then by the student's code."""
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
         for (exercise, code), student in self.students.items():
@@ -58,7 +58,7 @@ class Marking(Site):
 
 
 class Questions(Handler):
-    """Sends the questions with their answers, which do not change while the server runs."""
+    """Sends the page the questions and answers, which stay the same while the server runs."""
 
     site: Marking
 
@@ -84,8 +84,9 @@ class Questions(Handler):
 class Marks(Handler):
     """Sends the marks to the page, and changes them at its request.
 
-    A request to change a mark includes the old one that the page displayed. If the file has a
-    different one by now, it is not overwritten, because the user has not seen it.
+    A request to change a mark includes the old mark that the page displayed. If somebody has
+    changed the mark in the file since then, it is not overwritten, because the user has not seen
+    it.
     """
 
     site: Marking
@@ -123,7 +124,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks to the page, so that it also shows changes made on other pages."""
+        """Send the page all marks, so that it also picks up changes made on other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:
@@ -133,15 +134,15 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Tell the page why a change was refused."""
+        """Tell the marking page why its change was rejected."""
         self.set_status(status)
         self.write({"why": why})
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Turn data from the page into a mark, or into None if the page wants the mark deleted.
+    """Convert data from the page to a mark, or to None if the mark is to be deleted.
 
-    ``most`` is the maximum number of points for the mark.
+    ``most`` is the maximum number of points for the answer.
 
     Raises:
         ValueError: The data is not a valid mark.
@@ -159,8 +160,8 @@ def mark_of(value: Any, most: float) -> Mark | None:
 def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
     """Serve the marking page of a class until the user presses Ctrl-C.
 
-    If ``chapters`` contain only the exercises of an assignment, the page shows only those
-    questions.
+    If ``chapters`` contain only the exercises of an assignment, the page is limited to the
+    questions among them.
 
     Raises:
         ValueError: There is nothing to mark, or marks.csv contains a mistake.

@@ -41,7 +41,7 @@ def write_canvas(
 
 
 def check_title(title: str) -> str:
-    """Return the title if it suits a column that Canvas imports; otherwise raise ValueError."""
+    """Return the title if Canvas will import a column with that name, or else raise ValueError."""
     if not title.strip() or clean_line(title) != title or FORMULA.search(title):
         raise ValueError(
             f"--title must be one line of text, and not begin like a formula, got {title!r}"
@@ -54,11 +54,11 @@ def check_title(title: str) -> str:
 
 
 def _canvas_id(member: Member) -> str:
-    """Return the number by which Canvas knows a student, or "" if it is unknown.
+    """Return the number by which Canvas knows a student, or "" if we cannot find it.
 
-    If the student handed in through Canvas, the name of the submission contains the number.
-    Otherwise the student's id on the roster is used, provided that it is a number. Nothing else may
-    go into this cell, because Canvas would read leading digits as one of its own ids.
+    If the student handed in through Canvas, the submission's name contains the number. Otherwise we
+    use the student's id on the roster, provided that it is a number. Any other text would be
+    dangerous in this cell, because Canvas would read its leading digits as one of its own ids.
     """
     export = member.submission.export if member.submission else None
     if export and export.platform == "canvas" and export.number.isdecimal():

@@ -42,7 +42,7 @@ def make_classroom(
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
-    """Create the workflow for GitHub to run, with a step per exercise and a report at the end."""
+    """Create the workflow that GitHub runs on every push: a step per exercise, then a report."""
     exercises = _checked(chapters)
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
@@ -84,7 +84,7 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
 
 
 def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
-    """Round the points of all exercises to whole numbers, with a minimum of one point each."""
+    """Round the points of all exercises to whole numbers, giving each at least one point."""
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     counted = {e.id: e.points for e in exercises if not e.extra}
     whole = rescaled(counted, round(possible(exercises)), unit="1")
@@ -117,6 +117,6 @@ def _step(exercise: Exercise) -> dict[str, Any]:
 
 
 def _checked(chapters: list[Chapter]) -> list[Exercise]:
-    """Return the exercises that have checks. Only written exercises have none."""
+    """Return the exercises that have checks, which are all but the written ones."""
     everything = [exercise for chapter in chapters for exercise in chapter.exercises]
     return [exercise for exercise in everything if exercise.kind != "written"]

@@ -29,7 +29,7 @@ from autograder.submissions.find import Submission, printable
 
 
 def main(folder: Path, root: Path = ROOT) -> None:
-    """Grade the submission and print the results. If grading fails, the results say why."""
+    """Grade the submission on Gradescope, and print the results or why there are none."""
     try:
         results = gradescope_results(grade_one(folder, root))
     except ValueError as error:  # its text is written for people to read
@@ -42,9 +42,9 @@ def main(folder: Path, root: Path = ROOT) -> None:
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
-    """Grade the submission in ``folder``, and return the report.
+    """Grade the submission in ``folder``, and return the report on it.
 
-    The file assignment.json in the zip says what to grade. If it has no seed, every run draws new
+    The file assignment.json in our zip says what to grade. If it has no seed, each run draws new
     random numbers for its checks.
 
     Raises:
@@ -73,9 +73,9 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 
 
 def students(metadata: Path) -> str:
-    """Return the names of the students who handed this in, according to Gradescope.
+    """Return the names of the students who, according to Gradescope, made this submission.
 
-    If there are no names, return "submission".
+    If Gradescope gives no names, return "submission".
     """
     try:
         users = _metadata(metadata)["users"]
@@ -85,7 +85,7 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Return Gradescope's data about the submission, or an empty dict if it cannot be read."""
+    """Return Gradescope's metadata on the submission, or an empty dict if it is unreadable."""
     try:
         metadata = json.loads(path.read_text(encoding="utf-8"))
         return metadata if isinstance(metadata, dict) else {}
@@ -94,7 +94,7 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return a copy of the chapter with only the assigned exercises and their new points."""
+    """Return a copy of the chapter with only the assigned exercises and their points there."""
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises
@@ -106,8 +106,8 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 def _level(submission: Path, *, unsafe: bool) -> Level:
     """Return the sandbox that the command `grade` would choose on this machine.
 
-    If there is none and ``unsafe`` allows for that, a process running as root first switches to an
-    unprivileged user.
+    If there is none and ``unsafe`` permits grading without one, a process running as root first
+    switches to an unprivileged user.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

@@ -29,8 +29,8 @@ def make_gradescope(
 ) -> None:
     """Write the zip file for Gradescope, and print a summary of its contents.
 
-    The given chapters come from the reference, even if students hand in files for them. ``unsafe``
-    permits grading without a sandbox on a machine that has none.
+    The given chapters come from the reference, even if students hand in their own files for them.
+    ``unsafe`` permits grading without a sandbox on a machine that has none.
 
     Raises:
         ValueError: ``out`` does not name a .zip file, or hidden checks would be unprotected.
@@ -74,7 +74,7 @@ def make_gradescope(
 def _files(
     root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
-    """Yield the files of this repository that belong in the zip."""
+    """Yield the files of this repository to include in the zip for Gradescope."""
     yield root / "pyproject.toml"
     yield root / "requirements.lock"
     yield root / "LICENSE"
@@ -92,7 +92,7 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Return the hidden checks of the graded chapters, keyed by their paths in the zip."""
+    """Return the hidden checks of the graded chapters, keyed by the path of each in the zip."""
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
         for chapter in work.chapters
@@ -101,9 +101,9 @@ def _hidden(work: Work) -> dict[str, bytes]:
 
 
 def _zipped(contents: dict[str, bytes]) -> bytes:
-    """Create a zip file, and return its bytes.
+    """Create a zip file with these contents in memory, and return its bytes.
 
-    The files are sorted by name, and the scripts are executable.
+    The files are sorted by name, and the scripts are marked as executable.
     """
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:

@@ -20,10 +20,10 @@ WORKSHEET = [
 
 
 def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
-    """Write moodle.csv, with a row for each student on the roster.
+    """Write moodle.csv, which has a row with the grade of each student on the roster.
 
     Moodle stops the import at a student it does not know. If the cell that should identify a
-    student is empty, it even gives the grade to the student in the row above. That is why the
+    student is empty, Moodle even gives the grade to the student in the row above. That is why the
     columns for logins and e-mail addresses are written only if every student has one.
     """
     students = [(member, member.student) for member in people.members if member.student]
@@ -40,9 +40,9 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write the grading worksheet of an assignment, and return whether it has any students.
+    """Write Moodle's grading worksheet for an assignment, and return whether it has any students.
 
-    No roster is needed, because Moodle's folder names say who the participants are. If no
+    The participants' numbers come from Moodle's folder names, so no roster is needed. If no
     submission comes from Moodle, nothing is written. The column for comments is left out, since
     empty cells in it would delete the comments in Moodle.
     """

@@ -19,10 +19,10 @@ CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment
 
 @dataclass(frozen=True)
 class Column:
-    """The column in a platform's gradebook that will hold the grades.
+    """The gradebook column on Canvas or Moodle into which the grades are imported.
 
     ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is what the
-    assignment is worth on the platform, and the grades are scaled accordingly.
+    assignment is worth on the platform, and the grades are scaled to it.
     """
 
     title: str = ""
@@ -42,10 +42,10 @@ def write_uploads(
     reports: Sequence[StudentReport],
     column: Column,
 ) -> tuple[list[Path], list[str]]:
-    """Write the files that an instructor can upload to Canvas or Moodle.
+    """Write the files that an instructor can import into Canvas or Moodle.
 
-    These are canvas.csv and moodle.csv for a class with a roster, plus Moodle's worksheet if there
-    are submissions from Moodle.
+    These are canvas.csv and moodle.csv if the class has a roster, plus Moodle's grading worksheet
+    if there are submissions from Moodle.
 
     Returns:
         The paths of the files, and notes for the instructor.

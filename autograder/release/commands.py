@@ -13,7 +13,7 @@ from autograder.manifest import load_chapters
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Define the command `release` and its options."""
+    """Register the command `release` and its options with the argument parser."""
     command = commands.add_parser("release", help="release the reference after the deadline")
     what = "chapters to release, such as 2-3 (not needed with an assignment)"
     command.add_argument("chapters", nargs="?", default="", help=what)
@@ -31,7 +31,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_release(arguments: argparse.Namespace) -> int:
-    """Write the reference and the students' pages, and print what was released."""
+    """Write the reference and the students' comparison pages, and print what was released."""
     from autograder.release.run import release
     from autograder.submissions.unpack import class_folder
 
@@ -51,7 +51,7 @@ def run_release(arguments: argparse.Namespace) -> int:
 def refuse_early(work: Work, now: datetime) -> None:
     """Raise ValueError if any student may still hand in work for this assignment.
 
-    Nobody should be able to copy from the reference before the deadline.
+    Otherwise that student could copy from the released reference.
     """
     if work.deadline is None:
         return

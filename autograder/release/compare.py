@@ -21,7 +21,7 @@ OUTSIDE = ""  # stands for code outside of functions
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function, without its indentation, and its number of lines and calls."""
+    """The body of a function, without its indentation, and how many lines and calls it has."""
 
     text: str
     counts: Counts
@@ -29,7 +29,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Pair:
-    """A student's function and ours. Either one is None if it does not exist."""
+    """A student's version of a function beside ours. Either one is None if it does not exist."""
 
     name: str
     own: Code | None
@@ -38,14 +38,14 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """The pairs of functions that belong to one exercise, or to none."""
+    """Pairs of functions, the student's and ours, that belong to one exercise or to none."""
 
     title: str
     pairs: list[Pair]
 
 
 def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compared:
-    """Compare the student's functions with ours for one exercise."""
+    """Pair the student's functions with ours for one exercise."""
     pairs = []
     for edit in exercise.edit:
         module, name = edit.split(".", 1)
@@ -57,9 +57,9 @@ def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compar
 def compare_others(
     chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Compare the functions that do not belong to any exercise, such as helpers.
+    """Pair the functions that do not belong to any exercise, such as helpers.
 
-    A function that is the same on both sides, perhaps because it was given, is left out. So is any
+    A function that is identical on both sides, perhaps because it was given, is left out. So is all
     code outside functions.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
@@ -81,7 +81,7 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Return the functions of a module, skipping those that cannot be read."""
+    """Return the functions of a module, leaving out any that cannot be parsed."""
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}
 

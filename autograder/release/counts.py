@@ -16,11 +16,11 @@ END_OF_LINE = ";"
 
 @dataclass(frozen=True)
 class Counts:
-    """How many lines, calls and new objects there are in the body of a function.
+    """The number of lines, calls and new objects in the body of a function.
 
-    ``lines`` excludes blank lines, comments and docstrings. ``calls`` are calls such as v.dot(w),
-    and ``objects`` are calls that create an object, such as Vector3(...). An error created in a
-    raise statement counts as neither.
+    ``lines`` excludes blank lines, comments and docstrings. ``calls`` counts calls such as
+    v.dot(w), and ``objects`` counts calls that create an object, such as Vector3(...). An error
+    created in a raise statement counts as neither.
     """
 
     lines: int
@@ -38,9 +38,9 @@ def count(function: Function) -> Counts:
 
 
 def _is_call(words: Sequence[str], i: int) -> bool:
-    """Return whether the bracket at index ``i`` belongs to a call.
+    """Return whether the opening parenthesis at index ``i`` belongs to a call.
 
-    Brackets in expressions do not, and neither do those after def, class or raise.
+    Parentheses that group an expression do not, and neither do those after def, class or raise.
     """
     before = words[i - 1] if i else ""
     first = i - 1

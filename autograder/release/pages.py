@@ -17,7 +17,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 def write_page(
     out: Path, student: str, compared: Sequence[Compared], not_compared: Sequence[str]
 ) -> Path:
-    """Write students/<student>.html, and return its path.
+    """Write students/<student>.html, a student's code next to ours, and return its path.
 
     ``not_compared`` names the released exercises that the student has not solved.
     """

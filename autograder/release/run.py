@@ -84,10 +84,10 @@ def release(
 
 
 def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
-    """Create the folder ``out``, or empty it if it holds an earlier release.
+    """Create the folder ``out`` for the release, or delete an earlier release from it.
 
     Raises:
-        ValueError: The folder contains other files, or its contents end up in hand-outs.
+        ValueError: The folder contains other files, or is one whose files go into hand-outs.
     """
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
@@ -112,7 +112,7 @@ def _compare(
     reference: dict[str, dict[str, str]],
     root: Path,
 ) -> tuple[list[Compared], list[str], str]:
-    """Compare the exercises that the student has solved, and list those that are left out.
+    """Compare a student's solved exercises with ours, and list the released ones left out.
 
     If nothing can be compared, the returned text says why.
     """
@@ -138,10 +138,10 @@ def _compare(
 def _own_texts(
     submission: Submission, report: StudentReport, root: Path
 ) -> dict[str, Texts] | None:
-    """Return the text of each of the student's modules, by chapter.
+    """Return the text of every module that the student handed in, grouped by chapter.
 
-    Return None if the submission has changed since it was graded, because what works is then
-    unknown.
+    Return None if the submission has changed since it was graded, because we then no longer know
+    which exercises work.
     """
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:

@@ -16,10 +16,10 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ExerciseRate:
-    """How many students of a class pass an exercise, and what they earn on average.
+    """How many students pass an exercise, and how many points they earn on average.
 
-    ``counted`` is the number of students with a score. A student has none until somebody marks the
-    answer, or if the grader failed on the submission.
+    ``counted`` is the number of students who have a score. A student has none until somebody marks
+    the answer, or if the grader failed on the submission.
     """
 
     exercise: Exercise
@@ -38,7 +38,7 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """How many students score at least ``low`` but less than ``high`` percent."""
+    """A bin of the histogram: how many scores are at least ``low`` and below ``high`` percent."""
 
     low: int
     high: int
@@ -46,7 +46,7 @@ class Bin:
 
 
 def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[ExerciseRate]:
-    """Return the pass rate of every exercise, in manifest order."""
+    """Compute the pass rate of every exercise, in manifest order."""
     results: dict[str, list[ExerciseReport]] = {}
     for report in reports:
         for exercise in report.exercises:
@@ -58,14 +58,14 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
     """Return the exercises with the lowest pass rates, hardest first.
 
-    If every student passes every exercise, the list is empty.
+    The list is empty if every student passes every exercise.
     """
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
-    """Count the scores in bins of 10 percent. A full score falls into the last bin."""
+    """Sort the students' scores into bins of 10 percent. A full score goes into the last bin."""
     counts: Counter[int] = Counter()
     for report in reports:
         if report.score is not None and report.points:

@@ -48,7 +48,7 @@ TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first t
 
 @dataclass
 class LostChecks:
-    """Failed checks with the same message, grouped so that the page shows it only once.
+    """Failed checks with the same message, which a student's page shows only once.
 
     The titles of hidden checks are left out.
     """
@@ -63,10 +63,10 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """An exercise as a student's page shows it, with only its failed checks in full.
+    """An exercise as shown on a student's page, where only failed checks are described in full.
 
-    ``gains`` is true if the exercise earns more points with the reference's earlier chapters.
-    ``uneven`` is true if some of its physics or robust checks weigh more than others.
+    ``gains`` is true if the exercise earns more points with our solutions of the earlier chapters.
+    ``uneven`` is true if its physics checks, or its robust checks, do not all have the same weight.
     """
 
     anchor: str
@@ -163,7 +163,7 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 
 
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
-    """Return the exercise to fix first. Failing physics comes before robust checks."""
+    """Return the exercise that the student should fix first: physics before robust checks."""
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
         works = all(passed == of for tier, passed, of in exercise.tiers if tier == "physics")
@@ -173,7 +173,7 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Return a chart for each open exercise that at least one submission has a point for."""
+    """Return a chart for each open exercise that has data from at least one submission."""
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
@@ -185,12 +185,12 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Add up what these exercises are worth, without extra credit."""
+    """Add up how many points these exercises are worth, without extra credit."""
     return round(sum(e.points for e in exercises if not e.extra), 2)
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Group failed checks by message, since a single unreadable file can fail many of them."""
+    """Group failed checks by message, since one unreadable file can make many of them fail."""
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

@@ -32,10 +32,10 @@ def write_gradebook(
 ) -> Path:
     """Write gradebook.csv and return its path. Its second row lists the points possible.
 
-    A cell is empty if there is no grade yet: nobody has marked the answer, the grader failed, or
-    the student has not handed anything in. ``missing`` lists students who have handed in nothing,
-    and ``unmatched`` lists those who are not on the roster. With a due date, there are three more
-    columns for the points, the late days and the penalty, and the total is the points minus the
+    A cell is empty if there is no grade yet, because nobody has marked the answer, the grader
+    failed, or the student has not handed anything in. ``missing`` lists students who have handed in
+    nothing, and ``unmatched`` lists those who are not on the roster. With a due date, three more
+    columns give the points, the late days and the penalty, and the total is the points minus the
     penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
@@ -73,11 +73,11 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the points, the late days and the penalty, with None for whatever is unknown."""
+    """Return the points before the penalty, the late days and the penalty, or None if unknown."""
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
 
 
 def as_cell(text: str) -> str:
-    """Put a text on one line, and keep spreadsheets from reading it as a formula."""
+    """Put a text on one line, and make sure that no spreadsheet treats it as a formula."""
     return FORMULA.sub(r"\1\2'", clean_line(text))

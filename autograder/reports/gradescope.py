@@ -19,7 +19,7 @@ OURS = "grader error, please retry: this is not the submission's fault and does 
 
 @dataclass(frozen=True)
 class ExerciseResult:
-    """The result of one exercise, which Gradescope calls a test. The score is optional."""
+    """The result of one exercise, as one of the "tests" in results.json. The score is optional."""
 
     number: str
     name: str
@@ -32,7 +32,7 @@ class ExerciseResult:
 
 @dataclass(frozen=True)
 class GradescopeResults:
-    """The contents of results.json. All text is plain text, and the standard output is hidden."""
+    """The contents of results.json, in which all text is plain and standard output is hidden."""
 
     output: str
     output_format: Literal["text"]
@@ -53,15 +53,15 @@ def write_gradescope(out: Path, report: StudentReport) -> Path:
 
 
 def as_text(results: GradescopeResults) -> str:
-    """Return the results as JSON, in the form that Gradescope reads."""
+    """Serialize the results as the JSON text that Gradescope reads."""
     return json.dumps(to_json(results), indent=1, allow_nan=False) + "\n"
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
-    """Convert a report to Gradescope's format, with one test for each exercise.
+    """Convert a report to Gradescope's format, with one "test" for each exercise.
 
-    If the grader failed, the results have no score at all, because neither zero nor full marks
-    would be right.
+    If the grader failed, the results contain no scores, because neither zero nor full marks would
+    be fair.
     """
     report = clean_all(report)
     failed = report.status != "graded" or report.score is None
@@ -74,7 +74,7 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 
 
 def ungraded_results(reason: str) -> GradescopeResults:
-    """Create Gradescope's results for a submission that could not be graded, with the reason."""
+    """Create the results that tell Gradescope why a submission could not be graded."""
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
 
@@ -136,7 +136,7 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Return what the student reads about an exercise: mainly why its checks failed."""
+    """Return the text that a student reads about an exercise: mainly why its checks failed."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
         return f"waiting for a person to mark it: up to {number(exercise.points)} points"

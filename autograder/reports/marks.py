@@ -23,7 +23,7 @@ GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 @dataclass(frozen=True)
 class Mark:
-    """How many points a person gave for a written answer, and the comment on it."""
+    """The points that somebody gave for a written answer, with a comment for the student."""
 
     points: float
     comment: str
@@ -34,7 +34,7 @@ Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 @dataclass(frozen=True)
 class Row:
-    """A mark in marks.csv, with its first and last line number, counted from 1."""
+    """One mark in marks.csv, with the numbers of its first and last line, counted from 1."""
 
     student: str
     exercise: str
@@ -60,7 +60,11 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
 def read_rows(
     path: Path, chapters: list[Chapter], students: Iterable[str]
 ) -> tuple[str, list[Row]]:
-    """Return the separator and the rows of marks.csv. Raise ValueError as ``read_marks`` does."""
+    """Return the column separator and the rows of marks.csv.
+
+    Raises:
+        ValueError: A line is invalid, as in ``read_marks``.
+    """
     if not path.exists():
         return ",", []
     exercises = {exercise.id: exercise for chapter in chapters for exercise in chapter.exercises}
@@ -94,7 +98,7 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Create a row for marks.csv in which no cell can pass for a formula in a spreadsheet."""
+    """Create a row for marks.csv whose cells cannot be mistaken for spreadsheet formulas."""
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
     comment = clean(mark.comment).strip()
@@ -102,10 +106,10 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return the marks under the names that the reports use.
+    """Return the marks with each student's name changed to the one that the reports use.
 
-    A student may appear in marks.csv under another name, such as the one on the roster. ``names``
-    maps all of these names to the one in the reports.
+    A student may be entered in marks.csv under another name, such as the one on the roster.
+    ``names`` maps every such name to the one in the reports.
     """
     found: Marks = {}
     for (student, exercise), mark in marks.items():
@@ -119,9 +123,9 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Replace all marks in a report, and return the new report.
+    """Return a copy of a report in which ``marks`` replace all earlier marks.
 
-    If a written exercise has no mark, the report says that the answer is waiting for one.
+    If a written exercise has no mark, the report says that its answer is still to be marked.
     """
     exercises = []
     given: list[float] = []
@@ -149,7 +153,7 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
-    """Return the separator, and each row below the header with its first and last line number."""
+    """Return the separator of marks.csv, and its rows with their first and last line numbers."""
     table = read_csv(path)
     if table.header != HEADER:
         wanted = ",".join(HEADER)

@@ -14,7 +14,7 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Render a template with these values, and return the page.
+    """Fill in a template with these values, and return the resulting page.
 
     The template is looked up in ``folder`` first, and then among those that all pages share.
     """

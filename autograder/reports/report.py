@@ -15,7 +15,7 @@ ReportStatus = Literal["graded", "error, retry"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """How one check went for one student."""
+    """The result of one check in the report on a student."""
 
     name: str
     status: Status
@@ -27,10 +27,9 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """Where a student's solution and ours lie on the chart of an open exercise.
+    """The data for the chart of an open exercise: a student's solution and ours.
 
-    The chart plots what a solution costs against how large its error is. ``axes`` names these two
-    quantities.
+    The chart plots each solution's error against its cost. ``axes`` names the two quantities.
     """
 
     axes: list[str]
@@ -40,9 +39,9 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """How a student did on one exercise. A score is None until it is known.
+    """The results of one exercise in the report on a student. An unknown score is None.
 
-    ``score_on_given`` is the student's score with the reference's earlier chapters. An ``extra``
+    ``score_on_given`` is the score when the earlier chapters come from our reference. An ``extra``
     credit exercise does not add to the points possible.
     """
 
@@ -62,9 +61,9 @@ class ExerciseReport:
 
 @dataclass(frozen=True)
 class Late:
-    """How late a submission is by the rules of the course, and how many points that costs.
+    """How late a submission is under the course's late policy, and how many points that costs.
 
-    ``days`` is None if unknown. ``words`` explains the decision in full sentences.
+    ``days`` is None if that is unknown. ``words`` explains the result in full sentences.
     """
 
     days: int | None
@@ -74,9 +73,9 @@ class Late:
 
 @dataclass(frozen=True)
 class RunKey:
-    """Everything that a report depends on, except for the submission itself.
+    """The conditions of grading: everything besides the submission that a report depends on.
 
-    If any of it has changed, the report is no longer valid. ``points`` holds the points of each
+    If any of them changes, the report is no longer valid. ``points`` holds the points of each
     graded exercise, and ``extra`` lists the exercises that give extra credit.
     """
 
@@ -127,25 +126,25 @@ class StudentReport:
 
     @property
     def earned(self) -> float | None:
-        """The points from checks and from people, or None if the grader failed."""
+        """The points earned from checks and from marks, or None if the grader failed."""
         return None if self.score is None else self.score + (self.by_hand or 0)
 
     @property
     def penalty(self) -> float:
-        """How many points lateness costs, but never more than the student has earned."""
+        """The points lost to lateness, which never exceed the points earned."""
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 
     @property
     def total(self) -> float | None:
-        """The points earned minus the penalty, or None if the grader failed."""
+        """The points earned minus the late penalty, or None if the grader failed."""
         return None if self.earned is None else round(self.earned - self.penalty, 2)
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
-    """Count the passing checks among the physics checks and among the robust ones.
+    """Count how many physics checks and how many robust checks pass.
 
-    For each of the two kinds that has any checks, return its name, how many of its checks pass, and
-    how many there are.
+    For each kind of which there are any, return its name, the number of checks that pass, and the
+    total number.
     """
     found = []
     for name, robust in (("physics", False), ("robust", True)):

@@ -24,13 +24,13 @@ def write_result(out: Path, report: StudentReport) -> Path:
 
 
 def keep_report(path: Path, report: StudentReport) -> None:
-    """Write a report to a file atomically, so that the file is never half written."""
+    """Write a report to a JSON file atomically, so that nobody ever reads a half-written file."""
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
 
 
 def read_result(path: Path) -> StudentReport | None:
-    """Read a report from a file, or return None if the file has no complete report."""
+    """Read a report from a JSON file, or return None if there is no valid report in it."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
         return from_json(StudentReport, data)
@@ -39,7 +39,7 @@ def read_result(path: Path) -> StudentReport | None:
 
 
 def read_results(out: Path) -> list[StudentReport]:
-    """Return all reports on a graded class, sorted by student.
+    """Return the reports on all students of a graded class, sorted by student.
 
     Raises:
         ValueError: There are no reports, or one of them cannot be read.
@@ -56,9 +56,9 @@ def read_results(out: Path) -> list[StudentReport]:
 
 
 def write_student(out: Path, report: StudentReport) -> None:
-    """Write all files about one student.
+    """Write the feedback page, the Gradescope file and the result of one student.
 
-    The results come last, so that their existence proves the other files complete.
+    The result is written last, so that its existence proves that the other files are complete.
     """
     write_feedback(out, report)
     write_gradescope(out, report)

@@ -19,7 +19,7 @@ Point = Sequence[float]  # cost and error
 
 @dataclass(frozen=True)
 class Dot:
-    """One student's point on the chart: the cost, the error, and where to draw it."""
+    """A dot on the chart for one student's solution: its cost, its error, and its position."""
 
     name: str
     cost: float
@@ -31,9 +31,10 @@ class Dot:
 
 @dataclass(frozen=True)
 class Scatter:
-    """The layout of a chart: two axes, a dot for each student and for us, and the front.
+    """The layout of an open exercise's chart: two axes, a dot per solution, and the front.
 
-    The front is the line through the best solutions. A tick on an axis has a position and a label.
+    The front is the line through the best solutions, students' or ours. Each tick on an axis has a
+    position and a label.
     """
 
     exercise: ExerciseReport
@@ -46,7 +47,7 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Lay out the chart of an exercise. ``named`` has each student's name with cost and error."""
+    """Lay out an exercise's chart. ``named`` lists each student's name with the cost and error."""
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
@@ -73,7 +74,7 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the points that are more accurate than every cheaper one, sorted by cost."""
+    """Return the points that are more accurate than all cheaper ones, sorted by cost."""
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
         if not kept or error < kept[-1][1]:
@@ -82,9 +83,9 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of the front, drawn as a staircase.
+    """Return the corners of the staircase that is drawn for the front.
 
-    Between one cost and the next, the best possible error stays the same.
+    It is a staircase because the best error stays the same from one cost to the next.
     """
     corners = line[:1]
     for x, y in line[1:]:
@@ -93,7 +94,7 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Return ticks at 1, 2 and 5 times the powers of ten, or fewer if that is too many."""
+    """Return axis ticks at 1, 2 and 5 times powers of ten, or fewer where that is too many."""
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]

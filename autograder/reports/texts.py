@@ -16,7 +16,7 @@ LONGEST = 4000  # characters of a text in a report; the message of a check has o
 
 
 def clean_all(value: T) -> T:
-    """Return a copy of a report, or of part of one, with every text cleaned and cut."""
+    """Return a copy of a report, or of a part of one, with all text cleaned and shortened."""
     return cast(T, _cleaned(value))
 
 
@@ -32,7 +32,7 @@ def _cleaned(value: Any) -> Any:
 
 
 def _clean_and_cut(text: str) -> str:
-    """Clean a text, and cut it to a length that suits a report."""
+    """Escape a text's unprintable characters, and shorten it to a length that suits a report."""
     if len(text) > LONGEST:
         text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
     return clean(text)
@@ -49,6 +49,6 @@ def check_title(name: str) -> str:
 
 
 def replace_file(path: Path, text: str) -> None:
-    """Write a text to a file atomically, so that the file is never half written."""
+    """Write a text to a file atomically, so that nobody ever reads a half-written file."""
     # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

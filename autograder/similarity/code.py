@@ -20,9 +20,9 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """A token in the form used for comparison.
+    """One token of a student's code, normalized for the comparison.
 
-    ``start`` and ``end`` are its (line, column) in the student's file.
+    ``start`` and ``end`` are its positions in the student's file, as (line, column).
     """
 
     word: str
@@ -34,7 +34,7 @@ class Token:
 class Function:
     """A function or method in a student's file, with the tokens of its body.
 
-    Code outside functions is stored as a function with the name "".
+    All code outside functions is stored as one function whose name is "".
     """
 
     name: str
@@ -83,7 +83,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield Python's own names and the public names in a file that is not a student's."""
+    """Yield Python's own names, and the public names used in a file that no student wrote."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.NAME and not (
@@ -93,9 +93,9 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Cut a text off before the first line that is too long, and return that line's number.
+    """Cut off a text before its first overlong line, and return that line's number.
 
-    If no line is too long, the number is 0.
+    The number is 0 if no line is too long.
     """
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
@@ -106,7 +106,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield each logical line of the code, with its indentation depth."""
+    """Yield each logical line of a file together with its indentation depth."""
     depth, nested = 0, 0
     line: _Line = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -126,7 +126,7 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens of a logical line that matter for the comparison; a docstring has none."""
+    """Yield the tokens of a logical line that are compared. A docstring has none."""
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
     for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
@@ -153,7 +153,7 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens after a signature's colon, which form a body on the same line."""
+    """Return the tokens after a signature's colon, which are a body on the same line."""
     open_brackets = 0
     for i, token in enumerate(line):
         if token.type == tokenize.OP:
@@ -165,7 +165,7 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line that the tokenizer's error names, or 1 if it does not name one."""
+    """Return the line number in an error from the tokenizer, or 1 if it does not have one."""
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()
     return next((number for number in numbers if isinstance(number, int)), 1)

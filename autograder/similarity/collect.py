@@ -22,7 +22,7 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 
 @dataclass(frozen=True)
 class Ground:
-    """What must be known about the chapters before any code can be compared.
+    """What the comparison must know about the chapters before it can compare any code.
 
     Attributes:
         parts: The exercise of each function that students edit, such as Vector3.dot in
@@ -40,7 +40,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Collect what a comparison needs for some chapters: exercises, known names, given code."""
+    """Collect the exercises, known names and given code that comparing these chapters requires."""
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
     given: set[int] = set()
@@ -64,7 +64,7 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield what each student has written, with notes on files that cannot be read."""
+    """Yield the code that each student has written, with notes on any unreadable files."""
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
@@ -79,9 +79,9 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Return what a student has written in these files, with notes on any problems.
+    """Return the code in these files that a student wrote, with notes on any problems.
 
-    Code that was given to students is left out, and so are exercises too short to compare.
+    Code that students were given is left out, and so are exercises that are too short to compare.
     """
     parts: dict[str, Part] = {}
     notes = []
@@ -100,7 +100,7 @@ def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, 
 
 
 def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
-    """Yield the texts of some chapters' reference, stubs and given modules."""
+    """Yield the texts of our own files in these chapters: reference, stubs and given modules."""
     for folder in ("solutions", "chapters"):
         for name in chapters:
             for path in sorted((root / folder / name).glob("*.py")):
@@ -110,9 +110,9 @@ def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
 def _reference_sizes(
     chapter: Chapter, known: frozenset[str], root: Path
 ) -> dict[tuple[str, str], int]:
-    """Return the number of tokens in each function of the reference.
+    """Return the number of tokens in each function of our solution.
 
-    It shows which exercises are too short to compare.
+    These numbers show which exercises are too short to compare.
     """
     sizes = {}
     for name in chapter.edited_files:

@@ -27,7 +27,7 @@ FALSE_ALARMS = 0.002  # pairs expected above the line by chance, if pairs vary a
 
 @dataclass(frozen=True)
 class Passage:
-    """A function that a student wrote, with its tokens and the text of its file."""
+    """One function as a student wrote it, with its tokens and the text of its file."""
 
     file: str
     name: str
@@ -37,7 +37,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """What a student wrote for one exercise, or in one file outside all exercises."""
+    """The code that a student wrote for one exercise, or in one file outside all exercises."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -45,7 +45,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Work:
-    """All code that one student handed in, divided into parts such as exercises."""
+    """All the code that one student handed in, divided into exercises and other parts."""
 
     student: str
     parts: Mapping[str, Part]
@@ -53,7 +53,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students and how similar their code is, from 0 to 1.
+    """Two students, and the similarity of their code on a scale from 0 to 1.
 
     ``surprise`` says how unusual that similarity is in their class.
     """
@@ -66,9 +66,9 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """The code that two students share in one part.
+    """The code that two students have in common in one exercise or other part.
 
-    ``rarest`` is the number of students in the class who have its rarest piece.
+    ``rarest`` is how many students in the class have the rarest piece of it.
     """
 
     name: str
@@ -78,9 +78,9 @@ class Shared:
 
 
 class Comparison:
-    """All pairs of a class, most surprising first.
+    """All pairs of students in a class, the most surprising first.
 
-    A pair stands out if its surprise is at least ``line``. In a class too small to compute
+    A pair stands out if its surprise is at least ``line``. If the class is too small to compute
     surprises, there is no line.
     """
 
@@ -90,18 +90,18 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return whether two students are too similar for this class to explain it by chance."""
+        """Return whether two students' code is too similar to be a coincidence in this class."""
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line
 
     @property
     def outstanding(self) -> int:
-        """How many pairs stand out. They come first in the list of pairs."""
+        """The number of pairs that stand out, which come first in the list of pairs."""
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """Return the code that two students share, beginning with the part with most rare code."""
+        """Return the code that two students share, starting with the part with most rare code."""
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
@@ -129,7 +129,7 @@ def compare(works: list[Work]) -> Comparison:
 
 
 class Measure:
-    """The weights of the fingerprints and of the exercises in this class."""
+    """Measures similarity, using the weights of this class's fingerprints and exercises."""
 
     def __init__(self, works: list[Work]) -> None:
         self.students = len(works)
@@ -146,9 +146,9 @@ class Measure:
         self.usual = {name: statistics.median(values) for name, values in totals.items()}
 
     def similarity(self, one: Work, other: Work) -> float:
-        """Return the average similarity of two students over the exercises, from 0 to 1.
+        """Return two students' average similarity over all exercises, from 0 to 1.
 
-        An exercise for which one of them has not written anything has a similarity of 0.
+        An exercise for which only one of them has written code counts as a similarity of 0.
         """
         found = sum(
             self.size(name) * self.similarity_in(name, one, other)
@@ -158,11 +158,11 @@ class Measure:
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def size(self, name: str) -> float:
-        """Return the weight of a part in the average: the square root of its usual size."""
+        """Return a part's weight in the average: the square root of its typical size."""
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
-        """Return how similar two students are in one part, from 0 to 1."""
+        """Return how similar two students' code for one exercise or other part is, from 0 to 1."""
         both = one.parts[name].fingerprints & other.parts[name].fingerprints
         # A student who has written less has less to share, and must not stand out for that.
         sizes = [max(self.own[w.student, name], self.usual[name]) for w in (one, other)]
@@ -170,9 +170,9 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Return the total weight of some fingerprints in one part.
+        """Return the total weight of these fingerprints in one exercise or other part.
 
-        The fewer students share a fingerprint, the more it weighs.
+        A fingerprint weighs more if fewer students share it.
         """
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
@@ -189,10 +189,10 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Return the median and a robust standard deviation, or None if the values do not vary.
+    """Return the median and a robust standard deviation, or None if the values are all the same.
 
-    The standard deviation comes from the upper half of the values, which has the longer tail. It
-    barely changes if a few students have copied.
+    The standard deviation is estimated from the upper half of the values, which has the longer
+    tail. A few students who have copied barely change it.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

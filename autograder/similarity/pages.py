@@ -29,9 +29,9 @@ RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of code on the page.
+    """A piece of a student's code, to be highlighted on the page if it is shared.
 
-    If both students have it, its kind is "rare" or "common"; otherwise its kind is "".
+    Shared code has the kind "rare" or "common", and all other code has the kind "".
     """
 
     text: str
@@ -40,7 +40,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """One student's function, split into pieces, with the number of its first line."""
+    """One student's function, split into pieces, with the line number at which it starts."""
 
     name: str
     file: str
@@ -51,7 +51,7 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write index.html and a page for each listed pair, and return the path of the index."""
+    """Write index.html and a page for each listed pair of students, and return the index's path."""
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
@@ -82,9 +82,9 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Split the lines of a function into pieces, so that shared code can be highlighted.
+    """Split the lines of a function into pieces, so that the shared code can be highlighted.
 
-    ``kinds`` maps the number of each shared token to "rare" or "common".
+    ``kinds`` maps the index of each shared token to "rare" or "common".
     """
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
@@ -140,7 +140,7 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Return those of a student's functions that contain shared code."""
+    """Return the functions of a student that contain code shared with the other."""
     sides = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
@@ -153,6 +153,6 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Count the pairs by their surprise, in bins of width 1."""
+    """Count the pairs of students by surprise, in bins of width 1."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

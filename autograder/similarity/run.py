@@ -15,7 +15,7 @@ from autograder.wrapping import plain_console
 
 
 def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
-    """Compare every pair of submissions in a class, and write the pages into ``out``.
+    """Compare the code of every two students in a class, and write the pages into ``out``.
 
     Raises:
         ValueError: There is nothing to compare.

@@ -23,19 +23,19 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Return the hash of each sequence of GRAM tokens, from first to last."""
+    """Return the hashes of all sequences of GRAM consecutive tokens, in order."""
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 
 def fingerprints(words: tuple[str, ...]) -> set[int]:
-    """Return those hashes that winnowing keeps."""
+    """Return the hashes that winnowing keeps as fingerprints."""
     found = hashes(words)
     windows = range(max(1, len(found) - WINDOW + 1)) if found else ()
     return {min(found[i : i + WINDOW]) for i in windows}
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Return the numbers of the tokens that belong to a sequence with a shared hash."""
+    """Return the indices of the tokens that are part of a sequence whose hash is shared."""
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
     return {i for start in starts for i in range(start, start + GRAM)}

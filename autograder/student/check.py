@@ -35,9 +35,9 @@ def check(
     """Check chapters or a single exercise, print the results, and return whether all checks pass.
 
     With ``exercise``, only that exercise and its prerequisites are checked. With ``only``, nothing
-    but that exercise's physics checks is shown and counted; everything else runs silently. The
-    ``given`` chapters come from the reference. A written exercise has no checks, so it is just
-    shown. Unanswered questions do not affect the result.
+    but that exercise's physics checks is shown and counted, and all other checks run silently. The
+    ``given`` chapters come from the reference. A written exercise has no checks, so it is only
+    displayed. Unanswered questions do not affect the result.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -65,10 +65,10 @@ def report_on(
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
 ) -> Report:
-    """Check a chapter, or one exercise with its prerequisites, and return the report.
+    """Check a chapter, or one exercise and its prerequisites, and return the report.
 
-    ``run`` is the function that runs the checks. A check that fails only because of an earlier
-    chapter is marked as inherited.
+    ``run`` is the function that runs the checks. A check that fails only because of a mistake in an
+    earlier chapter is marked as inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)

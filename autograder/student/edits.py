@@ -10,7 +10,7 @@ from autograder.manifest import Chapter, Exercise
 
 
 class Edits:
-    """Remembers the student's functions and data, and notices when they change."""
+    """Remembers the student's functions and data files, in order to notice when they change."""
 
     def __init__(self, engine: Path, chapters: list[Chapter]) -> None:
         self.engine = engine
@@ -20,10 +20,10 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Return the exercises edited since the last call, with the parts that changed.
+        """Return the exercises edited since the last call, with the functions or data that changed.
 
-        Changes in layout or comments do not count. If a module cannot be read at the moment, any of
-        its functions may have changed, so all of them count as edited.
+        Changes to layout or comments are ignored. If a module cannot be read at the moment, all of
+        its functions count as edited, because any of them may have changed.
         """
         edited = []
         for chapter in self.chapters:
@@ -35,7 +35,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return the parts of a file that have changed, and remember its contents."""
+        """Return the parts of a file that changed since the last call, and remember the file."""
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()
@@ -55,10 +55,9 @@ class Edits:
 
 
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function in a module, or None if there is nothing to compare.
+    """Return the code of each function in a module, or None if the module is unreadable or empty.
 
-    That is the case if the module is unreadable or empty. Some editors empty a file for a moment
-    before they write to it.
+    A module may be empty only briefly, because some editors truncate a file before writing to it.
     """
     try:
         found = functions(ast.parse(text))
@@ -68,5 +67,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Return whether a function was edited, or is in a module that could not be read."""
+    """Return whether a function was edited, or belongs to a module that could not be read."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check, with everything that helps the student fix it.
+    """A failed check, with everything the student needs in order to fix it.
 
     ``place`` is the line to open in an editor, and ``hints`` is the exercise whose hints may help.
-    Both are empty if an earlier chapter must be fixed first.
+    Both are empty if the student must first fix an earlier chapter.
     """
 
     heading: str
@@ -44,10 +44,10 @@ def failure_of(
     title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
-    """Return the failure in an exercise that the student should see first, or None.
+    """Return the failed check of an exercise that the student should see first, or None.
 
-    Checks of a function in ``edited`` come first, because the student has just worked on it. Next,
-    a mistake in finished code comes before a function that is not written yet.
+    Checks of the functions in ``edited`` come first, because the student has just worked on them.
+    Next, a mistake in finished code comes before a function that is not written yet.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -79,7 +79,7 @@ def failure_of(
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Print one failed check in full, and what to do next."""
+    """Print the message of one failed check in full, followed by what to do next."""
     failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."
@@ -93,7 +93,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the beginning of what the code printed, or [] if it printed nothing."""
+    """Return a row with the beginning of the code's output, or [] if it printed nothing."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 
@@ -102,7 +102,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return whether a check calls one of the edited functions, or fails inside one."""
+    """Return whether a check calls one of the functions just edited, or fails inside one."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -33,7 +33,7 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Print an empty line and the lines of ``end_of``, if there are any."""
+    """If ``end_of`` returns any lines, print them after an empty line."""
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
         console.print(words, style=style, markup=False, soft_wrap=True)
@@ -42,7 +42,7 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the closing screen of a finished chapter, or a line about playable scenes.
+    """Return the closing screen of a finished chapter, or a line that names playable scenes.
 
     Each line comes with its style. The screen is that of the last finished chapter, unless the
     student has already begun another one. In that case we only name the scenes unlocked by
@@ -64,14 +64,14 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether the physics of a chapter works, apart from projects and extra exercises."""
+    """Return whether the physics of a chapter works, not counting projects and extra exercises."""
     working = {result.exercise.id for result in report.results if result.works}
     wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
     return all(exercise.id in working for exercise in wanted)
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the closing screen of a chapter: at most 20 lines of 80 columns."""
+    """Return the closing screen of a chapter, which has at most 20 lines of 80 columns."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
@@ -93,10 +93,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return a sentence that names the scenes an exercise makes playable.
+    """Return a sentence that names the scenes that become playable with this exercise.
 
-    The sentence is empty if this exercise or one before it does not work yet, or if an earlier
-    chapter has failures, because then the scenes would not work either.
+    It is empty if this exercise or an earlier one does not work yet, or if an earlier chapter has
+    failures, because the scenes would not work either.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -114,12 +114,12 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 
 
 def _is_extra(exercise: Exercise) -> bool:
-    """Return whether a chapter counts as finished without this exercise, such as a project."""
+    """Return whether a chapter can be finished without this exercise, such as a project."""
     return exercise.kind == "project" or exercise.id.startswith("G")
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return whether any of the exercise's functions is still a stub, or its file is missing."""
+    """Return whether any function of the exercise is still a stub or its file is missing."""
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
         paths = [folder / chapter.name / file for folder in engine]
@@ -130,7 +130,7 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """Return what is left for the student to do after finishing the chapter."""
+    """Return the work that is still open to the student in a finished chapter."""
     words = []
     robust = [
         (result.exercise, check)
@@ -153,7 +153,7 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 
 
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
-    """Return the path of the chapter's picture, or the command that draws it."""
+    """Return the path of the chapter's picture if it is up to date, or the command to draw it."""
     folder = ROOT / "build" / "plots" / chapter.name
     file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH
     if file.is_file() and drawn_with.is_file():
@@ -166,7 +166,7 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return when any file that affects the chapter's picture was last changed."""
+    """Return the time of the last change to any file that affects the chapter's picture."""
     files = [
         file
         for file in engine.glob("ch??_*/*.*")
@@ -180,13 +180,13 @@ def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
-    """Return the make variables that select the engine and the given chapters."""
+    """Return the make variables that select this engine and these given chapters."""
     numbers = ",".join(str(chapter.number) for chapter in given)
     return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap a text into lines, with a label before the first one."""
+    """Wrap a text into lines, and put a label before the first line."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

@@ -16,13 +16,13 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether single keys can be read, which is possible only in a terminal."""
+    """Return whether single keys can be read, which requires a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Deliver each key at once and without echo, and restore the terminal at the end."""
+    """Until the context ends, deliver each key immediately and without echoing it."""
     if not available() or sys.platform == "win32":
         yield
         return
@@ -39,10 +39,10 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys pressed since the last call, ignoring arrow keys and the like.
+    """Return the keys pressed since the last call, ignoring special keys such as the arrow keys.
 
-    This does not wait for a key. If the terminal has been closed, it returns END. Call it only if
-    ``available`` has returned True.
+    The function never waits for a key. If the terminal has been closed, it returns END. Call it
+    only if ``available`` returns True.
     """
     keys = ""
     if sys.platform == "win32":

@@ -1,6 +1,6 @@
 """Remember verdicts for as long as the student's files stay the same, to save time.
 
-They are kept only in memory. In a file, a student could edit them.
+The verdicts are kept only in memory, because students could edit a file that stores them.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks, and remembers the verdicts for each state of the files.
+    """Runs checks, and remembers their verdicts for as long as no file changes.
 
     ``run`` is a function with the same parameters as ``run_checks``.
     """
@@ -33,7 +33,7 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the same verdicts as ``run_checks``, but run the checks only if necessary."""
+        """Return the verdicts of ``run_checks``, running the checks only if a file has changed."""
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
         for ids in (with_needs(chapter, None), wanted):
@@ -48,7 +48,7 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Compute a hash of all files that can affect the checks of a chapter."""
+    """Compute a hash of all the files on which the checks of a chapter depend."""
     state = hashlib.sha256()
     for number, folder in enumerate(engine):
         for file in sorted(folder.glob("ch??_*/*.*")):

@@ -1,6 +1,6 @@
 """Find out whether a student has edited a file that should stay as is, such as cloth.py.
 
-The grader uses our own copy of it, so the student's changes would be lost.
+The grader uses our own copy of such a file, so the student's changes would have no effect there.
 """
 
 from __future__ import annotations
@@ -12,9 +12,10 @@ from autograder.manifest import ROOT, Chapter
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
-    """Return the complete files of a chapter that the student has changed, judging by stubs.lock.
+    """Return the complete files of a chapter that the student has changed by mistake.
 
-    A file that is missing from the folder or from stubs.lock does not count as changed.
+    They are compared with the hashes in stubs.lock. A file that is missing from the chapter's
+    folder or from stubs.lock does not count as changed.
     """
     locked, changed = read_lock(root), []
     for name in chapter.complete:

@@ -16,10 +16,10 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """What the page shows: lines at the top, a failure, lines at the bottom, and a note.
+    """What the watch page shows: lines at the top, a failure, lines at the bottom, and a note.
 
-    If the diagnosis of the failure does not fit on the terminal, the page names ``whole``, the
-    command that shows it in full.
+    If the explanation of the failure does not fit on the terminal, the page names ``whole``, the
+    command that prints it in full.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -33,7 +33,7 @@ class Page:
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
-        """Print the page.
+        """Print the page on the console.
 
         On a terminal, clear the screen first and shorten the page until it fits.
         """
@@ -50,7 +50,7 @@ class Page:
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
         """Fit the page into ``width`` columns and ``height`` lines.
 
-        If the diagnosis is too long, its middle is cut out.
+        If the explanation of the failure is too long, lines are cut from its middle.
         """
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
@@ -75,7 +75,7 @@ class Page:
         return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
 
     def _below(self) -> list[Line]:
-        """Return the lines below the failure: next steps, progress and the note."""
+        """Return the lines below the failure: the next steps, the progress and the note."""
         steps: list[Line] = []
         if self.failure is not None:
             first, *others = self.failure.steps

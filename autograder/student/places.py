@@ -15,11 +15,11 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # a chapter's folder has such a name
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Return where to look: the line in the message or, failing that, the function called.
+    """Return the line to open in an editor: the one in the message or else the called function.
 
-    Two kinds of lines do not help: one in a function of another exercise may be correct, and one in
-    a complete file is not the student's to edit. If the check is about data that the student
-    entered, return the data file.
+    A line in a function of another exercise is passed over, because it may be correct, and so is a
+    line in a complete file, which students must not edit. If the check is about data that the
+    student entered, return the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -40,10 +40,10 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
 
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
-    """Return where one of the functions that students edit is defined, as path:line.
+    """Return where a function that students edit is defined, as path:line.
 
     ``name`` is the function's name in the manifest. If its file is missing or unreadable, return
-    only the path. Paths inside the working folder are relative to it.
+    only the path. A path inside the working folder is given relative to it.
     """
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")
@@ -56,7 +56,7 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Return the manifest's name of the function that contains a line."""
+    """Return the manifest's name of the function whose body contains a line."""
     tree = _read(_file(engine, chapter, file))
     for name, node in functions(tree).items() if tree else ():
         if node.lineno <= line <= (node.end_lineno or 0):
@@ -65,7 +65,7 @@ def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | No
 
 
 def _read(file: Path) -> ast.Module | None:
-    """Return the syntax tree of a file, or None if the file is missing or unreadable."""
+    """Return the syntax tree of a Python file, or None if it is missing or unreadable."""
     try:
         return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors add a BOM
     except (OSError, SyntaxError, ValueError):
@@ -73,9 +73,9 @@ def _read(file: Path) -> ast.Module | None:
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:
-    """Return the path of one of the engine's files.
+    """Return the path of a chapter's file in the engine.
 
-    It is relative to the working folder if it lies inside it.
+    The path is relative to the working folder if it lies inside that folder.
     """
     files = [folder / chapter / name for folder in engine]
     file = next((file for file in files if file.exists()), files[0])

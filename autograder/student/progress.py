@@ -14,7 +14,7 @@ from autograder.student.screen import ProgressBar, Report, bar
 
 
 class Progress:
-    """Runs checks, and remembers the latest result of each exercise."""
+    """Runs checks, and keeps the latest result of every exercise."""
 
     def __init__(
         self, chapters: list[Chapter], folders: list[Path], given: list[Chapter], memory: Memory
@@ -26,7 +26,7 @@ class Progress:
         self.last: dict[tuple[str, str], Result] = {}
 
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> Report:
-        """Check a chapter, and remember the results.
+        """Check a chapter, store the results, and return the report.
 
         With ``exercise``, check only that exercise and its prerequisites.
         """
@@ -37,9 +37,9 @@ class Progress:
         return report
 
     def next_open(self) -> tuple[Chapter, Exercise] | None:
-        """Return the exercise that comes next, or None if there is nothing left to do.
+        """Return the exercise to work on next, or None if everything is done.
 
-        Within a chapter, the physics of every exercise comes before any robust checks.
+        Within a chapter, the physics of all exercises comes before the robust checks.
         """
         for chapter in self.chapters:
             wanted = asked_for(chapter)
@@ -51,17 +51,17 @@ class Progress:
         return None
 
     def works(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Return whether the physics of this exercise passed when last checked."""
+        """Return whether the physics checks of an exercise all passed the last time they ran."""
         result = self.last.get((chapter.name, exercise.id))
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Return whether the physics of every exercise in a chapter passed when last checked."""
+        """Return whether all physics checks of a chapter passed the last time they ran."""
         wanted = asked_for(chapter)
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Say how much of a chapter is done: first the physics, and then all checks."""
+        """Say how much of a chapter is done: its physics or, once that is complete, all checks."""
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
         of = len(wanted)
@@ -76,10 +76,10 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether any physics check of an exercise does not pass yet."""
+    """Return whether an exercise still has a physics check that does not pass."""
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether any check of an exercise, physics or robust, does not pass yet."""
+    """Return whether an exercise still has a check, physics or robust, that does not pass."""
     return result.status not in ("passed", "waiting")

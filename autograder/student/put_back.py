@@ -14,7 +14,7 @@ from autograder.definitions import functions
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
     """Insert the stubs of deleted functions, such as Vector3.dot, and return the new module.
 
-    If a whole class is gone, all of it comes back.
+    If the student has deleted a whole class, all of it is restored.
 
     Raises:
         ValueError: The stub does not define one of the names.
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return a class with the members ``names`` added from the stub."""
+    """Return a class to which the missing members ``names`` have been added from its stub."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -57,7 +57,7 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert a node after its nearest predecessor in the stub, or else before its successor."""
+    """Insert a definition in stub order: after its nearest predecessor, or before its successor."""
     names = [_name(other) for other in body]
     at = [*order].index(node)
     for other in reversed(order[:at]):
@@ -73,7 +73,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the manifest's name for a class or function, or "" for anything else."""
+    """Return the manifest's name of a class or function, or "" for any other statement."""
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)
     if isinstance(node, cst.FunctionDef):

@@ -26,9 +26,9 @@ COPIES = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """What a reset does to one file.
+    """What a reset will change in one file.
 
-    If ``gone`` is true, the student had deleted the functions in ``names``.
+    If ``gone`` is true, the functions in ``names`` are missing because the student deleted them.
     """
 
     file: Path
@@ -48,8 +48,8 @@ def reset(
 ) -> str:
     """Restore the stubs of an exercise, and return a text that lists the changes and the copies.
 
-    Only the functions of this exercise change. If any were deleted, the reset brings back just
-    those and leaves the others alone. With ``whole``, it restores entire files.
+    Only the functions of this exercise change. If the student deleted any of them, the reset brings
+    those back and leaves the others alone. With ``whole``, it restores entire files.
 
     Raises:
         ValueError: A file cannot be read or lacks a function. Nothing is changed.
@@ -74,10 +74,10 @@ def reset(
 
 
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
-    """Return the question that a student must answer before a reset.
+    """Return the question to which the student must say yes before a reset.
 
     Raises:
-        ValueError: ``reset`` would raise one as well.
+        ValueError: The reset itself would raise this error.
     """
     changes = planned(chapter, exercise, engine)
     names = ", ".join(name for change in changes for name in change.names)
@@ -97,10 +97,10 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Return the changes that a reset would make, without making them.
+    """Return the changes that a reset would make to the student's files, without making them.
 
     Raises:
-        ValueError: ``reset`` would raise one as well.
+        ValueError: The reset itself would raise this error.
     """
     if not exercise.edit:
         raise ValueError(f"{exercise.id} is answered in answers.md, so it has no stub to restore")
@@ -118,7 +118,7 @@ def planned(
 
 
 def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Return the change to one file. If functions were deleted, it restores only those."""
+    """Return the change to one file. If any functions were deleted, only those are restored."""
     try:
         before = file.read_bytes()
         tree, module = ast.parse(before), cst.parse_module(before)
@@ -163,7 +163,7 @@ def _whole_stub(chapter: Chapter, file: str) -> bytes:
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:
-    """Copy a student's file under an unused number, and return the path of the copy."""
+    """Save a copy of a student's file under a number that is not in use, and return its path."""
     folder.mkdir(parents=True, exist_ok=True)
     for number in count(1):
         copy = folder / f"{file.stem}-{number}{file.suffix}"
@@ -175,5 +175,5 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Return a path relative to the working folder if it lies inside it."""
+    """Return a path relative to the working folder if it lies inside that folder."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -41,10 +41,10 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """The results of a chapter, as found by the checks in one or two runs.
+    """The results of a chapter's checks, which may have run once or twice.
 
     ``results`` come from a run on the student's own earlier chapters. ``on_reference`` comes from a
-    second run on ours, and is empty if that run was not needed or not possible. ``suspects`` are
+    second run on ours, and is empty if that run was unnecessary or impossible. ``suspects`` are
     earlier chapters that may be to blame for failures.
     """
 
@@ -55,7 +55,7 @@ class Report:
 
 
 class ProgressBar:
-    """Shows the progress of the checks on a terminal, and nothing on any other output."""
+    """Shows how many checks have run, but only if the output is a terminal."""
 
     title = ""
     _bar = None
@@ -88,9 +88,10 @@ def print_report(
     engine: list[Path],
     given: list[Chapter],
 ) -> bool:
-    """Print the chapters and the first failure in full, and return whether all checks pass.
+    """Print the results and the first failure in full, and return whether all checks pass.
 
-    Open questions are listed, but no check can judge an answer, so they do not affect the result.
+    Unanswered questions are listed, but they do not affect the result, because no check can judge
+    an answer.
     """
     for report in reports:
         print_chapter(console, report, engine)
@@ -110,7 +111,7 @@ def print_report(
 
 
 def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapter, Result] | None:
-    """Return what the student should work on first, or None if all checks pass."""
+    """Return the result that the student should work on first, or None if all checks pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if not exercise:
@@ -135,7 +136,7 @@ def passed_words(
 ) -> str:
     """Return the sentence that tells the student that all checks pass.
 
-    ``changed`` is true if the student has edited a file that should stay as is.
+    ``changed`` is true if the student has edited a file that should not be changed.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."
@@ -146,7 +147,7 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on each file that the student has edited but should not have."""
+    """Return a warning about each file that the student has edited but should leave as is."""
     return [
         f"You have edited {file}. It isn't handed in, and grading uses the original, so code that "
         "relies on your changes will fail there. Keep your own code in the files that the "
@@ -156,7 +157,7 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print a chapter's table and points, and a note on files that will not be handed in."""
+    """Print a chapter's table and points, and warn about files that will not be handed in."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
@@ -200,7 +201,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return the points of an exercise as the table shows them, or why it has none."""
+    """Return the points of an exercise as shown in the table, or why it has none."""
     exercise = result.exercise
     if exercise.optional:
         return "needed" if exercise.id in asked_for(chapter) else "optional"
@@ -209,7 +210,7 @@ def points_of(chapter: Chapter, result: Result) -> str:
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on modules in a chapter's folder that belong to no exercise."""
+    """Return a warning about modules in a chapter's folder that belong to no exercise."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     extra = [name for name in files if name not in known]
@@ -217,7 +218,7 @@ def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def passing(checks: Sequence[Verdict]) -> str:
-    """Return how many of these checks pass, such as 3/4, or "" if there are none."""
+    """Return how many of these checks pass, as in 3/4, or "" if there are none."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
 
@@ -231,14 +232,14 @@ def bar(part: float, whole: float) -> str:
 def print_inherited(
     console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
 ) -> None:
-    """Print how many checks fail because of an earlier chapter, and how to proceed."""
+    """Print how many checks fail because of an earlier chapter, and what to do about it."""
     for note in inherited_notes(report, exercise, engine):
         print_wrapped(console, note, STYLES["inherited"])
         console.print()
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
-    """Return notes on the earlier chapters that cause, or may cause, failures in this one."""
+    """Return notes on earlier chapters that cause, or may cause, failures in this chapter."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
@@ -262,7 +263,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Return the numbers of some chapters in words, such as "chapter 2" or "chapters 2-5"."""
+    """Put the numbers of some chapters into words, such as "chapter 2" or "chapters 2-5"."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
@@ -280,7 +281,7 @@ def _state(result: Result, answered: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return whether a check fails only because this exercise has an unwritten function."""
+    """Return whether a check fails only because a function of this exercise is still a stub."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 

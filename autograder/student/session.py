@@ -23,9 +23,9 @@ TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows 
 
 
 class Session:
-    """The state of the command watch.
+    """The state of the command watch between two saves.
 
-    It knows which exercise the student is working on and, once that is done, what comes next.
+    It knows which exercise the student is working on and, once that exercise is done, the next one.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """If any files have changed, run the checks again. Return whether any have."""
+        """If any files have changed, rerun the checks. Return whether any files have changed."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -53,9 +53,9 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """Switch to the exercise that the student has just edited.
+        """Make the exercise that the student has just edited the current one.
 
-        If several were edited at once, prefer one that does not work yet.
+        If the student edited several at once, prefer one that does not work yet.
         """
         edited = self.edits.look()
         if edited:
@@ -69,7 +69,7 @@ class Session:
             self.current, self.edited = (chapter, exercise), names
 
     def go_on(self) -> None:
-        """Move on to the next exercise, if there is one."""
+        """Make the next exercise the current one, if there is a next one."""
         if self.next:
             self.current, self.edited = self.next, []
             self.show()
@@ -114,7 +114,7 @@ class Session:
         return True
 
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
-        """Show a failing physics or robust check of an exercise, and how many of them pass."""
+        """Show a failed check of an exercise, and how many of its physics or robust checks pass."""
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):
             page.top += [(note, STYLES["inherited"]), ("", "")]
@@ -129,7 +129,7 @@ class Session:
         page.say(self.progress.words(chapter))
 
     def say_done(self, result: Result, *, wait: bool) -> None:
-        """Show that the physics of an exercise passes, and which robust checks are left."""
+        """Show that the physics of an exercise passes, and which robust checks are still to do."""
         exercise, count = result.exercise, len(result.checks)
         title = f"{exercise.id} {exercise.title}"
         left = sum(check.status != "passed" for check in result.robust)
@@ -149,8 +149,8 @@ class Session:
     def find_next(self) -> None:
         """Find the next open exercise, and show the student how to move on to it.
 
-        At the start we move on at once, because there is no other exercise to finish first. We do
-        the same if keys cannot be read, because then the student cannot press Enter.
+        When watch starts, we move on at once, because there is no other exercise to finish first.
+        We do the same if keys cannot be read, because then the student cannot press Enter.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:
@@ -171,7 +171,7 @@ class Session:
             self.is_done(*self.next)
 
     def say_end(self) -> None:
-        """Show that a chapter is finished, or which scenes an exercise has made playable."""
+        """Show that a chapter is finished, or which scenes the exercise has made playable."""
         chapter, exercise = self.current or (self.progress.chapters[-1], None)
         report = self.progress.report(chapter)
         self.page.top += end_of([report], exercise, self.engine, self.progress.given)

@@ -50,7 +50,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Runs the command that belongs to a key when the student presses it."""
+    """Runs a command when the student presses the key for it."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -84,7 +84,7 @@ class Keyboard:
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the next hint for the exercise. Once there are no more, repeat the last one."""
+        """Show the exercise's next hint. After the last one, show that one again."""
         if not self.session.current:
             return
         exercise = self.session.current[1]
@@ -93,14 +93,14 @@ class Keyboard:
         self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
 
     def ask(self) -> None:
-        """Ask whether to reset the current exercise to its stubs."""
+        """Ask the student whether to reset the current exercise to its stubs."""
         if not self.session.current:
             return
         self.note(f"{question(*self.session.current, self.session.engine[0])} (y or n)", "bold")
         self.asking = True
 
     def answer(self, key: str) -> None:
-        """Reset the current exercise if the student's answer is yes."""
+        """Reset the current exercise if the student has answered yes."""
         self.asking = False
         if key != "y" or not self.session.current:
             self.note("Nothing was reset.")
@@ -116,14 +116,14 @@ class Keyboard:
         print_chapter(session.console, session.progress.report(chapter), session.engine)
 
     def check_all(self) -> None:
-        """Run all checks again, and print the same as make check."""
+        """Rerun all checks, and print what `make check` would print."""
         session, progress = self.session, self.session.progress
         progress.memory.known.clear()
         reports = [progress.report(chapter) for chapter in progress.chapters]
         print_report(session.console, reports, None, session.engine, progress.given)
 
     def plot(self) -> None:
-        """Draw a chapter's plots to files, in a separate process that opens no window."""
+        """Draw a chapter's plots to files in a separate process, without opening a window."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         self.say(f"Drawing chapter {chapter.number} ...")

@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 def print_written(
     console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question of a written exercise and, once it is answered, the model answer.
+    """Print the question of a written exercise and, once it has been answered, our model answer.
 
-    The rubric follows, so that students can judge their own answers. A hand-out contains neither
-    the model answer nor the rubric, which are for the instructor only.
+    The rubric follows, so that students can assess their own answers. A hand-out has neither the
+    model answer nor the rubric, because both are reserved for the instructor.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -49,7 +49,7 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Say which questions are open and where to answer them, or return "" if there are none."""
+    """Say which questions are unanswered and where to answer them, or return "" if none are."""
     groups = [
         open_ones
         for chapter in chapters
@@ -63,7 +63,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return the sentence that says that all checks pass, with the questions still open."""
+    """Return the sentence that says that all checks pass, plus any questions still unanswered."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -75,7 +75,7 @@ def _is_open(question: Question) -> bool:
 
 
 def listed(words: list[str], last: str = "and") -> str:
-    """Join words as in a sentence, such as "a, b and c"."""
+    """Join words into an English list, such as "a, b and c"."""
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
@@ -86,8 +86,8 @@ def _ids(questions: list[Question]) -> list[str]:
 def flowing(text: str) -> str:
     """Join the lines of each paragraph and list item, so that the text fits any screen width.
 
-    Markdown's quotation marks (>) are removed. Indented lines, such as formulas, stay as they are,
-    and a text with code blocks does not change at all.
+    Markdown's block quote markers (>) are removed. Indented lines, such as formulas, are left as
+    they are, and so is any text that contains code blocks.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

@@ -15,9 +15,9 @@ _Index = defaultdict[str, list[Student]]
 
 @dataclass(frozen=True)
 class Member:
-    """Somebody in the class: a student on the roster, the author of a submission, or both.
+    """A member of the class: a student on the roster, the author of a submission, or both.
 
-    ``shown`` is the name that all reports show, and ``folder`` the name on the submission itself.
+    ``shown`` is the name used in all reports, and ``folder`` is the name on the submission itself.
     """
 
     shown: str
@@ -30,7 +30,7 @@ class Member:
 
     @property
     def aliases(self) -> tuple[str, ...]:
-        """All of the student's names, on the submission and on the roster."""
+        """All names of this student, both on the submission and on the roster."""
         who = self.student
         known = (who.name, who.id, who.email, who.login) if who else ()
         return tuple(name for name in (self.folder, *known) if name)
@@ -38,14 +38,14 @@ class Member:
 
 @dataclass(frozen=True)
 class ClassList:
-    """The members of a class. Without a roster, only those who handed something in are known."""
+    """The members of a class. Without a roster, these are the students who handed something in."""
 
     members: list[Member]
     has_roster: bool = False
 
     @property
     def submissions(self) -> list[Submission]:
-        """The submissions under the names that the reports show, sorted by these names."""
+        """The submissions of the class, named and sorted by the names used in reports."""
         renamed = [
             replace(member.submission, student=member.shown, aliases=member.aliases)
             for member in self.members
@@ -55,17 +55,17 @@ class ClassList:
 
     @property
     def missing(self) -> list[str]:
-        """The students of the roster who have not handed anything in."""
+        """The students on the roster who have not handed anything in."""
         return [member.shown for member in self.members if not member.submission]
 
     @property
     def unmatched(self) -> list[str]:
-        """The submissions that do not belong to any student on the roster."""
+        """The submissions whose names match no student on the roster."""
         return [m.shown for m in self.members if self.has_roster and not m.student]
 
     @property
     def names(self) -> dict[str, str]:
-        """For each name that only one student has, the name that the reports use.
+        """A map from every unambiguous name of a student to the name used in reports.
 
         Students who have not handed anything in are left out.
         """
@@ -81,7 +81,7 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return the class with ``name(member)`` as each member's name in the reports."""
+        """Return the class with each member's name in the reports changed to ``name(member)``."""
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))
 
@@ -89,10 +89,10 @@ class ClassList:
 def match(
     submissions: list[Submission], roster: list[Student] | None, path: Path | None
 ) -> ClassList:
-    """Match each submission with its student on the roster, and return the class.
+    """Match each submission with a student on the roster, and return the class.
 
-    Submissions that belong to no student are part of the class as well, and so are students without
-    a submission.
+    Submissions without a student are part of the class as well, and so are students without a
+    submission.
 
     Raises:
         ValueError: A submission matches two students, or a student matches two submissions. The
@@ -136,7 +136,7 @@ def match(
 
 
 def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
-    """Return the students whose names match a submission. There should be at most one."""
+    """Return the students on the roster who match a submission. There should be at most one."""
     export = submission.export
     identity = submission.student
     if export:  # Moodle's number identifies a participant in one assignment, not a student

@@ -23,7 +23,7 @@ QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
-    """Return the class with codes instead of names, and write the key file that explains them.
+    """Return the class with codes instead of names, and write the key file that decodes them.
 
     A code is computed from the student's id and from a secret in the key file, so every student
     keeps the same code for as long as that file exists. For a submission that belongs to no student
@@ -47,18 +47,18 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
 
 
 def key_path(roster: Path | None, out: Path) -> Path:
-    """Return the path of the key file: beside the roster or, without one, beside the reports."""
+    """Return the path of the key file: next to the roster or, without one, next to the reports."""
     beside = (roster or out).resolve()
     return beside.with_name(f"{beside.stem if roster else beside.name}-key.csv")
 
 
 def without_names(note: str) -> str:
-    """Return a note without anything it quotes, since a folder name may identify a student."""
+    """Remove the quoted parts of a note, such as a folder's name that may identify a student."""
     return QUOTED.sub("one of them", note)
 
 
 def refuse_names(out: Path) -> None:
-    """Raise ValueError if a folder already contains reports under students' names."""
+    """Raise ValueError if a folder already has reports in which students are named."""
     for kind in ("results", "feedback", "gradescope"):
         for path in [*(out / kind).glob("*"), *(out / "earlier" / kind).glob("*")]:
             name = path.name if path.is_dir() else path.stem
@@ -87,7 +87,7 @@ def _secret_in(path: Path) -> str:
 
 
 def _write_private(path: Path, text: str) -> None:
-    """Write a file atomically, and let only its owner read it."""
+    """Write a file atomically, and make it readable only by its owner."""
     temporary = path.with_name(path.name + ".tmp")
     temporary.unlink(missing_ok=True)
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL

@@ -11,7 +11,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file: its separator, its first line, and its column names in lower case."""
+    """A CSV file, with its separator, its first line, and its column names in lower case."""
 
     path: Path
     text: str

@@ -38,14 +38,14 @@ class Exported:
 
     @property
     def student(self) -> str:
-        """The name under which we grade the student if there is no roster."""
+        """The name by which we grade the student if there is no roster."""
         return f"{self.name}_{self.number}"
 
 
 def read_export(name: str) -> Exported | None:
-    """Return what can be learned from a name, or None if it is not from Canvas or Moodle.
+    """Parse a submission's name, or return None if it does not come from Canvas or Moodle.
 
-    ``name`` must not end with .zip.
+    ``name`` must not end in .zip.
     """
     if found := MOODLE.fullmatch(name):
         order = 0, _resubmission(found["file"] or "")
@@ -61,6 +61,6 @@ def read_export(name: str) -> Exported | None:
 
 
 def _resubmission(file: str) -> int:
-    """Return the number that a platform adds to a later upload, as in work-2.zip, or else 0."""
+    """Return the number that a platform appends to later uploads, as in work-2.zip, or else 0."""
     found = RESUBMITTED.search(file)
     return int(found[1]) if found else 0

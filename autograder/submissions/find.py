@@ -23,10 +23,10 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 @dataclass(frozen=True)
 class Submission:
-    """What a student has handed in: a folder or a zip file.
+    """What a student has handed in, as a folder or a zip file.
 
-    If a platform chose the file's name, ``export`` holds what that name says. ``aliases`` are the
-    student's other names, from the folder or file and from the roster.
+    If a platform chose the name of that file, ``export`` holds the parts of the name. ``aliases``
+    are the student's other names, taken from the folder or file and from the roster.
     """
 
     student: str
@@ -36,12 +36,12 @@ class Submission:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All names under which we know the student."""
+        """All the names under which we know the student."""
         return (self.student, *self.aliases)
 
     @property
     def late(self) -> bool:
-        """Whether the platform marked the submission as late, which only Canvas does."""
+        """Whether the platform marked the submission as late. Only Canvas does that."""
         return self.export is not None and self.export.late
 
 
@@ -118,19 +118,19 @@ def file_name(student: str) -> str:
 
 
 def printable(text: str) -> str:
-    """Escape the unprintable characters of a text.
+    """Escape the unprintable characters in a text.
 
-    Backslashes are doubled, so that different texts stay different.
+    Backslashes are doubled, so that no two texts look the same.
     """
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
 def _order(submission: Submission) -> tuple[int, int]:
-    """Return a sort key, which is larger for a later upload to a platform."""
+    """Return a sort key that is larger for a later upload of the same student."""
     return submission.export.order if submission.export else (0, 0)
 
 
 def _clean(name: str) -> str:
-    """Replace the characters that have a special meaning in any file system."""
+    """Replace all characters that are special in some file system."""
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in name]
     return re.sub(r"^\.", "_", "".join(kept))

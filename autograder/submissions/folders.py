@@ -25,9 +25,10 @@ class NotTakenError(Exception):
 class Found:
     """A chapter's file that was found in a submission.
 
-    ``place`` lists the folders on the way to the file, ending with the chapter's own. ``read``
+    ``place`` lists the folders on the path to the file, ending with the chapter's own. ``read``
     takes the maximum size to accept, and returns the contents or raises NotTakenError. A
-    ``doubtful`` file is in an unreadable folder and counts only if there is no other.
+    ``doubtful`` file is in an unreadable folder, which counts only if the chapter has no other
+    folder.
     """
 
     place: tuple[str, ...]
@@ -39,7 +40,7 @@ class Found:
 def search_folder(
     submission: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files to grade in a student's folder, with notes on any problems.
+    """Find the files to be graded in a student's folder, with notes on any problems.
 
     Raises:
         NotTakenError: The submission's folder cannot be read at all.
@@ -99,7 +100,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Return a stand-in for ``read`` that raises NotTakenError with a reason."""
+    """Return a stand-in for ``Found.read`` that always raises NotTakenError with this reason."""
 
     def read(_: int) -> bytes:
         raise NotTakenError(reason)
@@ -108,22 +109,22 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 
 
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
-    """Return an entry for each of the files in a folder that cannot be read."""
+    """Return entries that reject each of the wanted files in a folder that cannot be read."""
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 
 def too_large(what: str, largest: int) -> NotTakenError:
-    """Return the exception for a file or a zip of more than ``largest`` bytes."""
+    """Return the NotTakenError for a file or zip that is larger than ``largest`` bytes."""
     return NotTakenError(f"{what} is larger than {largest:,} bytes")
 
 
 def is_skipped(name: str) -> bool:
-    """Return whether a folder is hidden, or one that an operating system made for itself."""
+    """Return whether a folder is hidden or was created by an operating system for its own use."""
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
 
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
-    """Return the wanted files that a chapter's folder contains, whatever they are."""
+    """Return the wanted files that are in a chapter's folder, even if they turn out to be links."""
     found: list[Found] = []
     try:
         mode = _mode(folder)
@@ -140,7 +141,7 @@ def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) 
 
 
 def _mode(path: Path) -> int:
-    """Return the mode of a file or folder, or 0 if it does not exist."""
+    """Return the mode bits of a file or folder, or 0 if it does not exist."""
     try:
         return path.lstat().st_mode
     except (FileNotFoundError, NotADirectoryError):
@@ -148,7 +149,7 @@ def _mode(path: Path) -> int:
 
 
 def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """Return the folders among the first ``most`` entries, and how many entries were examined."""
+    """Return the folders among the first ``most`` entries, and the number of entries examined."""
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
         names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
@@ -156,7 +157,7 @@ def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
 
 
 def _open(path: str, flags: int) -> int:
-    """Open a file without following a link or waiting for a pipe."""
+    """Open a file, but do not follow a link or wait for a pipe."""
     return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -172,7 +173,7 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Return why a file cannot be read, or raise the error if the machine is to blame."""
+    """Return why a file cannot be read, or raise the error again if the machine is to blame."""
     if error.errno in OURS:
         raise error
     return error.strerror or type(error).__name__

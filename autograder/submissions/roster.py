@@ -16,7 +16,7 @@ UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a st
 
 @dataclass(frozen=True)
 class Student:
-    """A student in the roster. ``email`` and ``login`` may be empty."""
+    """A student on the roster. The ``email`` and the ``login`` may be empty."""
 
     id: str
     name: str
@@ -31,7 +31,7 @@ class Student:
 
     @property
     def names(self) -> set[str]:
-        """The ways in which a folder or a platform may spell the student's name.
+        """The spellings of the student's name that a folder or a platform may use.
 
         Canvas puts the last name first. A roster may do so too, as in "Doe, Jane".
         """
@@ -43,7 +43,7 @@ class Student:
 def read_roster(path: Path) -> list[Student]:
     """Return the students on a roster, in file order.
 
-    The file may have other columns too, in any order. They are separated by commas or semicolons.
+    The roster may have other columns too, in any order, separated by commas or semicolons.
 
     Raises:
         ValueError: The roster contains a mistake. The message names the line.
@@ -85,21 +85,21 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def key(text: str) -> str:
-    """Normalize an id, e-mail address or login for comparison."""
+    """Normalize an id, e-mail address or login, so that it can be compared."""
     return unicodedata.normalize("NFC", text.strip()).casefold()
 
 
 def letters(name: str) -> str:
-    """Return only the letters and digits of a name, in lower case.
+    """Reduce a name to its letters and digits, in lower case, for comparison.
 
-    Platforms drop all other characters, so names can be compared only in this form.
+    Platforms drop all other characters from the names of their files.
     """
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(character for character in text if character.isalnum())
 
 
 def _places(table: Table) -> dict[str, int]:
-    """Return the index of each column that the roster must have."""
+    """Return the index of every column that a roster must have."""
     for name in COLUMNS:
         if (count := table.header.count(name)) != 1:
             problem = f"there are {count} columns {name!r}" if count else f"no column {name!r}"

@@ -1,6 +1,6 @@
-"""Copy the files to grade from a submission into a new folder.
+"""Copy the files to be graded from a submission into a new folder.
 
-Nothing else in the submission is ever imported.
+No other file of the submission is ever imported.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten
 
 @dataclass(frozen=True)
 class Staged:
-    """What was copied from a submission, and what was rejected.
+    """The outcome of copying a submission: which files were rejected, and why.
 
     ``missing`` maps the rejected modules, such as ch02_vectors.vector, to the reasons. ``notes``
     are for the instructor, and quote nothing but names from the student. ``digest`` depends on
@@ -71,7 +71,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
-    """Find all chapters' files in any kind of submission, with notes on any problems."""
+    """Find the files of all chapters in a submission of any kind, with notes on any problems."""
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode
@@ -91,7 +91,7 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Choose the folder of a chapter. Return its files, with a note if there are several folders.
+    """Return a chapter's files from the best of its folders, with a note if there are several.
 
     We take the least deeply nested folder and, if several tie, the first by name. A hand-out also
     has a folder with the original stubs, which counts only if there is no other.
@@ -112,7 +112,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 
 def _text(content: bytes) -> bytes:
-    """Return the contents of a file unchanged, or reject the file if it is not text.
+    """Return the contents of a submitted file unchanged, provided that it is a text file.
 
     Raises:
         NotTakenError: The contents are not text.

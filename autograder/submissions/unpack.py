@@ -40,7 +40,7 @@ NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EI
 
 @dataclass(frozen=True)
 class Unpacked:
-    """What was unpacked: the digest of the zip, its contents, and notes on what was left out."""
+    """What came out of a class's zip: its digest, its contents, and notes on what was left out."""
 
     zip: str
     names: list[str]
@@ -49,7 +49,7 @@ class Unpacked:
 
 @dataclass(frozen=True)
 class _File:
-    """A file in the zip. The first of its ``parts`` is the name of the student's submission."""
+    """A file in a class's zip. The first of its ``parts`` names the submission it belongs to."""
 
     parts: list[str]
     entry: zipfile.ZipInfo
@@ -81,7 +81,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Replace the files from an earlier version of this zip with those from the new one."""
+    """Delete the files from an earlier version of this zip, and write those from the new one."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:
@@ -109,7 +109,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
 
 
 def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
-    """Return the files to write, with notes on those that are left out."""
+    """Return the files in the zip that should be written, with notes on those left out."""
     if len(file.infolist()) > MOST_FILES:
         raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")
     files: list[_File] = []
@@ -129,7 +129,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
-    """Copy the files that can be graded into ``folder``. Return a note for each file skipped."""
+    """Extract the files that can be graded into ``folder``, and return notes on rejected files."""
     notes: list[str] = []
     sizes: Counter[str] = Counter()
     for one in files:

@@ -45,7 +45,7 @@ UNREADABLE = (
 
 
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
-    """Find the files to grade in a student's zip, with notes on any problems.
+    """Find the files to be graded in a student's zip, with notes on any problems.
 
     Raises:
         NotTakenError: The zip as a whole is rejected.
@@ -86,7 +86,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files to grade in the zips of a folder, as if they were unpacked there."""
+    """Find the files to be graded in the zips in a folder, as if they had been unpacked there."""
     with os.scandir(folder) as entries:
         names = [
             entry.name
@@ -110,21 +110,21 @@ def search_zips_in(
 
 
 def path_in_zip(entry: zipfile.ZipInfo) -> str:
-    """Return the path of a file in the zip, with forward slashes between its folders."""
+    """Return the path of an entry in a zip, with forward slashes between its parts."""
     # Some Windows tools write backslashes, and other tools begin paths with a dot.
     return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path in a zip could lead outside it, or is not a plain path.
+    """Return whether a path in a zip could lead outside the zip, or is not a plain path.
 
-    Such a path is absolute, or has a part that is empty or made of dots.
+    Such a path is absolute, or one of its parts is empty or made of dots.
     """
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 
 
 def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
-    """Return the contents of a regular file in the zip.
+    """Return the contents of a file in the zip.
 
     Raises:
         NotTakenError: It is not a regular file, is too large, or cannot be read.

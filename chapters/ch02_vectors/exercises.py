@@ -38,7 +38,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
     """Exercise 2.4: return the z that makes (x, y, z) perpendicular to ``a``.
 
-    Raises ValueError if ``a.z`` is zero, because z then has no effect on the scalar product.
+    Raises ValueError if ``a.z`` is zero, because then no choice of z changes the scalar product.
 
     >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
     -1.0

@@ -71,10 +71,11 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 
 
 def is_spent(shot: Shot) -> bool:
-    """Return whether a shot must be removed (4.1.2).
+    """Return True if a shot can be removed from the range (4.1.2).
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
-    ``END_OF_RANGE`` in z. Without this rule the range would simulate more and more shots.
+    ``END_OF_RANGE`` in z. If spent shots were never removed, the range would have to simulate more
+    and more of them.
     """
     raise NotImplementedError("Exercise B4.3: Shots in flight")
 
@@ -101,7 +102,7 @@ def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> 
 
 
 class BallisticRange:
-    """A range with its target blocks, and the shots in flight in the order of firing."""
+    """A shooting range: its target blocks, and the shots in flight, oldest first."""
 
     def __init__(self, targets: Iterable[TargetBlock] = ()) -> None:
         self.targets = list(targets)

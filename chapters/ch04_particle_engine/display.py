@@ -61,7 +61,7 @@ def is_over(display: Display) -> bool:
 
 
 def tick(display: Display, duration: float) -> None:
-    """Update the show by ``duration`` s, and count this time unless the game is already over.
+    """Advance the show by ``duration`` s. Until the game is over, count it as time played.
 
     Raises ValueError if the duration is not positive and finite. In that case nothing changes.
     """

@@ -28,7 +28,7 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """What the world stores about a sleeping particle: values to restore, and values to compare."""
+    """The data that the world needs to wake a sleeping particle, or to see that it changed."""
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m

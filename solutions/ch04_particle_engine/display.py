@@ -77,7 +77,7 @@ def is_over(display: Display) -> bool:
 
 
 def tick(display: Display, duration: float) -> None:
-    """Update the show by ``duration`` s, and count this time unless the game is already over.
+    """Advance the show by ``duration`` s. Until the game is over, count it as time played.
 
     Raises ValueError if the duration is not positive and finite. In that case nothing changes.
     """
@@ -88,6 +88,6 @@ def tick(display: Display, duration: float) -> None:
 
 
 def _rockets(display: Display) -> list[Firework]:
-    """Return the fireworks whose rule has payloads, whether or not they have any fuse left."""
+    """Return every firework that releases others when it burns out, even if its fuse is spent."""
     rules = display.show.rules
     return [firework for firework in display.show.fireworks if rules[firework.type].payloads]

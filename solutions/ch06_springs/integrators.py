@@ -281,7 +281,7 @@ def _starts(
 
 
 def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
-    """Restore the forces that were added by hand, because each evaluation starts from them."""
+    """Put back the forces that the caller added, so that the next evaluation includes them."""
     for particle, force in by_hand:
         particle.add_force(force)
 

@@ -139,7 +139,7 @@ class Matrix4:
     def transform_inverse_direction(self, v: Vector3) -> Vector3:
         """Return the direction that ``transform_direction`` maps to ``v``, as a new vector (9.4.5).
 
-        Multiply by the transpose of the 3x3 part. For a rotation, the transpose is the inverse.
+        Multiply ``v`` by the transpose of the 3x3 part, which for a rotation is also the inverse.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")

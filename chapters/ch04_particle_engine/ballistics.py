@@ -94,9 +94,9 @@ def grenade_after(shot: Shot) -> list[Shot]:
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
     """Return the shots that replace ``shot`` after it has moved from ``start`` by one step.
 
-    A shot that has hit a target on its path is gone, so the list is empty. Otherwise the result
-    depends on the type of the shot: ``grenade_after`` decides what happens to a grenade, and any
-    other shot flies on until it is spent.
+    If the shot has hit a target on its path, the list is empty, because the shot disappears.
+    Otherwise the result depends on the type of the shot: ``grenade_after`` decides what happens to
+    a grenade, and any other shot flies on until it is spent.
     """
     raise NotImplementedError("Exercise B4.3: Shots in flight")
 

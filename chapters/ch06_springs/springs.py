@@ -80,8 +80,8 @@ class AnchoredSpring:
 class Bungee(Spring):
     """An elastic rope to another particle: a spring that only pulls (6.2.3).
 
-    A rope that is no longer than its rest length is slack and exerts no force. The book's listing
-    subtracts the lengths in the wrong order, so its rope pushes (E-4).
+    If its length is at most the rest length, the rope is slack and exerts no force. The book's
+    listing subtracts the lengths in the wrong order, so its rope pushes (E-4).
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:

@@ -87,8 +87,8 @@ class SleepingWorld(ParticleWorld):
         """Wake every sleeping particle that was changed by hand since it fell asleep.
 
         If nobody changes a sleeping particle, it keeps its position and its infinite mass, it has
-        no velocity, and its accumulator contains no force. So wake it if one of these is no longer
-        true.
+        no velocity, and its accumulator contains no force. Wake it if any of these conditions no
+        longer holds.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

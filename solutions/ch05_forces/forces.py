@@ -48,7 +48,8 @@ class ForceRegistry:
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
         """Let ``generator`` act on ``particle`` in every later step (5.2.2).
 
-        The same pair may be added more than once, and its force then acts as many times.
+        You may add the same pair more than once. A pair that was added twice acts with twice the
+        force.
 
         Raises:
             TypeError: if the particle has no ``add_force``, or the generator has no

@@ -50,7 +50,8 @@ class GroundPlane:
     """Exercise 7.5: level ground at ``height``, for points or for spheres with one ``radius``.
 
     Everything below the height is ground, so a particle that is below it at the end of a step is in
-    contact, however deep it is. That is why not even a fast particle can pass through the ground.
+    contact, however deep it is. That is why even a very fast particle cannot pass through the
+    ground.
     """
 
     def __init__(

@@ -96,8 +96,8 @@ class SleepingWorld(ParticleWorld):
         """Wake every sleeping particle that was changed by hand since it fell asleep.
 
         If nobody changes a sleeping particle, it keeps its position and its infinite mass, it has
-        no velocity, and its accumulator contains no force. So wake it if one of these is no longer
-        true.
+        no velocity, and its accumulator contains no force. Wake it if any of these conditions no
+        longer holds.
         """
         moved = [one for one, sleep in self.asleep.items() if _was_moved(one, sleep)]
         for particle in moved:

@@ -80,7 +80,7 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 
 
 def is_spent(shot: Shot) -> bool:
-    """Return True if a shot can be removed from the range (4.1.2).
+    """Return True if a shot must be removed from the range (4.1.2).
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
     ``END_OF_RANGE`` in z. If spent shots were never removed, the range would have to simulate more

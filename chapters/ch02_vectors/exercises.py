@@ -11,8 +11,8 @@ from ch02_vectors.vector import Vector3
 def split(v: Vector3) -> tuple[float, Vector3]:
     """Exercise 2.1: return the magnitude and the direction of ``v``.
 
-    The direction is a new unit vector. The zero vector has no direction, so for it the magnitude is
-    0 and the direction is the zero vector too.
+    The direction is a new unit vector. For the zero vector, which has no direction, return 0 and a
+    new zero vector.
 
     >>> magnitude, direction = split(Vector3(2, -2, -2))
     >>> round(magnitude, 6), [round(component, 6) for component in direction]
@@ -38,7 +38,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
     """Exercise 2.4: return the z that makes (x, y, z) perpendicular to ``a``.
 
-    Raises ValueError if ``a.z`` is zero, because z then has no effect on the scalar product.
+    Raises ValueError if ``a.z`` is zero, because then no choice of z changes the scalar product.
 
     >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
     -1.0

@@ -19,8 +19,8 @@ def damp_per_frame(
 ) -> Vector3:
     """Return the new velocity v' = v d + a h, where d is kept per step (Eq. 3.5).
 
-    Because d acts once per step, however short the step is, a higher frame rate damps the motion
-    more.
+    Because d is applied once per step, however short the step is, motion is damped more strongly at
+    a higher frame rate.
 
     Raises ValueError if the damping is negative or not finite, or if the duration is not positive
     and finite.

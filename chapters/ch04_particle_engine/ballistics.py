@@ -71,10 +71,11 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 
 
 def is_spent(shot: Shot) -> bool:
-    """Return whether a shot must be removed (4.1.2).
+    """Return True if a shot must be removed from the range (4.1.2).
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
-    ``END_OF_RANGE`` in z. Without this rule the range would simulate more and more shots.
+    ``END_OF_RANGE`` in z. If spent shots were never removed, the range would have to simulate more
+    and more of them.
     """
     raise NotImplementedError("Exercise B4.3: Shots in flight")
 
@@ -93,15 +94,15 @@ def grenade_after(shot: Shot) -> list[Shot]:
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
     """Return the shots that replace ``shot`` after it has moved from ``start`` by one step.
 
-    A shot that has hit a target on its path is gone, so the list is empty. Otherwise the result
-    depends on the type of the shot: ``grenade_after`` decides what happens to a grenade, and any
-    other shot flies on until it is spent.
+    If the shot has hit a target on its path, the list is empty, because the shot disappears.
+    Otherwise the result depends on the type of the shot: ``grenade_after`` decides what happens to
+    a grenade, and any other shot flies on until it is spent.
     """
     raise NotImplementedError("Exercise B4.3: Shots in flight")
 
 
 class BallisticRange:
-    """A range with its target blocks, and the shots in flight in the order of firing."""
+    """A shooting range: its target blocks, and the shots in flight, oldest first."""
 
     def __init__(self, targets: Iterable[TargetBlock] = ()) -> None:
         self.targets = list(targets)

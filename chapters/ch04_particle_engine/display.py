@@ -54,14 +54,14 @@ def is_over(display: Display) -> bool:
     """Project 4.1: return whether no rocket is left or too many clicks have missed.
 
     The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. A rocket that was
-    clicked on still counts until it has burst. Before the first launch there are no rockets either,
-    so the result is True until a rocket has been launched.
+    clicked still counts until it bursts. Before the first launch there are no rockets, so the
+    result is True then too.
     """
     raise NotImplementedError("Exercise P4.1: Keep the display alive")
 
 
 def tick(display: Display, duration: float) -> None:
-    """Update the show by ``duration`` s, and count this time unless the game is already over.
+    """Advance the show by ``duration`` s. Until the game is over, count it as time played.
 
     Raises ValueError if the duration is not positive and finite. In that case nothing changes.
     """

@@ -81,7 +81,7 @@ class FireworkRule:
 class Firework:
     """A burning firework: its ``type``, its ``particle``, and its ``age``.
 
-    The age counts down: it is the time in s until the fuse of the firework has burnt down.
+    The age counts down: it is the time in s that is left on the fuse.
     """
 
     __slots__ = ("age", "particle", "type")
@@ -193,7 +193,7 @@ class FireworksShow:
 
 
 def _whole(name: str, value: int) -> int:
-    """Return ``value``. It must be a whole number of at least 1."""
+    """Return ``value``, or raise an error if it is not a whole number of at least 1."""
     if not isinstance(value, int):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
     if value < 1:

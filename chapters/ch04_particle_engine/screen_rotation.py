@@ -11,8 +11,8 @@ Point = tuple[float, float]
 def screen_angle(start: float, rate: float, time: float) -> float:
     """Going further: return the angle after ``time`` s, in radians, from -pi to pi.
 
-    The angle is ``start`` at time 0 and grows by ``rate`` per second. Whole turns are removed from
-    the result, because they do not change the picture.
+    The angle is ``start`` at time 0 and grows by ``rate`` per second. Full turns are removed from
+    the angle, because they make no difference on the screen.
 
     Raises ValueError if an argument is not finite.
 

@@ -31,8 +31,8 @@ SHOTS = 10
 class Target:
     """A disc that faces the rifle.
 
-    Its center is at (``x``, ``y``, ``distance``), in m. Distant targets are harder to hit, so a hit
-    scores the points of the ring times ``factor``.
+    Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring times
+    ``factor``, which rewards shots at distant targets.
     """
 
     x: float
@@ -97,7 +97,7 @@ class SniperRange:
         self.change_wind()
 
     def is_over(self) -> bool:
-        """Return whether the last shot has been fired and has landed."""
+        """Return True once the last shot has been fired and its bullet is no longer in flight."""
         return self.shots_left == 0 and self.bullet is None
 
     def change_wind(self) -> None:

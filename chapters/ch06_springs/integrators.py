@@ -141,9 +141,9 @@ def trapezoidal(
 class SimulationDiverged(ArithmeticError):  # noqa: N818
     """Raised when a particle is faster than any particle in its scene should be.
 
-    This usually means that the steps are too long for the forces. ``particle`` is the index of the
-    particle, and ``step`` is the number of the step after which it was too fast, counted from 1.
-    ``speed`` and ``limit`` are in m/s.
+    It usually means that the time step is too long for forces this strong. ``particle`` is the
+    index of the particle, and ``step`` is the number of the step after which it was too fast,
+    counted from 1. ``speed`` and ``limit`` are in m/s.
     """
 
     def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:

@@ -80,12 +80,12 @@ class AnchoredSpring:
 class Bungee(Spring):
     """An elastic rope to another particle: a spring that only pulls (6.2.3).
 
-    A rope that is no longer than its rest length is slack and exerts no force. The book's listing
-    subtracts the lengths in the wrong order, so its rope pushes (E-4).
+    If its length is at most the rest length, the rope is slack and exerts no force. The book's
+    listing subtracts the lengths in the wrong order, so its rope pushes (E-4).
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring if it pulls, and nothing if the rope is slack.
+        """Add the spring force if the rope is stretched, and no force if it is slack.
 
         While a stretched rope gets shorter, damping reduces the pull, but the rope never pushes.
         """
@@ -96,7 +96,7 @@ class AnchoredBungee(AnchoredSpring):
     """An elastic rope to an anchor: a spring that only pulls (6.2.3)."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring if it pulls, as a Bungee does."""
+        """Add the spring force if the rope is stretched, just as ``Bungee`` does."""
         raise NotImplementedError("Exercise B6.2: Bungees")
 
 
@@ -115,8 +115,8 @@ class Connection:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
 
-        The total momentum of both particles therefore stays the same. The registry may call this
-        method for either of them.
+        The total momentum of both particles therefore stays the same. You may register the
+        connection with either particle.
         """
         raise NotImplementedError("Exercise B6.3: One spring for both ends")
 
@@ -195,7 +195,7 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force. It changes continuously at the limit, without a jump."""
+        """Exercise 6.1: add the force of the spring, which is continuous at the elastic limit."""
         raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 

@@ -143,7 +143,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """The interface of a contact generator. Generators do not have to inherit from this class."""
+    """The interface of a contact generator. A generator need not inherit from this class."""
 
     def contacts(self) -> Iterable[Contact]:
         """Return the current contacts."""
@@ -219,7 +219,7 @@ class ContactResolver:
 
 
 def a_restitution(name: str, value: float) -> float:
-    """Return ``value`` as a float. Raise ValueError with ``name`` if it is not from 0 to 1."""
+    """Return ``value`` as a float, or raise ValueError if it is not between 0 and 1."""
     if not_negative(name, value) > 1.0:
         raise ValueError(f"{name} must be from 0 to 1, got {value!r}")
     return float(value)

@@ -37,7 +37,8 @@ class GroundPlane:
     """Exercise 7.5: level ground at ``height``, for points or for spheres with one ``radius``.
 
     Everything below the height is ground, so a particle that is below it at the end of a step is in
-    contact, however deep it is. That is why not even a fast particle can pass through the ground.
+    contact, however deep it is. That is why even a very fast particle cannot pass through the
+    ground.
     """
 
     def __init__(
@@ -140,7 +141,7 @@ class Detectors:
     def next_impact(self, duration: float) -> Impact | None:
         """Return the earliest impact that any detector finds.
 
-        If several impacts have the same time, take the impact of the first detector.
+        If several impacts happen at the same time, return the one from the detector listed first.
 
         Raises:
             ValueError: if one of the detectors raises it.
@@ -168,7 +169,7 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
-    """Return ``particles``. Raise TypeError if it is not a list or tuple of particles."""
+    """Return ``particles``, or raise TypeError if it is not a list or tuple of particles."""
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list or tuple, got {particles!r}")
     for i, particle in enumerate(particles):

@@ -69,7 +69,7 @@ class Rod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is too long or too short, and no contact otherwise.
+        """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
 
         In the contact, ``particle`` is a and ``other`` is b. If the rod is too long, it pulls, so
         the normal points from a to b. If it is too short, it pushes, so the normal points away from
@@ -90,10 +90,10 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is too long or too short, and no contact otherwise.
+        """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
 
-        The contact is the same as for a Rod, except that the anchor replaces b and ``other`` is
-        None.
+        The contact is the same as for ``Rod``, except that the anchor takes the place of the second
+        particle and ``other`` is None.
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 
@@ -156,7 +156,7 @@ class TwoSidedRod(Rod):
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
-    """Return both ends. Raise TypeError for a wrong type, and ValueError if both are the same."""
+    """Return both ends of a link, or raise an error unless they are two different particles."""
     instance_of("a", a, Particle)
     if instance_of("b", b, Particle) is a:
         raise ValueError(f"a and b must be two different particles, got {b!r} twice")

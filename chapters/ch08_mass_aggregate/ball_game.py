@@ -50,7 +50,7 @@ class Rules:
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost, so that the score and the lives no longer change."""
+        """Whether the game is won or lost. From then on, the score and the lives do not change."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def landed(self, row: int) -> None:
@@ -66,7 +66,7 @@ class Rules:
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def fell(self) -> None:
-        """Take away one life, because the ball has touched the ground, unless the game is over."""
+        """Take away one life because the ball hit the ground. Do nothing if the game is over."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
 
@@ -83,7 +83,7 @@ class Landings:
         self.row: int | None = None
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of the deck, and update ``row``."""
+        """Return the contacts between ball and planks, and set ``row`` to the row that was hit."""
         raise NotImplementedError("Exercise P8.1b: A ball game: the play")
 
 

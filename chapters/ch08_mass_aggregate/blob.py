@@ -62,7 +62,7 @@ class Bond:
         self.holds = True
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Break or heal the bond if necessary, and pull on ``particle`` if the bond holds.
+        """Break or heal the bond if necessary, and pull on ``particle`` if the bond is intact.
 
         The registry calls this method once for each end. Check the length before you compute the
         force, so that a bond that breaks or heals does so for both ends in the same step.

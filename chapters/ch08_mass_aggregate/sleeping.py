@@ -28,7 +28,7 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """What the world stores about a sleeping particle: values to restore, and values to compare."""
+    """The data that the world needs to wake a sleeping particle, or to see that it changed."""
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
@@ -87,8 +87,8 @@ class SleepingWorld(ParticleWorld):
         """Wake every sleeping particle that was changed by hand since it fell asleep.
 
         If nobody changes a sleeping particle, it keeps its position and its infinite mass, it has
-        no velocity, and its accumulator contains no force. So wake it if one of these is no longer
-        true.
+        no velocity, and its accumulator contains no force. Wake it if any of these conditions no
+        longer holds.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

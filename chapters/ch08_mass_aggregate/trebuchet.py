@@ -120,7 +120,8 @@ class Trebuchet:
 
         Release it when it flies forward, at the release angle or lower, and is above the pivot. The
         second condition is necessary because the projectile also swings forward below the pivot
-        before the actual throw. Without it, the sling would release the projectile too early.
+        before the actual throw. Without that condition, the sling would release the projectile too
+        early.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 

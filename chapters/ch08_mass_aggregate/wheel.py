@@ -31,7 +31,7 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 
 
 class RimDrive:
-    """A force generator that rotates a rim around ``hub``. ``force`` is constant, in N (8.3b)."""
+    """A force generator that spins the rim around ``hub`` with a constant ``force`` in N (8.3b)."""
 
     def __init__(self, hub: Particle, force: float) -> None:
         self.hub = hub

@@ -59,8 +59,8 @@ class ParticleWorld:
     def start_frame(self) -> None:
         """Clear the force accumulators of all particles.
 
-        Call this method at the start of each frame, before you add forces by hand, so that forces
-        of the last frame do not act again. Book 8.1.
+        Call this method at the start of each frame, before you add forces by hand, so that the
+        forces of the previous frame do not act twice. Book 8.1.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 

@@ -61,7 +61,7 @@ class Vector3:
     def copy(self) -> Vector3:
         """Return a new vector with the same components.
 
-        Make a copy if the vector is going to change in place, but you still need its current value.
+        Copy a vector if you still need its current value after it changes in place.
         """
         return Vector3(self.x, self.y, self.z)
 
@@ -91,7 +91,8 @@ class Vector3:
     def squared_magnitude(self) -> float:
         """Return the squared length |v|^2 (2.1).
 
-        Use it to compare two lengths, because comparing their squares avoids both square roots.
+        To find the longer of two vectors, compare their squared lengths. That saves two square
+        roots.
         """
         return self.x * self.x + self.y * self.y + self.z * self.z
 

@@ -53,7 +53,7 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute. Check and copy the value first if it is one of the three vectors."""
+        """Set an attribute. A position, velocity or acceleration is first validated and copied."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)
@@ -84,7 +84,7 @@ class Particle:
 
     @property
     def has_finite_mass(self) -> bool:
-        """Whether the particle can be moved, which is true if its mass is finite."""
+        """True if the mass is finite, so that forces and impulses can move the particle."""
         return self.mass < math.inf
 
     @property
@@ -120,8 +120,8 @@ class Particle:
     def last_acceleration(self) -> Vector3:
         """The total acceleration of the last step, as a new vector.
 
-        No forces act in this chapter, so it equals the constant acceleration. Chapter 5 adds the
-        effect of forces.
+        No forces act in this chapter, so it equals the constant acceleration. In chapter 5 it also
+        includes force / mass.
         """
         return self.acceleration.copy()
 

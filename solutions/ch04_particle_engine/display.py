@@ -70,14 +70,14 @@ def is_over(display: Display) -> bool:
     """Project 4.1: return whether no rocket is left or too many clicks have missed.
 
     The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. A rocket that was
-    clicked on still counts until it has burst. Before the first launch there are no rockets either,
-    so the result is True until a rocket has been launched.
+    clicked still counts until it bursts. Before the first launch there are no rockets, so the
+    result is True then too.
     """
     return display.misses > MISSES_ALLOWED or not _rockets(display)
 
 
 def tick(display: Display, duration: float) -> None:
-    """Update the show by ``duration`` s, and count this time unless the game is already over.
+    """Advance the show by ``duration`` s. Until the game is over, count it as time played.
 
     Raises ValueError if the duration is not positive and finite. In that case nothing changes.
     """
@@ -88,6 +88,6 @@ def tick(display: Display, duration: float) -> None:
 
 
 def _rockets(display: Display) -> list[Firework]:
-    """Return the fireworks whose rule has payloads, whether or not they have any fuse left."""
+    """Return every firework that releases others when it burns out, even if its fuse is spent."""
     rules = display.show.rules
     return [firework for firework in display.show.fireworks if rules[firework.type].payloads]

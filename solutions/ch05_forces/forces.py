@@ -18,9 +18,9 @@ from ch05_forces.particle import Particle
 
 
 class ForceGenerator(Protocol):
-    """The interface of a force generator: any object with this method is a generator.
+    """The interface of a force generator: any object with an ``update_force`` method.
 
-    Its class does not have to inherit from this class.
+    A generator does not have to inherit from this class.
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -42,13 +42,14 @@ class ForceRegistry:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
 
     def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
-        """Return a new list of the pairs, in the order in which they were added."""
+        """Return a new list of the (particle, generator) pairs, in the order they were added."""
         return [*self._pairs]
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
         """Let ``generator`` act on ``particle`` in every later step (5.2.2).
 
-        The same pair may be added more than once, and its force then acts as many times.
+        You may add the same pair more than once. A pair that was added twice acts with twice the
+        force.
 
         Raises:
             TypeError: if the particle has no ``add_force``, or the generator has no
@@ -123,7 +124,7 @@ class Drag:
         self.k2 = not_negative("k2", k2)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag for the particle's velocity, computed by ``drag_force``."""
+        """Add the drag on the particle at its current velocity (``drag_force``)."""
         particle.add_force(drag_force(particle.velocity, self.k1, self.k2))
 
 
@@ -211,7 +212,7 @@ class PointGravity:
         self.strength = finite("strength", strength)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.3: add a force of m times ``strength`` toward the center.
+        """Exercise 5.3: add a force of m times ``strength``, directed toward the center.
 
         At the center the force would have no direction, so it is zero there. Skip an immovable
         particle, because its force would be infinite.

@@ -41,7 +41,7 @@ class Particle(particle.Particle):
         self._forces = [None, None]
 
     def __copy__(self) -> Particle:
-        """Return a copy with the same forces. Forces added later to one do not affect the other."""
+        """Return a copy with its own force accumulator, which starts with the same sum."""
         other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
         other.inverse_mass = self.inverse_mass
         other._forces = [*self._forces]
@@ -88,7 +88,7 @@ class Particle(particle.Particle):
 
     @property
     def force_accumulator(self) -> Vector3:
-        """The sum of the forces in N since the last step, as a new vector.
+        """The sum of the forces added since the last step, in N, as a new vector.
 
         Changing the returned vector does not change the sum.
         """

@@ -50,7 +50,8 @@ class GroundPlane:
     """Exercise 7.5: level ground at ``height``, for points or for spheres with one ``radius``.
 
     Everything below the height is ground, so a particle that is below it at the end of a step is in
-    contact, however deep it is. That is why not even a fast particle can pass through the ground.
+    contact, however deep it is. That is why even a very fast particle cannot pass through the
+    ground.
     """
 
     def __init__(
@@ -171,7 +172,7 @@ class ParticlePairs:
         return first
 
     def _near_pairs(self) -> list[tuple[int, int]]:
-        """Return index pairs, lower index first: all pairs that touch, and some other pairs."""
+        """Return every index pair that may be touching, with the lower index first."""
         size = 2.001 * self.radius  # so that spheres that just touch are never two cells apart
         cells: dict[tuple[int, int, int], list[int]] = {}
         for i, particle in enumerate(self.particles):
@@ -187,7 +188,7 @@ class ParticlePairs:
         return pairs
 
     def _time_to_touch(self, a: Particle, b: Particle) -> float:
-        """Return the time of the impact of two spheres, or math.inf if they have no impact."""
+        """Return the time in s until two spheres meet, or math.inf if they never do."""
         (v, pull), (w, other) = _flight(a), _flight(b)
         if (pull - other).magnitude() > _SAME * (pull.magnitude() + other.magnitude()):
             seen = f"{pull!r} and {other!r}"
@@ -223,7 +224,7 @@ class Detectors:
     def next_impact(self, duration: float) -> Impact | None:
         """Return the earliest impact that any detector finds.
 
-        If several impacts have the same time, take the impact of the first detector.
+        If several impacts happen at the same time, return the one from the detector listed first.
 
         Raises:
             ValueError: if one of the detectors raises it.
@@ -258,7 +259,7 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
-    """Return ``particles``. Raise TypeError if it is not a list or tuple of particles."""
+    """Return ``particles``, or raise TypeError if it is not a list or tuple of particles."""
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list or tuple, got {particles!r}")
     for i, particle in enumerate(particles):

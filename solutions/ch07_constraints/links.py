@@ -69,7 +69,7 @@ class Rod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is too long or too short, and no contact otherwise.
+        """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
 
         In the contact, ``particle`` is a and ``other`` is b. If the rod is too long, it pulls, so
         the normal points from a to b. If it is too short, it pushes, so the normal points away from
@@ -90,10 +90,10 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is too long or too short, and no contact otherwise.
+        """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
 
-        The contact is the same as for a Rod, except that the anchor replaces b and ``other`` is
-        None.
+        The contact is the same as for ``Rod``, except that the anchor takes the place of the second
+        particle and ``other`` is None.
         """
         return _of_rod(self, self.particle, None, self.anchor)
 
@@ -174,7 +174,7 @@ class TwoSidedRod(Rod):
 def _of_cable(
     cable: Cable | AnchoredCable, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """Return the contact of a cable. ``end`` is the position of ``other`` or of the anchor."""
+    """Return a contact if the cable is taut. ``end`` is the position of ``other`` or the anchor."""
     offset = end - particle.position
     excess = offset.magnitude() - cable.max_length
     if excess < 0.0:
@@ -185,7 +185,7 @@ def _of_cable(
 def _of_rod(
     rod: Rod | AnchoredRod, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """Return the contact of a rod. ``end`` is the position of ``other`` or of the anchor."""
+    """Return a contact if the length is wrong. ``end`` is where ``other`` or the anchor is."""
     offset = end - particle.position
     excess = offset.magnitude() - rod.length
     if excess == 0.0:
@@ -197,7 +197,7 @@ def _of_rod(
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
-    """Return both ends. Raise TypeError for a wrong type, and ValueError if both are the same."""
+    """Return both ends of a link, or raise an error unless they are two different particles."""
     instance_of("a", a, Particle)
     if instance_of("b", b, Particle) is a:
         raise ValueError(f"a and b must be two different particles, got {b!r} twice")

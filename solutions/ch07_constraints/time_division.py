@@ -83,7 +83,7 @@ def time_division_step(
 
 
 def _fly(particles: Sequence[Particle], time: float) -> None:
-    """Move particles through ``time`` s without an impact.
+    """Move all particles forward by ``time`` s, in which none of them hits anything.
 
     They drift for half of the time with the old velocity, and for the other half with the new one.
     On average they move with the mean of the two, which is exact for a constant acceleration.

@@ -50,7 +50,7 @@ class Rules:
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost, so that the score and the lives no longer change."""
+        """Whether the game is won or lost. From then on, the score and the lives do not change."""
         return self.won or self.lives == 0
 
     def landed(self, row: int) -> None:
@@ -73,7 +73,7 @@ class Rules:
             self.score += BONUS * self.lives
 
     def fell(self) -> None:
-        """Take away one life, because the ball has touched the ground, unless the game is over."""
+        """Take away one life because the ball hit the ground. Do nothing if the game is over."""
         if not self.over:
             self.lives -= 1
 
@@ -91,7 +91,7 @@ class Landings:
         self.row: int | None = None
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of the deck, and update ``row``."""
+        """Return the contacts between ball and planks, and set ``row`` to the row that was hit."""
         found = self.deck.contacts()
         self.row = None
         if found and found[0].separating_velocity() < 0.0:

@@ -29,7 +29,7 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """What the world stores about a sleeping particle: values to restore, and values to compare."""
+    """The data that the world needs to wake a sleeping particle, or to see that it changed."""
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
@@ -96,8 +96,8 @@ class SleepingWorld(ParticleWorld):
         """Wake every sleeping particle that was changed by hand since it fell asleep.
 
         If nobody changes a sleeping particle, it keeps its position and its infinite mass, it has
-        no velocity, and its accumulator contains no force. So wake it if one of these is no longer
-        true.
+        no velocity, and its accumulator contains no force. Wake it if any of these conditions no
+        longer holds.
         """
         moved = [one for one, sleep in self.asleep.items() if _was_moved(one, sleep)]
         for particle in moved:
@@ -193,13 +193,13 @@ class SleepingWorld(ParticleWorld):
         self.fall_asleep(contacts)
 
     def _count_slow_frames(self, awake: Iterable[Particle]) -> None:
-        """Update how many steps in a row each particle has been slow."""
+        """Update the number of steps in a row for which each particle has been slow."""
         for particle in awake:
             slow = particle.kinetic_energy() <= self.sleep_energy * particle.mass
             self._slow[particle] = self._slow.get(particle, 0) + 1 if slow else 0
 
     def _note_contacts(self, contacts: Iterable[Contact]) -> None:
-        """Remember which particles touch in this step, and forget old contacts.
+        """Record which particles touch in this step, and drop contacts that ended some steps ago.
 
         A body that rests on another body sometimes loses its contact for one step because of
         rounding errors. That is why each contact is remembered for several steps.
@@ -219,7 +219,7 @@ class SleepingWorld(ParticleWorld):
         particle.inverse_mass = 0.0
 
     def _ask_for_sleepers(self, duration: float) -> None:
-        """Call the generators of the sleeping particles, each with its original mass."""
+        """Call the force generators of all sleeping particles, restoring each mass for the call."""
         for particle, generator in self.registry.pairs():
             sleep = self.asleep.get(particle)
             if sleep is not None:
@@ -229,7 +229,7 @@ class SleepingWorld(ParticleWorld):
 
 
 def _was_moved(particle: Particle, sleep: Sleep) -> bool:
-    """Return whether a sleeping particle was changed by hand."""
+    """Return True if a sleeping particle was changed by code outside the world."""
     v, p = particle.velocity, particle.position
     if v.x or v.y or v.z or (p.x, p.y, p.z) != sleep.place or particle.inverse_mass:
         return True
@@ -243,10 +243,10 @@ def _was_moved(particle: Particle, sleep: Sleep) -> bool:
 def _is_pushed_otherwise(
     particle: Particle, force: tuple[float, float, float], sleep: Sleep
 ) -> bool:
-    """Return whether a + f / m differs from the old acceleration by more than SAME.
+    """Return True if the acceleration a + f / m has changed by more than SAME since falling asleep.
 
-    This function uses plain numbers because they take a third of the time of vectors, and a
-    sleeping world does little else.
+    The sum uses plain numbers because they are three times as fast as vectors, and a world whose
+    particles are asleep spends most of its time here.
     """
     mass, own, old = sleep.inverse_mass, particle.acceleration, sleep.acceleration
     x, y, z = force[0] * mass, force[1] * mass, force[2] * mass
@@ -258,7 +258,7 @@ def _is_pushed_otherwise(
 
 
 def _neighbors(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
-    """Return a dict that maps each particle in ``pairs`` to its neighbors."""
+    """Return a dict that maps each particle to the particles it is paired with in ``pairs``."""
     neighbors: dict[Particle, list[Particle]] = {}
     for a, b in pairs:
         neighbors.setdefault(a, []).append(b)
@@ -269,7 +269,7 @@ def _neighbors(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
 def _connected(
     starts: Iterable[Particle], neighbors: Mapping[Particle, Iterable[Particle]]
 ) -> set[Particle]:
-    """Return all particles that are connected to one of ``starts``, directly or through others."""
+    """Return ``starts`` and all particles that touch them, directly or through other particles."""
     found = set(starts)
     waiting = [*found]
     while waiting:

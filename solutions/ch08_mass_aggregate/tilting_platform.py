@@ -80,7 +80,7 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
 class TiltingPlatform:
     """A platform on an immovable pivot: its ``particles``, its ``rods`` and its ``world``.
 
-    The particles are in the order of their start positions, ``PLACES``.
+    The particles are in the same order as their start positions in ``PLACES``.
     """
 
     def __init__(self) -> None:

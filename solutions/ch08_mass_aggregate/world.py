@@ -60,8 +60,8 @@ class ParticleWorld:
     def start_frame(self) -> None:
         """Clear the force accumulators of all particles.
 
-        Call this method at the start of each frame, before you add forces by hand, so that forces
-        of the last frame do not act again. Book 8.1.
+        Call this method at the start of each frame, before you add forces by hand, so that the
+        forces of the previous frame do not act twice. Book 8.1.
         """
         for particle in self.particles:
             particle.clear_forces()

@@ -69,8 +69,8 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Quaternion:
     """Exercise 9.4: return the orientation after a steady rotation about the world's X axis.
 
-    The axis does not change, so a single rotation is enough. ``rate`` is in rad/s and may be
-    negative, and ``duration`` is in s. The result is a new quaternion.
+    The axis stays the same throughout, so you can make the whole turn in one rotation. ``rate`` is
+    in rad/s and may be negative, and ``duration`` is in s. The result is a new quaternion.
 
     Raises:
         ValueError: if the rate is not finite, or the duration is not positive and finite.

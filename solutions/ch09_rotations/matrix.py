@@ -88,8 +88,8 @@ class Matrix4:
     def inverse(self) -> Matrix4:
         """Return the inverse as a new matrix (9.4.3).
 
-        The 3x3 part of the inverse is the inverse of the 3x3 part. The translation of the inverse
-        is the negative translation, multiplied by this inverse. Do not copy the book's listings,
+        Its 3x3 part is the inverse of this matrix's 3x3 part. To get its translation, multiply the
+        negative of this matrix's translation by that inverse. Do not copy the book's listings,
         because they contain errors (E-13, E-29, E-30).
 
         Raises:
@@ -139,7 +139,7 @@ class Matrix4:
     def transform_inverse_direction(self, v: Vector3) -> Vector3:
         """Return the direction that ``transform_direction`` maps to ``v``, as a new vector (9.4.5).
 
-        Multiply by the transpose of the 3x3 part. For a rotation, the transpose is the inverse.
+        Multiply ``v`` by the transpose of the 3x3 part, which for a rotation is also the inverse.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")

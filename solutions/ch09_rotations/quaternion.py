@@ -149,9 +149,8 @@ class Quaternion:
     def rotate(self, v: Vector3) -> Vector3:
         """Rotate ``v`` and return the result, q (0, v) q*, as a new vector.
 
-        Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``), because it would then
-                scale ``v``.
+        Raises: ValueError: if the quaternion's length is not 1 (``is_unit``), because such a
+        quaternion would also scale ``v``.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")

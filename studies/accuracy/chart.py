@@ -177,7 +177,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Sum up a comparison with pymunk in a phrase for the title of a chart."""
+    """Sum up how our models compare with pymunk, as a phrase for a chart's title."""
     ours, theirs = found.ours, found.pymunk
     start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:

@@ -51,9 +51,9 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Prepare to run ``world`` at one of the choices.
+        """Set up ``world`` to be run with one number of iterations and substeps.
 
-        Return the function that takes a step, and the number of steps per frame.
+        Return a function that advances the world by one step, and the number of steps per frame.
         """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
@@ -88,7 +88,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return a function that steps the particles of a world without contacts."""
+    """Return a function that moves a world's particles by one step, ignoring contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

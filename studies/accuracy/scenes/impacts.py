@@ -55,7 +55,7 @@ class Balls:
     def places_at(self, times: Sequence[float]) -> list[Place]:
         """Compute the exact heights at ``times`` by following the balls from impact to impact.
 
-        The computation uses plain numbers only, so a bug in the engine cannot affect it.
+        The computation does not use the engine, so a bug in the engine cannot affect it.
         """
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []

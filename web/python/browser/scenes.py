@@ -30,7 +30,7 @@ SHARED = set(sys.modules)  # modules that all links share
 
 
 class Link:
-    """The connection to one of the page's scenes, which has its own engine."""
+    """The connection to one of the scenes on the page. Each scene has an engine of its own."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder

@@ -20,7 +20,7 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Tells the page when a student's code does not end, and which line it has reached.
+    """Tells the page that a student's code has not finished in time, and which line it is on.
 
     The caller sets `explain` to a function that turns a stack trace into an explanation.
     """

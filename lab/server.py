@@ -23,7 +23,7 @@ REFERENCE = "solutions"
 
 
 class Lab(Site):
-    """What all requests share: the available engines, and the sockets of the open pages."""
+    """The data shared by all requests: the available engines and the open pages' sockets."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         super().__init__()

@@ -95,7 +95,7 @@ class OneSpring(Stepped):
         self.let_go(max(-2.0, min(2.0, x)), 0.0)
 
     def let_go(self, x: float, v: float) -> None:
-        """Release the ball in a new state, and restart the exact motion from there."""
+        """Give the ball a new position and velocity, and restart the exact solution from them."""
         self.ball.position.x, self.ball.velocity.x = x, v
         self.since, self.x0, self.v0 = self.time, x, v
 

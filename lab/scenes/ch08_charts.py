@@ -95,7 +95,7 @@ class Charts(Scene):
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Split the coordinates of a place into points (x, y). A lone coordinate is a height."""
+    """Split a flat tuple of coordinates into points (x, y). A single coordinate is a height."""
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

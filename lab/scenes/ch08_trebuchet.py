@@ -60,7 +60,7 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the projectile's path and the energies, and detect when the projectile lands."""
+        """Record the projectile's path and the energies, and check whether it has landed."""
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))

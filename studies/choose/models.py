@@ -51,7 +51,7 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Set up ``world`` to be run with one number of iterations and substeps.
+        """Set up ``world`` for a run with one number of steps per frame, or with one tolerance.
 
         Return a function that advances the world by one step, and the number of steps per frame.
         """

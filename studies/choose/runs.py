@@ -34,7 +34,7 @@ class Tried:
     failure: str = ""
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Add a run, or the reason that it failed, and estimate the errors again."""
+        """Record a run, or the reason why it failed, and update the estimates of all errors."""
         if isinstance(run, str):
             self.failure = run
         self.runs.append(None if isinstance(run, str) else run)

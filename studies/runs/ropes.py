@@ -84,7 +84,7 @@ def straight_v(links: int) -> list[Place]:
 
 
 def rope_particles(places: list[Place]) -> list[Particle]:
-    """Return a rope's particles at these positions. The first and last are immovable."""
+    """Create a rope's particles at these positions, with an immovable particle at each end."""
     particles = [
         Particle(Vector3(x, y), acceleration=GRAVITY, mass=1.0, damping=DAMPING) for x, y in places
     ]

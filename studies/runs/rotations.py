@@ -76,9 +76,9 @@ def arrows_by_engine(q: Quaternion) -> Arrows:
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Return the angle between two orientations in degrees, whatever their lengths.
+    """Return the angle in degrees between two orientations, given by quaternions of any length.
 
-    Return NaN if one of the lengths is 0 or not finite.
+    Return NaN if the length of either quaternion is 0 or not finite.
     """
     if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
         return math.nan
@@ -242,8 +242,8 @@ def turn_by_steps(
 ) -> tuple[list[Components], str]:
     """Rotate START step by step, and return all orientations and any error that ended the run.
 
-    The velocity is evaluated a fraction ``share`` into each step: at its start for 0, and in its
-    middle for 0.5.
+    Each step uses the angular velocity at a fraction ``share`` of the step: 0 is the start of the
+    step, and 0.5 is its middle.
     """
     q = Quaternion(*START)
     found = [components(q)]

@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """The positions and velocities of an oscillation, and any error that ended it early."""
+    """The positions and velocities of an oscillating body, and any error that ended the run."""
 
     places: list[float]
     velocities: list[float]
@@ -139,7 +139,7 @@ def step_matrix(
 ) -> tuple[float, float, float, float]:
     """Return the matrix of a step of (x, v h), row by row, or NaN if the engine fails.
 
-    The step is linear, so its results for (1, 0) and (0, 1) determine it.
+    Because the step is linear, its results for (1, 0) and (0, 1) are the matrix's columns.
     """
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):

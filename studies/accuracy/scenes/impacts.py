@@ -71,7 +71,7 @@ class Balls:
         return found
 
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
-        """Return the time until the next impact, and the index of the upper ball involved."""
+        """Return the time until the next impact, and the index of the upper ball in that impact."""
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
         for i in range(1, len(heights)):

@@ -34,7 +34,7 @@ class Progress(ProgressBar):
         self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, done: int, of: int) -> None:
-        """Tell the page how many checks are done, unless an earlier worker already has."""
+        """Report the number of finished checks, unless an earlier worker has already done so."""
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
             self.next = time.monotonic() + PERIOD

@@ -63,7 +63,7 @@ class InBrowser(InProcess):
     """Imports the student's modules in a browser, where there is no separate process to kill."""
 
     def surround(self) -> None:
-        """Run the student's code with the same environment and limits that the grader sets."""
+        """Set up the same environment and limits for the student's code as in the grader."""
         leave_home()
         code.change(self.engine, self.graded)
 

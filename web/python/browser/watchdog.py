@@ -41,7 +41,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report the current line to the page, then wait for the page to end the worker."""
+        """Report the line that is running to the page, then wait for the page to end the worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:

@@ -47,9 +47,9 @@ class Target:
 
 @dataclass(frozen=True)
 class Measurement:
-    """A figure measured in several rounds.
+    """A benchmark figure that is measured in several rounds.
 
-    ``what`` describes the figure, and ``once`` measures it in one round.
+    ``what`` describes the figure, and ``once`` runs one round and returns the value measured.
     """
 
     what: str

@@ -88,7 +88,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return a function that moves a world's particles by one step, ignoring contacts."""
+    """Return a function that builds the step of a world without contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

@@ -90,7 +90,8 @@ def default_bridge() -> Bridge:
 def variation(run: Track, since: float) -> float:
     """Measure how much a value still varies from time ``since`` on.
 
-    Return the range of the values as a fraction of the last one, or NaN if the engine failed.
+    Return the difference between the largest and the smallest of those values, as a fraction of the
+    last one, or NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:

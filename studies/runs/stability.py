@@ -90,8 +90,8 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 def watching(integrator: Integrator, limit: float) -> Integrator:
     """Wrap an integrator so that it raises an error when a speed exceeds ``limit`` in m/s.
 
-    If ``watched`` is not written yet, return the integrator itself. It still stops when it
-    explodes, because particles reject forces that are not finite.
+    If the student has not written ``watched`` yet, return the integrator itself. A run still stops
+    when the motion explodes, because particles reject forces that are not finite.
     """
     try:
         step = watched(integrator, limit)

@@ -146,7 +146,7 @@ def name_of(scene: type[Scene]) -> str:
 
 
 def described(scene: type[Scene]) -> dict[str, Any]:
-    """Return what a page needs to show a scene before it runs."""
+    """Return the data that a page needs to show a scene before it runs."""
     question = scene.predict
     return {
         "name": name_of(scene),

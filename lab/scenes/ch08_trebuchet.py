@@ -18,7 +18,7 @@ Point = tuple[float, float]
 
 
 class Trebuchet(WorldScene):
-    """The trebuchet designed by the student.
+    """The trebuchet that the student has designed.
 
     The reader can change its counterweight and its release angle.
     """

@@ -192,7 +192,9 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Name one side's fastest model and its time, or say that no model met the tolerance.
+    """Name the fastest model of one side, ours or pymunk's, along with its time.
+
+    If no model met the tolerance, say so instead.
 
     If the time is extrapolated, add the order of convergence.
     """

@@ -77,7 +77,7 @@ def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the positions of a rope whose middle is pulled straight down into a V."""
+    """Return the particle positions of a rope whose middle is pulled straight down into a V."""
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
     return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]

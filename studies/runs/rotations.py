@@ -95,13 +95,13 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return how far from perpendicular the worst pair of arrows is, in degrees."""
+    """Return how far the worst pair of rotated axes is from perpendicular, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
 
 def off_unit_length(found: Arrows) -> float:
-    """Return how far from 1 the length of the worst arrow is."""
+    """Return how far from 1 the length of the worst rotated axis is."""
     return largest([abs(math.hypot(*v) - 1.0) for v in found])
 
 

@@ -45,7 +45,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring toward 0 in plain numbers, which a bug in the engine's springs cannot affect.
+    """A spring toward 0 that uses plain numbers, so a bug in the engine's springs cannot affect it.
 
     ``count`` is the number of force evaluations.
     """

@@ -83,7 +83,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Use this link's engine, with the limits for student code, until the context ends."""
+        """Use this scene's engine, with the limits for student code, until the context ends."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

@@ -1,4 +1,4 @@
-"""Tell a student why their engine stopped before it could answer a message."""
+"""Tell a student why their engine stopped before it answered a message from the page."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ FOLDER = Path(__file__).parent / "scenes"
 class Entry:
     """A scene that the lab can open, and the module that defines it.
 
-    Entries are read from the modules' source, so listing them does not import an engine.
+    Entries are read from the source of the scene modules, so no engine has to be imported.
     """
 
     name: str

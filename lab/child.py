@@ -48,7 +48,7 @@ def main() -> None:
 def answered(host: Host, line: bytes) -> list[str]:
     """Return the answers to one message as lines of JSON.
 
-    If the line cannot be read as a message, the only answer says so.
+    If the line is not a valid message, the only answer is an error that says so.
     """
     try:
         message = json.loads(line)

@@ -36,8 +36,8 @@ class EngineProcess:
     async def ask(self, message: str) -> AsyncIterator[str]:
         """Send a message to the process, and yield its answers as lines of JSON.
 
-        A process that takes too long is killed. Its last answer then explains what happened, and so
-        does that of a process that exits early.
+        A process that takes too long is killed. If that happens, or if the process exits early, the
+        last answer explains what went wrong.
         """
         limit = TIME_LIMIT + GRACE
         if self.process is None:

@@ -96,10 +96,10 @@ class Host:
         return [self._frame()]
 
     def _set(self, name: str, value: object) -> list[Message]:
-        """Change a parameter of the scene.
+        """Set a parameter of the scene to a new value.
 
-        If the parameter is live, the running scene carries on with the new value. Otherwise the
-        scene is rebuilt.
+        If the parameter is live, the scene keeps running with the new value. Otherwise the scene is
+        rebuilt.
         """
         assert self.kind is not None, "a scene must be loaded first"
         if refused := self._keep(name, value):

@@ -33,7 +33,7 @@ class Parameter:
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
-        """Return what a page needs to create the control for this parameter."""
+        """Return the data from which a page creates the control for this parameter."""
         return {
             "name": self.name,
             "label": self.label,

@@ -113,7 +113,7 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the table: the time, the charted values and, if known, the error."""
+    """Return a row of the CSV table: the time, the charted values and, if known, the error."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}

@@ -107,9 +107,9 @@ class Scene:
         """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Do what a player would do at ``time``, in s: aim and fire, for example.
+        """Make the moves that a player would make at ``time``, in s, such as aiming and firing.
 
-        Recordings and tests, which have no player, call this before each frame.
+        Recordings and tests have no player, so they call this before each frame.
         """
 
     def advance(self, duration: float = FRAME) -> None:
@@ -146,7 +146,7 @@ def name_of(scene: type[Scene]) -> str:
 
 
 def described(scene: type[Scene]) -> dict[str, Any]:
-    """Return what a page needs to show a scene before it runs."""
+    """Return the data that a page needs to show a scene before it runs."""
     question = scene.predict
     return {
         "name": name_of(scene),

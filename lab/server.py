@@ -23,7 +23,7 @@ REFERENCE = "solutions"
 
 
 class Lab(Site):
-    """What all requests share: the available engines, and the sockets of the open pages."""
+    """The data shared by all requests: the available engines and the open pages' sockets."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         super().__init__()
@@ -99,7 +99,7 @@ class EngineSocket(WebSocketHandler):
             raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
-        """Return whether our own page asked for the socket. No other page may open one."""
+        """Return whether the lab's own page asked for the socket. Other pages may not open one."""
         return is_own_page(self.request, origin)
 
     def open(self) -> None:

@@ -36,7 +36,8 @@ class Stepped(Scene):
     def step(self, duration: float) -> None:
         """Advance the scene by a frame of ``duration`` s at the chosen step rate.
 
-        Whole steps rarely fill a frame exactly, so the difference carries over to the next frame.
+        Whole steps rarely fill a frame exactly, so the leftover time carries over to the next
+        frame.
         """
         length = 1.0 / self.rate
         self.owed += duration

@@ -54,7 +54,7 @@ def main(arguments: list[str]) -> int:
 
 
 def every(console: Console) -> list[Measurement]:
-    """Prepare all measurements in the order of the report, printing which libraries are missing."""
+    """Set up all measurements in the order of the report, and print which libraries are missing."""
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,

@@ -25,7 +25,7 @@ TIME_LIMIT = 30.0  # s for one plot, which normally takes about 1 s
 
 
 def main(arguments: list[str]) -> int:
-    """Draw the plots of the chapters given as arguments. Return 1 if one was not drawn."""
+    """Draw the plots of the chapters given as arguments. Return 1 if any plot is missing."""
     parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     add_engine_options(parser)
@@ -47,13 +47,13 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Record which engine drew the pictures, so that students see only those drawn by their own."""
+    """Record which engine drew the plots, so that students see only their own engine's plots."""
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
-    """Draw every plot of a chapter, and print the files written and why any plot is missing."""
+    """Draw every plot of a chapter, and print the files written and why any plot failed."""
     if not (ROOT / "lab" / "plots" / f"{chapter.name}.py").exists():
         print(f"chapter {chapter.number} has no plots")
         return True
@@ -73,8 +73,8 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
     """Draw a plot and write it as name.png, with its numbers as name.csv.
 
-    If the plot fails, print why. Older files are deleted first, so that nobody mistakes them for
-    new ones.
+    If the plot fails, print why. Any earlier version is deleted first, so that nobody mistakes it
+    for a new plot.
     """
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"

@@ -15,7 +15,7 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Return whether ``call`` runs without hitting a function that is not written yet."""
+    """Return whether the student has written all the engine code that ``call`` runs."""
     try:
         call()
     except NotImplementedError:
@@ -36,7 +36,7 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run those scenes whose code is written, and return their results by key.
+    """Run the scenes whose engine code has been written, and return their results by key.
 
     Raises:
         NotImplementedError: Every scene needs code that is not written yet.
@@ -56,7 +56,7 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 def numbers(v: Any) -> Numbers:
     """Return the components of an engine's vector, with NaN for any that is not a number.
 
-    A wrong engine then leaves a gap in a plot, but the plot can still be drawn.
+    A component that is not a number then leaves a gap in a plot, and the plot is still drawn.
     """
     return (
         number(getattr(v, "x", None)),

@@ -1,4 +1,4 @@
-"""Explain, in pictures and scenes, why a student's code could not be run."""
+"""Explain why a student's code failed, for display in a plot or a scene."""
 
 from __future__ import annotations
 
@@ -31,5 +31,5 @@ def reason(error: BaseException) -> str:
 
 
 def shown(path: Path) -> Path:
-    """Shorten a path for a message by making it relative to the current folder, if possible."""
+    """Make a path relative to the current folder if possible, which keeps messages short."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

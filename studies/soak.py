@@ -21,7 +21,7 @@ MOST = 0.001  # fraction by which the energy may vary over the last minute
 
 
 def main(arguments: list[str]) -> int:
-    """Run both scenes at every rate and report each result. Return 1 if one has failed."""
+    """Run both scenes at every step rate, and print each result. Return 1 if any run failed."""
     parser = argparse.ArgumentParser(prog="python -m studies soak", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the folder to run")
     options = parser.parse_args(arguments)
@@ -56,7 +56,7 @@ def soak(
 ) -> tuple[bool, str]:
     """Run a scene for some minutes, checking its energy after every step.
 
-    Return whether the scene passed, and a description of what its energy did.
+    Return whether the scene passed, and a description of how its energy changed.
     """
     start = energy()
     last: list[float] = []

@@ -41,15 +41,15 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether ``figure`` meets the bound. If the two are equal, it does."""
+        """Return whether ``figure`` meets the bound. A figure equal to the bound meets it."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """A figure measured in several rounds.
+    """A benchmark figure that is measured in several rounds.
 
-    ``what`` describes the figure, and ``once`` measures it in one round.
+    ``what`` describes the figure, and ``once`` runs one round and returns the value measured.
     """
 
     what: str
@@ -88,7 +88,7 @@ def statement_timer(code: str, setup: str) -> Timer:
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Measure both times back to back, in random order, and return them."""
+    """Measure two times back to back, in random order, and return both of them."""
     if random.random() < 0.5:
         a = warm(first)
         return a, warm(second)
@@ -99,8 +99,7 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 def warm(timed: Timer) -> float:
     """Measure a time, or the mean of several if the first is shorter than LEAST.
 
-    The mean leaves out the first run, which finds the caches full of other data. In a short
-    measurement it would dominate.
+    The mean leaves out the first run, because its cold caches would dominate a short measurement.
     """
     taken = timed()
     if taken >= LEAST:

@@ -41,9 +41,9 @@ class ContactView(ContactResolver):
         ]
 
     def forget(self) -> None:
-        """Clear the record of the last step.
+        """Clear the contacts and impulses recorded in the last step.
 
-        Call this before each step, because a step without contacts never reaches the resolver.
+        Call this before each step, because a step without contacts never calls the resolver.
         """
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 

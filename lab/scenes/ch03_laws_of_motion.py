@@ -106,7 +106,7 @@ class FrameRates(Scene):
 
 
 class DampingForms(Scene):
-    """Lets three identical pucks slide, each with a different form of damping.
+    """Shows three identical pucks sliding, each slowed by a different form of damping.
 
     The first puck follows Eq. 3.5, the second follows Eq. 3.6, and the third is the exact solution.
     """

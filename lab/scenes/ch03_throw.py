@@ -68,7 +68,7 @@ class Throw(Scene):
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
-        """Return the throw the player is aiming, as plain numbers that have an exact solution."""
+        """Return the throw that the player is aiming, in the form that the exact solution needs."""
         angle = math.radians(self.angle)
         velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
         return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)

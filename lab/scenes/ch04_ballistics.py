@@ -107,7 +107,7 @@ class Ballistics(Scene):
     def muzzle(self) -> float:
         """Return the elevation of the muzzle in radians.
 
-        Until the reader changes it, that is the usual elevation for the type of shot.
+        Until the reader changes the elevation, it is the usual one for the type of shot.
         """
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))

@@ -56,9 +56,9 @@ class Fireworks(Scene):
             self.display.show.update(duration)
 
     def ended(self) -> bool:
-        """Return whether the game is over.
+        """Return whether the fireworks game is over.
 
-        Until the student writes the rules of the game, it never ends.
+        The game never ends if the student has not written its rules yet.
         """
         return self.plays and is_over(self.display)
 
@@ -113,7 +113,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return whether enough of the student's Catherine wheel is written for it to throw sparks."""
+    """Return whether the student has written enough of the Catherine wheel to throw sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

@@ -99,7 +99,8 @@ class FallInAir(Scene):
     def exact(self, time: float) -> list[float]:
         """Return the exact heights of both balls.
 
-        Once a ball has landed, its own height is returned, so that it no longer adds to the error.
+        For a ball that has landed, the simulated height is returned, so that the ball no longer
+        adds to the error.
         """
         heights = []
         for ball, landed, (mass, k2, _) in zip(

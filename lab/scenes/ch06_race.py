@@ -1,4 +1,4 @@
-"""A scene of chapter 6 that compares seven integrators by a ball's position and velocity."""
+"""A scene of chapter 6 that compares how seven integrators move a ball on a spring."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Return 1 if the ball's swings grow according to the limits of chapter 6, and 0 if not."""
+    """Return 1 if, by chapter 6's stability limits, the ball's swings grow, and 0 otherwise."""
     number = scene.stiffness / scene.rate**2 / scene.mass
     limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}
     return 1 if number > limits.get(scene.integrator, 4.0) else 0

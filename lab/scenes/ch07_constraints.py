@@ -74,7 +74,7 @@ class Bounce(Scene):
         self.path = [*self.path[-240:], (0.0, self.ball.position.y)]
 
     def one_step(self, h: float) -> None:
-        """Make one step of ``h`` s with the method chosen by the reader."""
+        """Advance the stack by one step of ``h`` s with the method that the reader chose."""
         if self.method == "time division":
             try:
                 time_division_step([self.ball], self.ground, h)

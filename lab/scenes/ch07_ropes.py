@@ -26,8 +26,8 @@ def no_forces(duration: float) -> None:
 class Ropes(Scene):
     """Three copies of a rope, each simulated by a different method.
 
-    The methods are one step per frame, substeps, and a direct solve. A rope should keep its length,
-    so the picture shows how much too long each copy is.
+    The methods are one step per frame, substeps, and a direct solve. A rope should not stretch, so
+    the picture shows how far each copy exceeds its length.
     """
 
     chapter = 7
@@ -78,7 +78,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Return how much too long rope ``i`` is in m, summed over its rods."""
+        """Return by how many meters rope ``i`` exceeds its length, summed over its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

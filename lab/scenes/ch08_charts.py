@@ -62,7 +62,7 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Return where to draw the points of ``place``, at a scale that fits the whole path."""
+        """Return where to draw the points of ``place``, scaled so that the whole path fits."""
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 
@@ -95,7 +95,7 @@ class Charts(Scene):
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Split the coordinates of a place into points (x, y). A lone coordinate is a height."""
+    """Split a flat tuple of coordinates into points (x, y). A single coordinate is a height."""
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

@@ -18,7 +18,7 @@ Point = tuple[float, float]
 
 
 class Trebuchet(WorldScene):
-    """The trebuchet designed by the student.
+    """The trebuchet that the student has designed.
 
     The reader can change its counterweight and its release angle.
     """
@@ -60,7 +60,7 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the projectile's path and the energies, and detect when the projectile lands."""
+        """Record the projectile's path and the energies, and check whether it has landed."""
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))

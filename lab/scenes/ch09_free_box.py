@@ -79,9 +79,9 @@ class Spin(Scene):
         return {f"spin about {name}, rad/s": v for name, v in zip("XYZ", velocity, strict=True)}
 
     def state(self) -> list[float]:
-        """Return what should stay constant: the energy in J and the angular momentum in kg m^2/s.
+        """Return the conserved quantities: energy in J and angular momentum in kg m^2/s.
 
-        The scene's error is how far they have changed since the start.
+        The scene's error is how much they have changed since the start.
         """
         return [self.box.energy(), *numbers(self.momentum())]
 

@@ -84,7 +84,7 @@ class Orientations(Scene):
     def step_angles(self, h: float) -> None:
         """Advance the Euler angles by one step of ``h`` s, adding their rates times ``h``.
 
-        In gimbal lock the rates are undefined, so the angles stay as they are.
+        In gimbal lock the rates are undefined, so the angles are left unchanged.
         """
         a = self.angles
         try:

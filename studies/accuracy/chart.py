@@ -177,7 +177,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Sum up a comparison with pymunk in a phrase for the title of a chart."""
+    """Sum up how our models compare with pymunk, as a phrase for a chart's title."""
     ours, theirs = found.ours, found.pymunk
     start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:
@@ -192,7 +192,9 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Name one side's fastest model and its time, or say that no model met the tolerance.
+    """Name the fastest model of one side, ours or pymunk's, along with its time.
+
+    If no model met the tolerance, say so instead.
 
     If the time is extrapolated, add the order of convergence.
     """

@@ -63,7 +63,7 @@ class Point:
 
 @dataclass
 class Measured:
-    """All points of a study, and the number of rounds timed so far."""
+    """The points measured in the accuracy study so far, and how many rounds have been timed."""
 
     points: list[Point]
     rounds: int = 0
@@ -93,9 +93,9 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model with this number of steps per frame, or return None if that fails.
+    """Run a model with this many steps per frame, and return None if the run fails.
 
-    A run fails if, for example, its steps are so long that the motion explodes.
+    For example, a run fails if its steps are so long that the motion explodes.
     """
     try:
         return model.run(steps)
@@ -130,7 +130,7 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save the results, so that an interrupted study can pick up from them.
+    """Save the measured points, so that an interrupted study can resume where it left off.
 
     ``sign`` is the study's signature, from ``sign_of``. The file is replaced atomically, so an
     interruption cannot corrupt it.
@@ -154,10 +154,10 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Return a signature that changes whenever earlier results become invalid.
+    """Return a signature that changes whenever saved results are out of date.
 
-    It covers the names of the scenes, the time limits, the code of the engine and the studies, and
-    the versions of Python and pymunk.
+    It depends on the names of the scenes, the time limits, the code of the engine and the studies,
+    and the versions of Python and pymunk.
     """
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):

@@ -1,6 +1,6 @@
 """Find the fastest model that meets a tolerance, among ours and among pymunk's.
 
-Our models are one side of the comparison, and pymunk's are the other.
+A "side" of the comparison is either all of our models or all of pymunk's.
 """
 
 from __future__ import annotations
@@ -60,10 +60,10 @@ class Row:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The smallest and the largest value that the ratio can have.
+        """The lower and upper bounds on the ratio of pymunk's time to ours.
 
-        They matter when one side did not meet the tolerance. That side would need more time than
-        its longest run took, which bounds the ratio at one end only.
+        They are needed when one side missed the tolerance. All that is known then is that it needs
+        more time than its longest run took, so the ratio is bounded on one side only.
         """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
@@ -168,8 +168,8 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
     """Return the cheapest point that reliably meets a tolerance, and the next cheaper point.
 
-    A point is reliable if its model also meets the tolerance at every larger number of steps.
-    Either point is None if it does not exist.
+    A point is reliable if its model also meets the tolerance at every larger number of steps. If
+    there is no such point, None takes its place.
     """
     within = []
     for own in models_of(points).values():
@@ -197,10 +197,10 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 
 
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
-    """Extrapolate the time of a side that did not meet ``tolerance``.
+    """Estimate how long a side that missed ``tolerance`` would have taken to meet it.
 
-    That time is the shortest in which any of its models would meet the tolerance. If none of them
-    has a steady order of convergence, return the side unchanged.
+    The estimate is that of its fastest model, extrapolated from the model's order of convergence.
+    If no model has a steady order, return the side unchanged.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
@@ -222,8 +222,8 @@ def table(points: Sequence[Point]) -> list[Row]:
 def front(points: Sequence[Point]) -> list[Point]:
     """Return the points that no other point beats in both time and error, sorted by time.
 
-    They are the best trade-offs between speed and accuracy. All errors due to rounding count as
-    equal.
+    These points are the best trade-offs between speed and accuracy. Errors that are due only to
+    rounding count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

@@ -135,7 +135,7 @@ def in_frames(
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
-    """Return models that move one particle under its forces, one for each integrator of chapter 6.
+    """Return one model per integrator of chapter 6, each of which moves a single particle.
 
     The last model is the adaptive integrator, which chooses its own steps.
     """
@@ -228,7 +228,7 @@ def by_pymunk(
 
 
 def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
-    """Return a pymunk space without gravity, along with the only body in it."""
+    """Create a pymunk space without gravity and with a single body, and return both."""
     import pymunk  # here, because a chapter's plots do not need it
 
     space = pymunk.Space()

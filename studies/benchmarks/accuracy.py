@@ -125,7 +125,7 @@ def model_of(scene: Scene, name: str) -> Model:
 
 
 def fastest_exact(scene: Scene) -> Model:
-    """Return the fastest of our models that have no step count to choose."""
+    """Return our fastest exact model: one that has no number of steps to choose."""
     exact = [model for model in scene.models if model.by == "ours" and is_exact(model)]
     return min(exact, key=lambda model: seconds_of(model, 1))
 

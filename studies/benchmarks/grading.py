@@ -1,6 +1,6 @@
 """Measure what it costs to check students' code in isolated workers.
 
-The baseline is checks that run the code in their own process.
+For comparison, the same checks also import the students' code into their own process.
 """
 
 from __future__ import annotations

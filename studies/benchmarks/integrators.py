@@ -57,7 +57,7 @@ def lines() -> list[Measurement]:
 def stepping(integrator: Integrator) -> Callable[[], None]:
     """Return a function that takes STEPS steps of a particle on a spring.
 
-    Every call picks up the motion where the last one left off.
+    Every call resumes the motion where the previous call left off.
     """
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0), mass=MASS)
     registry = ForceRegistry()

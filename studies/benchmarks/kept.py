@@ -25,7 +25,7 @@ QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTA
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Store a run's results, along with the date, the Python version and the type of machine."""
+    """Save the results of make bench with the date, the Python version and the type of machine."""
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),

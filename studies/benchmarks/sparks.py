@@ -1,6 +1,6 @@
-"""Compare two ways of computing sparks: frame by frame, and in closed form.
+"""Compare two ways to compute where sparks are: frame by frame, and in closed form.
 
-Both return the coordinates as lists, which a program needs to draw the sparks.
+Either way, the coordinates are returned as lists, ready for drawing.
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ FULL = (9, 0.6, 6.0)
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all models and draw the charts.
+    """Time every model of the accuracy study, and draw the charts of error against time.
 
     Return 0, or exit with a usage error if no scene has the given name.
     """

@@ -127,7 +127,7 @@ def panel(scene: Scene, points: Sequence[Point]) -> Panel:
 
 
 def _path(places: Sequence[tuple[float, float]]) -> str:
-    """Return an SVG path through ``places``, or a dot if there is only one place."""
+    """Return an SVG path through the points ``places``, or a dot if there is only one point."""
     if len(places) == 1:
         return f"M{places[0][0]:g},{places[0][1]:g}h0"
     return "M" + "L".join(f"{a:g},{b:g}" for a, b in places) if places else ""

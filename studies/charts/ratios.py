@@ -50,7 +50,7 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Return the ratio or bound at which to draw a row's mark, and what kind of mark it is."""
+    """Return the value (a ratio or a bound) at which to draw a row's mark, and the kind of mark."""
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"
     low, high = row.bounds

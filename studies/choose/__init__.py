@@ -24,7 +24,7 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
-    """Measure the models and report the cheapest. Return 1 if none is accurate enough."""
+    """Print the cheapest model for the user's scene. Return 1 if none is accurate enough."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
     parser.add_argument(
@@ -87,7 +87,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _told(scene: Scene, point: Point) -> str:
-    """Describe a model's run of a scene: its steps, time, work and error."""
+    """Format one run of a model as text: its steps, processor time, work and error."""
     model = next(model for model in scene.models if model.name == point.model)
     steps = "once" if point.steps == 1 else f"{point.steps} steps"
     choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} per frame"

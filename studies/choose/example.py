@@ -23,8 +23,8 @@ def build() -> ParticleWorld:
 
 
 def measure(world: ParticleWorld) -> Vector3:
-    """Return the values that must be accurate in every frame.
+    """Return the values whose error is to be measured in every frame.
 
-    Without this function, they are the positions of all particles.
+    If you leave out this function, the positions of all particles are measured.
     """
     return world.particles[0].position

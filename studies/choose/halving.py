@@ -26,8 +26,8 @@ LEAST = 0.7  # below this order, a model does not converge
 class Halved:
     """The estimated error of each run, and the observed orders, from coarse to fine steps.
 
-    If ``is_steady`` is false, the orders vary too much, and the errors are only guesses. If
-    ``is_exact`` is true, the runs differ only by rounding.
+    If ``is_steady`` is false, the orders of convergence vary too much for the errors to be more
+    than guesses. If ``is_exact`` is true, the runs differ only by rounding.
     """
 
     errors: list[float]
@@ -77,7 +77,8 @@ def halved(
 def _is_steady(orders: Sequence[float], order: float) -> bool:
     """Return whether the observed orders are steady enough to estimate an error.
 
-    They are if the last two match the expected order, or if the last three agree with each other.
+    That is the case if the last two match the expected order, or if the last three agree with each
+    other.
     """
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True

@@ -51,9 +51,9 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Set up ``world`` for one of this model's choices, such as 8 steps per frame.
+        """Set up ``world`` for a run with one number of steps per frame, or with one tolerance.
 
-        Return the function that takes a step, and the number of steps per frame.
+        Return a function that advances the world by one step, and the number of steps per frame.
         """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
@@ -88,7 +88,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return a function that steps the particles of a world without contacts."""
+    """Return a function that builds the step of a world without contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

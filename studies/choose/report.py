@@ -1,4 +1,4 @@
-"""Report the cheapest model for a reader's scene, with a warning if its error is uncertain."""
+"""Report the cheapest model for the user's scene, with a warning if its error is uncertain."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Run every model on the user's scene, and print the cheapest one that meets the tolerance.
+    """Run every model on the user's scene, and print the cheapest one that is accurate enough.
 
-    Return 1 if none does.
+    Each model's error and processor time are measured. Return 1 if no model meets the tolerance.
 
     Raises:
         SceneError: The file does not describe a scene.
@@ -65,9 +65,9 @@ def _told(found: list[Tried], point: Point) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
-    """Create a table of what each model needs to meet the tolerance.
+    """Create a table of the steps and time that each model needs to meet the tolerance.
 
-    For a model that does not meet it, show the finest run.
+    For a model that never meets it, show the run with the shortest steps.
     """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
@@ -128,9 +128,9 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
 
 
 def _seen(tried: Tried) -> str:
-    """Name a model that does not converge as expected, and the orders that it shows.
+    """Name a model that does not converge as expected, and its observed orders of convergence.
 
-    If its runs show no order at all, give the reason instead.
+    If its runs show no order of convergence at all, explain why instead.
     """
     shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
     if not shown:

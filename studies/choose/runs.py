@@ -1,4 +1,4 @@
-"""Run a reader's scene with every model at ever shorter steps, and time the runs."""
+"""Run the user's scene with every model at shorter and shorter steps, and time each run."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 
 @dataclass
 class Tried:
-    """A model that has been tried, with its runs and their times in s.
+    """A model that was tried on the user's scene, with its runs and their processor times in s.
 
     ``halved`` holds the estimated errors of the runs. If the last run failed, ``failure`` says why.
     """
@@ -34,7 +34,7 @@ class Tried:
     failure: str = ""
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Add a run, or the reason that it failed, and estimate the errors again."""
+        """Record a run, or the reason why it failed, and update the estimates of all errors."""
         if isinstance(run, str):
             self.failure = run
         self.runs.append(None if isinstance(run, str) else run)
@@ -48,19 +48,19 @@ class Tried:
     def is_enough(self, tolerance: float) -> bool:
         """Return whether the model needs no further runs.
 
-        It needs none if its runs are exact, or if its errors are known and the last three are
-        within ``tolerance``.
+        That is the case if its runs are exact, or if its errors are known and those of the last
+        three runs are within ``tolerance``.
         """
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)
 
     def has_order(self) -> bool:
-        """Return whether there are enough runs to tell whether the order is steady."""
+        """Return whether there are enough runs to judge if the order of convergence is steady."""
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Return the runs as points of a study, with the number of steps as their work."""
+        """Return the runs as points of the accuracy study, counting steps as the work."""
         return [
             Point(
                 str(scene.path),

@@ -1,4 +1,4 @@
-"""Load a scene from a reader's file, along with its duration and its measured values."""
+"""Load a scene from the user's file, along with its duration and its measured values."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NAME = "scene_file"  # name of the module that is made from a file
 
 
 class SceneError(ValueError):
-    """Raised if a reader's file does not describe a valid scene.
+    """Raised if the user's file does not describe a valid scene.
 
     The message says what is wrong with the file.
     """
@@ -29,10 +29,10 @@ class SceneError(ValueError):
 
 @dataclass(frozen=True)
 class OwnScene:
-    """A reader's own scene, which runs for a number of frames.
+    """A scene that the user wrote, which runs for a fixed number of frames.
 
     ``build`` returns the scene in its initial state, and ``measure`` returns the values to compare.
-    Since the reader wrote both, ``built`` and ``measured`` check what they return.
+    Because both are the user's own code, ``built`` and ``measured`` validate what they return.
     """
 
     path: Path
@@ -125,7 +125,7 @@ def load(path: Path) -> OwnScene:
 
 
 def why(error: BaseException, path: Path) -> str:
-    """Describe an exception by its message and by the line of the reader's file that caused it."""
+    """Describe an exception by its message and the line of the user's file that caused it."""
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
     if isinstance(error, SyntaxError) and Path(error.filename or "") == path.absolute():

@@ -1,4 +1,4 @@
-"""Compute the balance lines of a box of stones with an engine, next to the exact ones."""
+"""Compute where a box of stones balances, both with an engine and exactly."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class BalanceLine:
-    """A line on which a box of stones balances, both as the engine found it and as it should be.
+    """A line on which a box of stones balances: the one the engine found, and the exact one.
 
     ``angle`` is in degrees, and ``left`` and ``right`` are the masses on either side in kg.
     """

@@ -125,7 +125,7 @@ def by_resolver(
 def without_rule(contacts: list[Contact], duration: float) -> None:
     """Resolve contacts as impacts, without the resting rule.
 
-    The speed that gravity has built up during the step then bounces as well.
+    Without that rule, the speed that gravity adds during the step bounces as well.
     """
     del duration
     for contact in contacts:
@@ -226,7 +226,7 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Release a chain as a DirectChain, and return the same two values over time as ``chain``."""
+    """Release a DirectChain, and return the same two values over time that ``chain`` returns."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 

@@ -26,7 +26,7 @@ Numbers = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class State:
-    """The state of a flight at one moment: its position in m and velocity in m/s."""
+    """The position in m and the velocity in m/s of a projectile at one moment of its flight."""
 
     position: Numbers
     velocity: Numbers
@@ -71,7 +71,7 @@ def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Run ``flight`` with pymunk, which is two-dimensional, so the z coordinate is 0."""
+    """Simulate ``flight`` with pymunk. Because pymunk is two-dimensional, z is always 0."""
     space, (body,) = make_space(flight)
     states = [State((*body.position, 0.0), (*body.velocity, 0.0))]
     for _ in range(frames):

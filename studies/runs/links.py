@@ -1,4 +1,4 @@
-"""Measure the links of a bridge or a rope: where they end, and how overstretched they are."""
+"""Measure the links of a bridge or a rope: their end points, and how far they overstretch."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
 
 
 def over_length(links: Iterable[object]) -> float:
-    """Return how much too long the worst cable is in percent, or 0 if none is too long."""
+    """Return by what percentage the worst cable exceeds its length, or 0 if none does."""
     worst = 0.0
     for link in links:
         if isinstance(link, Cable | AnchoredCable):

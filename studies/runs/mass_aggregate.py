@@ -74,7 +74,7 @@ def loaded_platform() -> TiltingPlatform:
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Run an aggregate, and return the total mechanical energy of its particles over time."""
+    """Run a mass aggregate, and return the total mechanical energy of its particles over time."""
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
     return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
@@ -90,7 +90,8 @@ def default_bridge() -> Bridge:
 def variation(run: Track, since: float) -> float:
     """Measure how much a value still varies from time ``since`` on.
 
-    Return the range of the values as a fraction of the last one, or NaN if the engine failed.
+    Return the difference between the largest and the smallest of those values, as a fraction of the
+    last one, or NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -203,8 +204,8 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
     """Return a world of balls that land one by one, along with those balls.
 
-    The last ball is a latecomer. It falls from LATE_HEIGHT between two of the others and pushes all
-    of them apart.
+    The last ball arrives late: it falls from LATE_HEIGHT between two other balls, and pushes all of
+    the balls apart.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]

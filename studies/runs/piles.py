@@ -101,7 +101,7 @@ def _sweep(
 
 
 def _depth(contact: Contact) -> float:
-    """Return the depth of a contact of spheres along its normal, at their current positions."""
+    """Return how far a sphere overlaps another sphere or the ground, at their current positions."""
     place = contact.particle.position
     if contact.other is None:
         return RADIUS - place.y

@@ -77,14 +77,14 @@ def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the positions of a rope whose middle is pulled straight down into a V."""
+    """Return the particle positions of a rope whose middle is pulled straight down into a V."""
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
     return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
 
 
 def rope_particles(places: list[Place]) -> list[Particle]:
-    """Return a rope's particles at these positions. The first and last are immovable."""
+    """Create a rope's particles at these positions, with an immovable particle at each end."""
     particles = [
         Particle(Vector3(x, y), acceleration=GRAVITY, mass=1.0, damping=DAMPING) for x, y in places
     ]

@@ -76,9 +76,9 @@ def arrows_by_engine(q: Quaternion) -> Arrows:
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Return the angle between two orientations in degrees, whatever their lengths.
+    """Return the angle in degrees between two orientations, given by quaternions of any length.
 
-    Return NaN if one of the lengths is 0 or not finite.
+    Return NaN if the length of either quaternion is 0 or not finite.
     """
     if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
         return math.nan
@@ -95,13 +95,13 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return how far from perpendicular the worst pair of arrows is, in degrees."""
+    """Return how far the worst pair of rotated axes is from perpendicular, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
 
 def off_unit_length(found: Arrows) -> float:
-    """Return how far from 1 the length of the worst arrow is."""
+    """Return how far from 1 the length of the worst rotated axis is."""
     return largest([abs(math.hypot(*v) - 1.0) for v in found])
 
 
@@ -242,8 +242,8 @@ def turn_by_steps(
 ) -> tuple[list[Components], str]:
     """Rotate START step by step, and return all orientations and any error that ended the run.
 
-    The velocity is evaluated a fraction ``share`` into each step: at its start for 0, and in its
-    middle for 0.5.
+    Each step uses the angular velocity at a fraction ``share`` of the step: 0 is the start of the
+    step, and 0.5 is its middle.
     """
     q = Quaternion(*START)
     found = [components(q)]

@@ -45,7 +45,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring toward 0 in plain numbers, which a bug in the engine's springs cannot affect.
+    """A spring toward 0 that uses plain numbers, so a bug in the engine's springs cannot affect it.
 
     ``count`` is the number of force evaluations.
     """
@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """The positions and velocities of an oscillation, and any error that ended it early."""
+    """The positions and velocities of an oscillating body, and any error that ended the run."""
 
     places: list[float]
     velocities: list[float]
@@ -90,8 +90,8 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 def watching(integrator: Integrator, limit: float) -> Integrator:
     """Wrap an integrator so that it raises an error when a speed exceeds ``limit`` in m/s.
 
-    If ``watched`` is not written yet, return the integrator itself. It still stops when it
-    explodes, because particles reject forces that are not finite.
+    If the student has not written ``watched`` yet, return the integrator itself. A run still stops
+    when the motion explodes, because particles reject forces that are not finite.
     """
     try:
         step = watched(integrator, limit)
@@ -139,7 +139,7 @@ def step_matrix(
 ) -> tuple[float, float, float, float]:
     """Return the matrix of a step of (x, v h), row by row, or NaN if the engine fails.
 
-    The step is linear, so its results for (1, 0) and (0, 1) determine it.
+    Because the step is linear, its results for (1, 0) and (0, 1) are the matrix's columns.
     """
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):

@@ -97,7 +97,7 @@ def sleeping() -> Scene:
 
 
 def truth(_: float) -> Place:
-    """Return where both ends of each row are in the side view. The bridge does not move."""
+    """Return the exact side-view positions of both ends of each row, which do not move."""
     return tuple(part for place in hanging() for part in place * 2)
 
 
@@ -117,17 +117,17 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Compute where the rows on one side come to rest, at the least potential energy.
+    """Compute where the rows on one side come to rest by minimizing their potential energy.
 
-    There the tensions of the cables balance the weights, and all cables are taut. ``extra`` is
-    added to the length of each cable, in m.
+    At rest all cables are taut, and their tensions balance the weights. ``extra`` is added to the
+    length of each cable, in m.
     """
     held = cables()
 
     def off(state: Any) -> Any:
         """Return the net force on each row in N, and the excess length of each cable in m.
 
-        At rest, with all cables taut, every one of them is 0.
+        If the bridge is at rest with all cables taut, all of these values are 0.
         """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
@@ -231,7 +231,7 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 
 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
-    """Compute where the bridge is at rest, and let it sleep there."""
+    """Place the bridge at its computed rest position, and let it sleep there."""
     ends, links = whole()
     world = SleepingWorld(ends, links)
     equilibrium(world)

@@ -68,7 +68,7 @@ class Chain:
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
     def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
-        """Return the length, the mass and the initial angle of each rod, for an AngleChain."""
+        """Return each rod's length, mass and initial angle, which an AngleChain is built from."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
 
@@ -109,9 +109,9 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Return all models for ``chain``, with pymunk's at the end.
+    """Return all models that can simulate ``chain``, with pymunk's at the end.
 
-    ``steps`` are the numbers of steps per frame to try.
+    ``steps`` lists the numbers of steps per frame to try.
     """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
@@ -136,17 +136,17 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Run the chain by its angles with Runge-Kutta 4, at four force evaluations per step."""
+    """Integrate the angles of the chain's rods with Runge-Kutta 4 (four evaluations per step)."""
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Run the chain by its angles in steps longer than a frame, interpolated with cubics.
+    """Integrate the rods' angles in steps longer than a frame, and interpolate with cubics.
 
-    Every LONG frames take ``steps`` steps, and the cubics give the positions at the end of each
-    frame.
+    Each block of LONG frames is covered by ``steps`` steps. Cubics through those steps give the
+    positions at the end of every frame.
     """
     angles = chain.by_its_angles()
     length, places, made = LONG / steps, [], 0  # frames of a step

@@ -55,7 +55,7 @@ class Balls:
     def places_at(self, times: Sequence[float]) -> list[Place]:
         """Compute the exact heights at ``times`` by following the balls from impact to impact.
 
-        The computation uses plain numbers only, so a bug in the engine cannot affect it.
+        The computation does not use the engine, so a bug in the engine cannot affect it.
         """
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
@@ -71,7 +71,7 @@ class Balls:
         return found
 
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
-        """Return the time until the next impact, and the index of the upper ball involved."""
+        """Return the time until the next impact, and the index of the upper ball in that impact."""
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
         for i in range(1, len(heights)):

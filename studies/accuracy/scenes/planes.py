@@ -112,7 +112,7 @@ class Walker:
 
 
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
-    """Create the knots of a net, and a function that advances it by one step."""
+    """Create the knots of a net, along with a function that advances the net by one step."""
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
     if plane.walker:
@@ -146,10 +146,10 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
-    """Run the net in steps longer than a frame, interpolated with cubics.
+    """Run the net in steps longer than a frame, and interpolate between them with cubics.
 
-    Every LONG frames take ``steps`` steps of order 4. Cubics are accurate only for smooth motion,
-    because they cannot follow the jump in velocity at an impact.
+    Each block of LONG frames is covered by ``steps`` steps of order 4. The cubics are accurate only
+    while the motion is smooth, because they cannot follow the jump in velocity at an impact.
     """
     knots, step = made(plane, SmoothNet)
 

@@ -53,8 +53,8 @@ class TautMotion:
     def gaps(self, places: Any) -> Any:
         """Return how far each tie still is from its limit, in m.
 
-        That is how much longer a cable could get, or how much shorter a strut. The number is
-        negative once the tie is past its limit.
+        The gap is how much longer a cable could get, or how much shorter a strut could get. The
+        number is negative once the tie is past its limit.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
@@ -96,9 +96,9 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve any impacts at ``time``, and find which ties are taut after that.
+        """Resolve any impacts at ``time``, and find out which ties are taut afterward.
 
-        Return the state after the impacts, and the indices of the taut ties.
+        Return the positions and velocities after the impacts, and the indices of the taut ties.
         """
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)

@@ -27,14 +27,14 @@ memories: dict[str, Memory] = {}  # the results of earlier chapters' checks, key
 
 
 class Progress(ProgressBar):
-    """A progress bar on the page, updated no faster than a reader can follow."""
+    """The progress bar on the page, which is updated no faster than a student can read it."""
 
     def __init__(self, processes: Processes) -> None:
         self.processes = processes
         self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, done: int, of: int) -> None:
-        """Tell the page how many checks are done, unless an earlier worker already has."""
+        """Report the number of finished checks, unless an earlier worker has already done so."""
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
             self.next = time.monotonic() + PERIOD
@@ -72,7 +72,7 @@ class Runs:
         return self.memory(chapter, engine, **options)
 
     def show(self, engine: list[Path]) -> None:
-        """Show the first failure on the page before checking any other chapter."""
+        """Show the first failure on the page right away, before the next chapter is checked."""
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]
@@ -83,7 +83,7 @@ class Runs:
 
 
 def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
-    """Check the student's work as requested by the page, and return the report to show there.
+    """Run the checks that the page requested, and return the report for it to display.
 
     Raises:
         ValueError: The request is not valid.

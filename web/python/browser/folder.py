@@ -1,4 +1,4 @@
-"""Keep the student's files in a folder that the checks and scenes import them from."""
+"""Keep the student's files in a folder from which the checks and scenes import them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 class Folder:
     """A folder of chapters that holds the student's files.
 
-    Any file that the page has not sent is the stub that students start from.
+    If the page has not sent a file, the folder holds its stub, which students start from.
     """
 
     def __init__(self, folder: Path = CHAPTERS) -> None:
@@ -28,7 +28,7 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Write the page's files to the folder, and stubs in place of all others.
+        """Write the files that the page sent to the folder, and a stub for every other file.
 
         Raises:
             ValueError: A path does not have the form chNN_name/name.

@@ -22,10 +22,9 @@ links: dict[int, Link] = {}
 
 
 def start() -> None:
-    """Get ready for messages, and tell the page that Python is ready.
+    """Start listening for messages, and tell the page that Python is ready.
 
-    The message includes two explanations that the page can show on its own, for failures after
-    which Python no longer answers.
+    The page also gets two explanations to show when a failure leaves Python unable to answer.
     """
     os.chdir(ROOT)
     watchdog.install()

@@ -46,7 +46,7 @@ class Past:
 
 
 class Processes:
-    """Runs the processes needed for one request to check, or repeats their reports."""
+    """Runs the check processes for one request, or repeats the reports of those already run."""
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
@@ -54,7 +54,7 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether the reports come from new checks rather than from an earlier worker."""
+        """Whether the reports come from checks running now rather than from an earlier worker."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
@@ -82,7 +82,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Pass on the reports of an earlier process as if they had just come in."""
+        """Replay the reports of an earlier process as if they had just arrived."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
@@ -93,7 +93,7 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Describe the failure of a check that did not end, for the page to show at once."""
+    """Describe a check that never finished as a failure, for the page to show immediately."""
     if not isinstance(run.current, Started):
         return None
     check, order = run.checks[run.current.name], run.order

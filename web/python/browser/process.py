@@ -1,7 +1,7 @@
 """Run checks as if in a new process, although a browser cannot start one.
 
-When a run ends, everything that would have vanished along with a process is undone: imported
-modules, entries in sys.path, and the working folder.
+At the end of a run, whatever a real process would have taken with it is undone: imported modules,
+entries in sys.path, and the working folder.
 """
 
 from __future__ import annotations
@@ -60,10 +60,10 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """Imports the student's modules in a browser, where no process can be killed from outside."""
+    """Imports the student's modules in a browser, where there is no separate process to kill."""
 
     def surround(self) -> None:
-        """Give the code the same environment and limits as in the grader."""
+        """Set up the same environment and limits for the student's code as in the grader."""
         leave_home()
         code.change(self.engine, self.graded)
 
@@ -80,10 +80,10 @@ class InBrowser(InProcess):
 
 
 class BrowserRecorder(Recorder):
-    """Reads only those files of checks that it needs, since a browser is slow to read files."""
+    """Records the checks, reading only the test files it needs because files load slowly here."""
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
-        """Ignore a file of checks if it has none of the requested exercises."""
+        """Skip a file of checks if it does not cover any of the requested exercises."""
         if not collection_path.name.startswith("test_"):
             return None
         text = collection_path.read_text(encoding="utf-8")

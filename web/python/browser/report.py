@@ -25,7 +25,7 @@ from autograder.student.screen import (
 def report_to_page(
     report: Report, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> dict[str, Any]:
-    """Return what make check would print for a chapter or an exercise, as data for the page."""
+    """Return the report that make check would print, as data that the page can display."""
     chapter, reports = report.chapter, [report]
     first = first_open(reports, exercise)
     failure = failure_of(*first, engine) if first else None

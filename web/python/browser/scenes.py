@@ -30,7 +30,7 @@ SHARED = set(sys.modules)  # modules that all links share
 
 
 class Link:
-    """The connection to one of the page's scenes, which has its own engine."""
+    """The connection to one of the scenes on the page. Each scene has an engine of its own."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
@@ -83,7 +83,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Use this link's engine, with the limits for student code, until the context ends."""
+        """Use this scene's engine, with the limits for student code, until the context ends."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

@@ -20,7 +20,7 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Tells the page when a student's code does not end, and which line it has reached.
+    """Tells the page that a student's code has not finished in time, and which line it is on.
 
     The caller sets `explain` to a function that turns a stack trace into an explanation.
     """
@@ -41,7 +41,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report the current line to the page, then wait for the page to end the worker."""
+        """Report the line that is running to the page, then wait for the page to end the worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:

@@ -81,8 +81,8 @@ def run_on_given(
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
     """Mark a failed check as inherited if it passes with our solutions of the earlier chapters.
 
-    ``verdicts`` come from the run on the student's own earlier chapters, and ``again`` from the run
-    on ours.
+    ``verdicts`` are the results with the student's own earlier chapters, and ``again`` those with
+    our solutions of them.
     """
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [

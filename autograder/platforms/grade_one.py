@@ -94,7 +94,7 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return a copy of the chapter with only the assigned exercises and their points there."""
+    """Return a copy of the chapter that has only the assigned exercises, with their new points."""
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises

@@ -18,8 +18,8 @@ BINS = 10
 class ExerciseRate:
     """How many students pass an exercise, and how many points they earn on average.
 
-    ``counted`` is the number of students who have a score. A student has none until somebody marks
-    the answer, or if the grader failed on the submission.
+    ``counted`` is the number of students who have a score. Students have no score if the grader
+    failed on their submission, or as long as nobody has marked their answer.
     """
 
     exercise: Exercise

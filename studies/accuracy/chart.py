@@ -205,10 +205,10 @@ def told(side: Side) -> str:
 
 
 def told_ratio(found: Row) -> str:
-    """Format pymunk's time as a multiple of ours, such as "5.51", "~ 5.51" or "> 120".
+    """Say how many times as long as our model pymunk takes, as in "5.51", "~ 5.51" or "> 120".
 
     A "~" means that pymunk's time is extrapolated, and ">" or "<" that the ratio is only a bound.
-    If one side can never reach the tolerance, or if neither side did, return an empty string.
+    The result is empty if neither of the two reached the tolerance, or if one of them never can.
     """
     low, high = found.bounds
     if found.ratio:

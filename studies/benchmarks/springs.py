@@ -1,6 +1,7 @@
-"""Measure what a cloth of springs costs when its springs are written in three different ways.
+"""Compare the cost of three ways to simulate the springs of a cloth.
 
-The springs are made with connect, with a separate Spring at each end, or without any objects.
+Each spring is a call of ``connect``, or two ``Spring`` objects, one for each end, or a round of a
+loop that does the same arithmetic without any objects.
 """
 
 from __future__ import annotations

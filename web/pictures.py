@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bisect
+import functools
 import io
 from pathlib import Path
 
@@ -35,19 +36,19 @@ def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
 def _packed(picture: Image.Image) -> bytes:
     """Return a picture in WebP format, with as few colors as possible without a visible change."""
     full = picture.convert("RGB")
-    first = bisect.bisect_left(PALETTES, True, key=lambda colors: _looks_same(full, colors))
+
+    @functools.cache
+    def with_colors(colors: int) -> Image.Image:
+        return full.quantize(
+            colors, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=ROUNDS
+        ).convert("RGB")
+
+    def looks_same(colors: int) -> bool:
+        difference = ImageChops.difference(full, with_colors(colors))
+        return max(ImageStat.Stat(difference).rms) <= UNSEEN
+
+    first = bisect.bisect_left(PALETTES, True, key=looks_same)
     packed = io.BytesIO()
-    less = _with_colors(full, PALETTES[first]) if first < len(PALETTES) else full
+    less = with_colors(PALETTES[first]) if first < len(PALETTES) else full
     less.save(packed, "WEBP", lossless=True, quality=100, method=4)
     return packed.getvalue()
-
-
-def _looks_same(full: Image.Image, colors: int) -> bool:
-    difference = ImageChops.difference(full, _with_colors(full, colors))
-    return max(ImageStat.Stat(difference).rms) <= UNSEEN
-
-
-def _with_colors(full: Image.Image, colors: int) -> Image.Image:
-    return full.quantize(
-        colors, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=ROUNDS
-    ).convert("RGB")

@@ -24,7 +24,6 @@ from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT
 
 SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
-ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
 
 # The connection to the waiting process. Judges inherit it when they are forked.
 _waiting: list[socket.socket] = []
@@ -35,15 +34,7 @@ def start_waiting() -> None:
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
-            subprocess.Popen(
-                _python("start_templates", str(theirs.fileno())),
-                cwd="/",
-                env=ENVIRONMENT,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                pass_fds=[theirs.fileno()],
-            )
+            _start(_python("start_templates", str(theirs.fileno())), theirs, subprocess.DEVNULL)
         _waiting.append(own)
 
 
@@ -68,15 +59,7 @@ def start_process(
     if level.bubblewrap:
         visible = [*config["readable"], command[0], str(ROOT / "autograder")]
         command = [*_bubblewrap(visible), *command]
-    return subprocess.Popen(
-        command,
-        cwd="/",
-        env=ENVIRONMENT,
-        stdin=subprocess.DEVNULL,
-        stdout=log,
-        stderr=log,
-        pass_fds=[control.fileno()],
-    )
+    return _start(command, control, log)
 
 
 def python_folders() -> list[str]:
@@ -85,6 +68,19 @@ def python_folders() -> list[str]:
     if library := sysconfig.get_config_var("LIBDIR"):
         paths |= {str(path) for path in Path(library).glob("libpython*")}
     return sorted(paths)
+
+
+def _start(command: list[str], end: socket.socket, output: int) -> subprocess.Popen[bytes]:
+    """Start one of our processes, which inherits ``end`` of a connection to it."""
+    return subprocess.Popen(
+        command,
+        cwd="/",
+        env={"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"},
+        stdin=subprocess.DEVNULL,
+        stdout=output,
+        stderr=output,
+        pass_fds=[end.fileno()],
+    )
 
 
 def _python(function: str, argument: str) -> list[str]:

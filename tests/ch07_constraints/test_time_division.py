@@ -254,6 +254,16 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
     expect_close(got, 0.0, then="overlap", tolerance=1e-13)
 
 
+def bounced(high: float, a: float, h: float) -> tuple[float, float]:
+    """Return height and velocity after ``h`` s, if a ball moves down at 4 m/s and bounces once.
+
+    It starts at a height of ``high``, ``a`` is its acceleration, and the restitution is 0.5.
+    """
+    fall = (4.0 - math.sqrt(16.0 - 2.0 * a * high)) / a
+    speed, rest = 0.5 * (4.0 - a * fall), h - fall
+    return speed * rest + 0.5 * a * rest * rest, speed + a * rest
+
+
 @pytest.mark.exercise("B7.12")
 def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     about.read = READ
@@ -270,21 +280,16 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     ]
     about.call = f"p of {mass} kg, damping {d}, at (0, {high}, 0), v (3, -4, 0), a {own}, force "
     about.call += f"{force}; a step of {h} s, ground of restitution 0.5; "
-    speed, rest = 0.5 * (4.0 - a * fall), h - fall
-    height = speed * rest + 0.5 * a * rest * rest
-    end = 0.5 * (speed + a * rest)
+    height, end = bounced(high, a, h)
+    end *= d**h
     about.cause = "The acceleration is the constant acceleration plus f / m. It stays the same "
     about.cause += "for the whole step, even after an impact."
     bouncing, falling, fixed = pushed(pushes, d, h)
     # Some roundings of 5 m/s.
     name = f"{about.call}position"
     wanted = (3.0 * h, height, 0.0)
-    alone = own[1]  # the acceleration without the forces
-    early = (4.0 - math.sqrt(16.0 - 2.0 * alone * high)) / alone
-    left = h - early
-    up = 0.5 * (4.0 - alone * early)
     blame(bouncing[0], [
-        ((3.0 * h, up * left + 0.5 * alone * left * left, 0.0),
+        ((3.0 * h, bounced(high, own[1], h)[0], 0.0),
          "You used only the constant acceleration. The force accelerates the particle too, so add "
          "f / m, before the impact and after it."),
     ])  # fmt: skip

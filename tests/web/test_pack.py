@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import zlib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -11,7 +9,7 @@ import pytest
 
 from autograder.manifest import ROOT, load_chapters
 from copies import reference
-from course_site import BELOW, built, built_with_solutions, pack_in
+from course_site import BELOW, built, built_with_solutions, data_in, pack_in
 from in_node import NodeEngines, engines_of
 from made import made_stubs
 
@@ -38,8 +36,7 @@ def engines(with_solutions: Path) -> Iterator[NodeEngines]:
 def test_students_files_are_the_stubs_and_nothing_tells_the_solution(site: Path) -> None:
     files: dict[str, str] = {}
     for chapter in load_chapters():
-        data = json.loads(zlib.decompress((site / "data" / f"{chapter.name}.data").read_bytes()))
-        files |= data["files"]
+        files |= data_in(site, chapter.name)["files"]
     assert files == {p.removeprefix("chapters/"): text for p, text in made_stubs().items()}
     with pack_in(site) as archive:
         names = archive.namelist()

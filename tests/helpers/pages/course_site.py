@@ -44,11 +44,19 @@ def built_with_solutions(factory: pytest.TempPathFactory) -> Path:
     def make(below: Path) -> None:
         shutil.copytree(site, below)
         pack(below, with_solutions=True)
-        data = below / "data" / "course.data"
-        course = json.loads(zlib.decompress(data.read_bytes()))
-        data.write_bytes(zlib.compress(json.dumps({**course, "solutions": True}).encode()))
+        course = {**data_in(below, "course"), "solutions": True}
+        file = below / "data" / "course.data"
+        file.write_bytes(zlib.compress(json.dumps(course).encode()))
 
     return _made_once(factory, "site-with-solutions", make)
+
+
+def data_in(site: Path, name: str) -> dict[str, Any]:
+    """Return the data of a site about the course, or about one chapter."""
+    data: dict[str, Any] = json.loads(
+        zlib.decompress((site / "data" / f"{name}.data").read_bytes())
+    )
+    return data
 
 
 def pack_in(site: Path) -> zipfile.ZipFile:

@@ -39,7 +39,7 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 def prepare() -> bool:
     """Set up the output streams, and return whether all required packages are installed.
 
-    If a package is missing, the user is told how to install it. Python must encode file names in
+    If a package is missing, print how to install it. Python must encode file names in
     UTF-8; where it does not, as under LC_ALL=C with PYTHONUTF8=0, the program restarts itself in
     UTF-8 mode.
     """

@@ -1,4 +1,4 @@
-"""The events by which a check process reports its progress, as one JSON object per line."""
+"""The events that a check process sends to report its progress, one JSON object per line."""
 
 from __future__ import annotations
 

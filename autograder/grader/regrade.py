@@ -82,8 +82,7 @@ class Regrade:
     def prepare(self, run: ClassRun) -> list[Submission]:
         """Check that the class was graded under the same conditions, and return the submission.
 
-        Some differences, such as a new version of the grader, are allowed, but the user is told of
-        them.
+        Some differences, such as a new version of the grader, are allowed. They are reported.
 
         Raises:
             ValueError: The exercises, their points or the hidden checks are not those of the class.

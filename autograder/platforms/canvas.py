@@ -54,7 +54,7 @@ def check_title(title: str) -> str:
 
 
 def _canvas_id(member: Member) -> str:
-    """Return the number by which Canvas knows a student, or "" if we cannot find it.
+    """Return a student's ID number in Canvas, or "" if we cannot find it.
 
     If the student handed in through Canvas, the submission's name contains the number. Otherwise we
     use the student's id on the roster, provided that it is a number. Any other text would be

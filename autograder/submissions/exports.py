@@ -38,7 +38,7 @@ class Exported:
 
     @property
     def student(self) -> str:
-        """The name by which we grade the student if there is no roster."""
+        """The name that we grade the student under if there is no roster."""
         return f"{self.name}_{self.number}"
 
 

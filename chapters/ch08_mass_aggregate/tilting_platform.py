@@ -101,7 +101,7 @@ class TiltingPlatform:
         raise NotImplementedError("Exercise B8.7: What tips a platform")
 
     def tilt(self) -> float:
-        """Return the angle in radians by which the platform is tilted.
+        """Return the tilt of the platform, an angle in radians.
 
         It is 0 at the start, and positive if the right end is higher.
         """

@@ -50,10 +50,10 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
     A unit quaternion should rotate about one axis at ``angular_speed`` in rad/s for ``duration`` in
     s. It makes ``steps`` equal steps of ``Quaternion.add_scaled``, and is never normalized, so that
     the errors add up. The first result is the length of the quaternion at the end, which should be
-    1. The second result is an angle in radians: the angle by which it should have rotated,
-    ``angular_speed`` times ``duration``, minus the angle by which it has rotated. For a negative
-    speed this difference is negative. Normalizing would correct the length (E-31), but not the
-    angle.
+    1. The second result is how far the rotation lags behind, in radians: the quaternion should have
+    rotated by ``angular_speed`` times ``duration``, and the angle it really rotated by is
+    subtracted from that. For a negative speed, the result is negative. Normalizing would correct
+    the length (E-31), but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

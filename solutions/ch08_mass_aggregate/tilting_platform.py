@@ -133,7 +133,7 @@ class TiltingPlatform:
                 end.mass = MASS + 0.5 * share
 
     def tilt(self) -> float:
-        """Return the angle in radians by which the platform is tilted.
+        """Return the tilt of the platform, an angle in radians.
 
         It is 0 at the start, and positive if the right end is higher.
         """

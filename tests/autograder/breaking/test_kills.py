@@ -25,7 +25,7 @@ from staging import make_zip
 KILLS = int(os.environ.get("KILLS", "1"))
 SEED = int(os.environ.get("KILL_SEED", "1"))
 IS_LONG = "KILLS" in os.environ
-SLOW = pytest.mark.skipif(not IS_LONG, reason="it takes seconds for each kill: set KILLS")
+SLOW = pytest.mark.skipif(not IS_LONG, reason="each kill takes seconds; set KILLS to run it")
 RESUMED = 0.3  # of the kills are followed by a whole run
 GRADE = """
 import sys

@@ -31,7 +31,9 @@ CH02, CH03 = load_chapters()[:2]
 WALLS = Level(**behind_walls().level).is_sandbox
 NO_ZERO = "this is not the submission's fault and does not count as zero"
 
-pytestmark = pytest.mark.skipif(shutil.which("timeout") is None, reason="as Ubuntu has it")
+pytestmark = pytest.mark.skipif(
+    shutil.which("timeout") is None, reason="the zip's script calls timeout"
+)
 
 
 def make(out: Path, *arguments: str) -> Path:
@@ -125,7 +127,7 @@ def test_a_right_submission_gets_every_point_and_stubs_none(tree: Path) -> None:
     assert first_seed[1] != seed[1], "each run draws its own"
 
 
-@pytest.mark.skipif(not WALLS, reason="without a wall no reference goes along")
+@pytest.mark.skipif(not WALLS, reason="without a sandbox the zip has no reference")
 def test_a_mistake_of_an_earlier_chapter_is_told_from_one_of_this(tree: Path) -> None:
     """The zip has the reference that the second run needs."""
     answers = answers_of("solutions")
@@ -141,7 +143,7 @@ def test_a_mistake_of_an_earlier_chapter_is_told_from_one_of_this(tree: Path) ->
     assert late == {"passed", "inherited"}
 
 
-@pytest.mark.skipif(not WALLS, reason="without a wall no reference goes along")
+@pytest.mark.skipif(not WALLS, reason="without a sandbox the zip has no reference")
 def test_student_code_cannot_read_the_reference_beside_it(tree: Path) -> None:
     secret = tree / "source/solutions/ch02_vectors/vector.py"
     assert "class Vector3" in secret.read_text(encoding="utf-8")

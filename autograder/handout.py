@@ -111,8 +111,8 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name
         complete = [source / name for name in ("README.md", "reference.md", *chapter.complete)]
-        pictures = [*source.glob("*.png"), *source.glob("*.gif")]
-        _copy([*complete, *pictures], out / "chapters" / chapter.name)
+        _copy(complete, out / "chapters" / chapter.name)
+        _copy((source / "pictures").glob("*"), out / "chapters" / chapter.name / "pictures")
     for chapter in chapters:
         folder = f"chapters/{chapter.name}"
         _write_manifest(chapter, root / folder, out / folder)

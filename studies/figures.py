@@ -64,7 +64,7 @@ TIME_LIMIT = 600.0  # s for one plot; the reference has no endless loop, but mac
 
 
 def main(arguments: list[str]) -> int:
-    """Draw all pictures into the chapters' folders. Return 1 if one could not be drawn."""
+    """Draw all pictures of all lessons. Return 1 if one could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies figures", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the engine to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
@@ -81,17 +81,21 @@ def main(arguments: list[str]) -> int:
         done.append(plot.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
         if done[-1]:
             with Image.open(work / f"{name}.png") as drawn:
-                _write(
-                    [_palette(drawn.convert("RGB"), COLORS_OF_PLOT)], options.out / f"{name}.png"
-                )
+                fewer = _palette(drawn.convert("RGB"), COLORS_OF_PLOT)
+                _write([fewer], _file(options.out, f"{name}.png"))
         pyplot.close("all")
     for name, (seconds, still) in ANIMATIONS.items():
         animation, _, _ = record(load(Path(name).name)(), work / Path(name).parent, seconds)
-        _write(_shrunk(animation), options.out / f"{name}.gif")
-        _write([_still(animation, still)], options.out / f"{name}_still.png")
+        _write(_shrunk(animation), _file(options.out, f"{name}.gif"))
+        _write([_still(animation, still)], _file(options.out, f"{name}_still.png"))
         done.append(True)
     print(f"{sum(done)} of {len(done)} pictures drawn with {options.engine}")
     return 0 if all(done) else 1
+
+
+def _file(out: Path, name: str) -> Path:
+    """Return where a lesson keeps its picture, such as ch02_vectors/addition.png."""
+    return out / Path(name).parent / "pictures" / Path(name).name
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:

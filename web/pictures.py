@@ -23,10 +23,10 @@ def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
     """
     out.mkdir(parents=True, exist_ok=True)
     found = {}
-    for file in sorted(ROOT.glob("chapters/*/*.png")):
+    for file in sorted(ROOT.glob("chapters/*/pictures/*.png")):
         picture = Image.open(file)
         content = _packed(picture)
-        name = f"{file.parent.name}-{file.stem}.webp"
+        name = f"{file.parent.parent.name}-{file.stem}.webp"
         (out / name).write_bytes(content)
         path = file.relative_to(ROOT).as_posix()
         found[path] = {"name": name, "width": picture.width, "height": picture.height}

@@ -34,8 +34,9 @@ def test_a_lesson_has_pictures_that_load_at_once_and_say_what_they_show(chapter:
             assert image.width >= 480
             assert image.convert("RGB").getpixel((3, 3)) == (255, 255, 255), "not white"
     of_chapter = {Path(name).name for name in MADE if Path(name).parent.name == chapter.name}
-    animations = set(re.findall(r"\]\((\w+\.gif)\)", lesson))
-    assert {name for _, name in shown} | animations == of_chapter, "a drawn picture is not shown"
+    animations = set(re.findall(r"\]\(pictures/(\w+\.gif)\)", lesson))
+    stills = {name.removeprefix("pictures/") for _, name in shown}
+    assert stills | animations == of_chapter, "a drawn picture is not shown"
 
 
 def test_no_page_shows_an_animation_that_its_reader_did_not_start() -> None:
@@ -45,8 +46,9 @@ def test_no_page_shows_an_animation_that_its_reader_did_not_start() -> None:
 
 
 def test_no_picture_lies_there_that_nothing_draws() -> None:
-    there = [*ROOT.glob("chapters/*/*.png"), *ROOT.glob("chapters/*/*.gif")]
-    assert {path.relative_to(ROOT / "chapters").as_posix() for path in there} == MADE
+    there = [*ROOT.glob("chapters/**/*.png"), *ROOT.glob("chapters/**/*.gif")]
+    made = {f"{Path(name).parent}/pictures/{Path(name).name}" for name in MADE}
+    assert {path.relative_to(ROOT / "chapters").as_posix() for path in there} == made
 
 
 def test_figures_draws_a_plot_and_an_animation_and_says_where(
@@ -57,22 +59,22 @@ def test_figures_draws_a_plot_and_an_animation_and_says_where(
     monkeypatch.setattr(figures, "ROOT", tmp_path)
     assert figures.main(["--out", str(tmp_path / "chapters")]) == 0
     told = capfd.readouterr().out
-    assert "chapters/ch02_vectors/cross_product.png, " in told
-    assert "chapters/ch05_forces/sniper.gif, " in told
+    assert "chapters/ch02_vectors/pictures/cross_product.png, " in told
+    assert "chapters/ch05_forces/pictures/sniper.gif, " in told
     assert "2 of 2 pictures drawn with solutions" in told
-    with Image.open(tmp_path / "chapters/ch05_forces/sniper.gif") as animation:
+    with Image.open(tmp_path / "chapters/ch05_forces/pictures/sniper.gif") as animation:
         time = 0.0
         for i in range(animation.n_frames):
             animation.seek(i)
             time += animation.info["duration"]
     assert time == 2000.0  # ms, the length of the recording
-    with Image.open(tmp_path / "chapters/ch02_vectors/cross_product.png") as picture:
+    with Image.open(tmp_path / "chapters/ch02_vectors/pictures/cross_product.png") as picture:
         assert picture.size == (1100, 550)
         assert all(is_in(color, picture) for color in (BLUE, ORANGE))
 
 
 def test_an_animation_in_few_colors_still_tells_its_lines_apart() -> None:
-    with Image.open(ROOT / "chapters/ch09_rotations/spin.gif") as animation:
+    with Image.open(ROOT / "chapters/ch09_rotations/pictures/spin.gif") as animation:
         for color in ("blue", "orange", "green"):  # the edges of the visible faces
             assert any(is_in(PAINT[color], frame) for frame in ImageSequence.Iterator(animation))
 
@@ -87,8 +89,8 @@ def is_in(color: str, picture: Image.Image) -> bool:
 def test_a_picture_that_cannot_be_drawn_is_said_and_the_older_one_stays(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    older = tmp_path / "ch02_vectors/cross_product.png"
-    older.parent.mkdir()
+    older = tmp_path / "ch02_vectors/pictures/cross_product.png"
+    older.parent.mkdir(parents=True)
     older.write_text("an older picture", encoding="utf-8")
 
     def cross_product() -> None:

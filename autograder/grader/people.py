@@ -53,7 +53,7 @@ def differences(people: ClassList) -> list[str]:
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (
             ("Nothing handed in", people.missing),
-            ("Not in the roster", people.unmatched),
+            ("Not on the roster", people.unmatched),
         )
         if names
     ]

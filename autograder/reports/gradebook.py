@@ -15,7 +15,7 @@ from autograder.reports.texts import number, replace_file
 from autograder.scores import possible
 
 MISSING = "nothing handed in"
-UNMATCHED = "not in the roster"
+UNMATCHED = "not on the roster"
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting"
 WITH_DUE_DATE = ["points", "late days", "penalty"]  # columns for an assignment with a due date
 # If a cell begins with one of these characters, even in full width or after spaces, a spreadsheet

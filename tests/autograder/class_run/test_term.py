@@ -143,7 +143,7 @@ def test_a_killed_run_is_resumed_and_everybody_is_accounted_for(
     missing = "; ".join(f"Student {i}" for i, kind in kinds.items() if kind == "missing")
     for said in printed:
         assert f"Nothing handed in: 3 ({missing})." in said
-        assert "Not in the roster: 1 (student99_99)." in said
+        assert "Not on the roster: 1 (student99_99)." in said
     assert "Late by an unknown amount of time, and therefore without a penalty: 4 (Student" in first
     assert "Late: 4. With a penalty: 4." in second
 

@@ -43,7 +43,7 @@ def roster(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def submissions(tmp_path: Path) -> Path:
-    """Return a class from Canvas, with a late student, and one who is not in the roster."""
+    """Return a class from Canvas, with a late student, and one who is not on the roster."""
     files = {
         "doejane_LATE_77_3_work.zip": zip_of({SMALL: HALF.encode()}),
         "leebo_501_4_work-1.zip": zip_of(
@@ -76,15 +76,15 @@ def test_a_class_is_graded_under_the_names_of_its_roster(
     assert states == {
         "Bo Lee": ("graded", "3", "9"),
         "Jane Doe": ("graded", "1", "6"),
-        "zed_502": ("graded; not in the roster", "", "6"),
+        "zed_502": ("graded; not on the roster", "", "6"),
         "Eve Moss": ("nothing handed in", "", ""),
     }
     page = (out / "index.html").read_text(encoding="utf-8")
     assert re.search(r"Nothing handed in: 1\.</strong> <bdi>Eve Moss</bdi>", page)
-    assert re.search(r"Not in the roster: 1\.</strong> <bdi>zed_502</bdi>", page)
+    assert re.search(r"Not on the roster: 1\.</strong> <bdi>zed_502</bdi>", page)
     printed = capsys.readouterr().out
     assert "Nothing handed in: 1 (Eve Moss)." in printed
-    assert "Not in the roster: 1 (zed_502)." in printed
+    assert "Not on the roster: 1 (zed_502)." in printed
     grades = {row["ID"]: row["Lab 1 (12)"] for row in table(out / "canvas.csv")}
     assert grades == {"": "18", "77": "12", "501": "18", "99": ""}
     grades = {row["ID number"]: row["Lab 1"] for row in table(out / "moodle.csv")}

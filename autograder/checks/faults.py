@@ -111,5 +111,5 @@ def short(file: str) -> str:
 
 
 @cache
-def _parents(file: str) -> list[Path]:
-    return list(Path(file).resolve().parents)
+def _parents(file: str) -> frozenset[Path]:
+    return frozenset(Path(file).resolve().parents)

@@ -61,7 +61,8 @@ def _names(says: str, name: str) -> bool:
         signs.append(f"'{outer}' object has no attribute '{short}'")
         signs.append(f"type object '{outer}' has no attribute '{short}'")
         signs.append(f"property '{short}' of '{outer}' object has no setter")
-    return any(re.search(rf"{re.escape(sign)}(?!\w)", says) for sign in signs)
+    whole = (rf"{re.escape(sign)}(?!\w)" for sign in signs if sign in says)
+    return any(re.search(pattern, says) for pattern in whole)
 
 
 def _words(

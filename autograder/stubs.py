@@ -177,9 +177,9 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Compose the error message of each stub in a module, such as "Exercise B2.3: Dot product".
+    """Compose the error message of each stub, such as "Exercise B2.1: Copy, clear and invert".
 
-    The messages are keyed by the name of the function, such as Vector3.dot.
+    The messages are keyed by the name of the function, such as Vector3.copy.
     """
     prefix = file.removesuffix(".py") + "."
     return {

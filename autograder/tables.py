@@ -13,7 +13,7 @@ END = "<!-- end of exercises -->"
 
 
 def exercise_table(chapter: Chapter) -> str:
-    """Build a Markdown table of a chapter's exercises, with points, stars and what students write."""
+    """Build the Markdown table of a chapter's exercises, with stars, points and functions."""
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:

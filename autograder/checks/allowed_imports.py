@@ -23,7 +23,10 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """From now on, make student code's imports fail wherever they would fail in the grader."""
+    """Make every import in the student's code fail if it would fail in the grader.
+
+    Our own imports still work.
+    """
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -48,7 +51,10 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """If importing ``name`` would fail in the grader, raise the same ImportError here."""
+    """Raise the ImportError that the student's code would get in the grader, if any.
+
+    ``name`` is the module that the code tries to import.
+    """
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

@@ -1,7 +1,7 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-This is how checks run on a student's own machine. To avoid surprises later, the code can import
-only the modules and perform only the operations that the grader allows.
+This is how checks run on a student's own machine. So that code which passes there also passes in
+the grader, it can import only the modules and perform only the operations that the grader allows.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that the module in ``file`` defines, or None if they are unknown."""
+        """List the names that a student's file defines, or return None if they are unknown."""
         return read_definitions(file)
 
     def start(self) -> None:
@@ -112,7 +112,7 @@ class InProcess:
         self.start_clock()
 
     def stop(self) -> str:
-        """Cancel the check's time limit, and return what the student's code printed."""
+        """Cancel a check's time limit, and return what the student's code has printed."""
         self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams
@@ -123,10 +123,10 @@ class InProcess:
     def start_clock(self) -> None:
         """Start the time limit for a check.
 
-        When it runs out, the process writes a stack trace and exits, even if it is stuck in a loop.
+        When it runs out, the process writes a stack trace and exits, even if the student's code is
+        stuck in an endless loop.
         """
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 
     def stop_clock(self) -> None:
-        """Cancel the time limit of the current check."""
         faulthandler.cancel_dump_traceback_later()

@@ -80,7 +80,7 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether there is an answer to mark, in a section that has no problems."""
+        """Whether the student has answered, in a section of answers.md that has no problems."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property

@@ -12,11 +12,11 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 
 
 def clean(text: str) -> str:
-    r"""Replace every unprintable character of a text with a visible escape sequence such as \x1b.
+    r"""Replace every unprintable character with a visible escape sequence such as \x1b.
 
-    Unprintable characters could repaint the instructor's screen, reverse the reading direction, or
-    fail to encode. All line endings become newlines, and unusual spaces become ordinary ones. Tabs
-    are kept.
+    In text from a student, unprintable characters could repaint the instructor's screen, reverse
+    the reading direction, or fail to encode. All line endings become newlines, and unusual spaces
+    become ordinary ones. Tabs are kept.
     """
     if text.isprintable():
         return text
@@ -24,7 +24,7 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Clean a text as ``clean`` does, and join its lines so that it can be shown in one row."""
+    """Make untrusted text safe to show, as ``clean`` does, and join its lines into one."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 

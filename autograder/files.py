@@ -36,7 +36,7 @@ def is_full(folder: Path) -> bool:
 
 
 def temporary_of(path: Path) -> Path:
-    """Name the temporary file that is written before it replaces the file at ``path``."""
+    """Return the path at which a file is written before it is moved to ``path``."""
     return path.with_name(path.name + ".tmp")
 
 

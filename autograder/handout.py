@@ -59,7 +59,7 @@ This folder has the original stubs, which `make reset` restores. Do not edit or 
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files of the autograder and the studies that students receive in a hand-out."""
+    """Yield the files in a hand-out that students use but do not write, such as the Makefile."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))

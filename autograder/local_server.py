@@ -68,9 +68,9 @@ def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
 
 
 class Handler(RequestHandler):
-    """A base for handlers of web requests that rejects those addressed to another host name.
+    """A base class for request handlers that refuses requests addressed to another host name.
 
-    It also sends the security headers with every response.
+    It also adds our security headers to every response.
     """
 
     site: Site

@@ -139,9 +139,9 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Separate the chapters whose code we give to the student from those that the student writes.
+    """Separate the chapters whose code we give to a student from those that the student writes.
 
-    The code of a given chapter comes from the reference. ``numbers`` says which chapters are given,
+    The code of a given chapter comes from our solutions. ``numbers`` says which chapters are given,
     as in "2,4-6". If it is empty, the student writes all of them. The given chapters come first in
     the result.
 
@@ -158,7 +158,7 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
     """Raise ValueError if a student asks about an exercise of a given chapter.
 
-    The code of such a chapter comes from the reference, so the student has nothing to write there.
+    The code of such a chapter comes from our solutions, so the student has nothing to write there.
     ``numbers`` says which chapters are given, as in "2-5".
     """
     if numbers and chapter in select_chapters(numbers):
@@ -202,7 +202,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Write the numbers of consecutive chapters as our commands accept them, such as "2-5"."""
+    """Abbreviate the numbers of consecutive chapters for the command line, as in "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 

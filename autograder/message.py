@@ -16,7 +16,7 @@ Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
 class Kind(Enum):
-    """The reasons why a check did not pass."""
+    """The reasons why a check does not pass, such as an endless loop."""
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"

@@ -1,4 +1,4 @@
-"""Convert frozen dataclasses to JSON and back, with a validation of every value that is read.
+"""Convert frozen dataclasses to JSON and back, and validate every value that is read.
 
 The JSON may come from another process or from an older version of this program. If a value does not
 have the type declared for its field, the error says which value is wrong.

@@ -45,7 +45,7 @@ class Result:
     def on_chart(self) -> Point | None:
         """The cost and the error of the student's solution, or None if no check measured them.
 
-        Open exercises plot the solutions of a class on a chart with these two axes.
+        In an open exercise, these two numbers place the solution on a chart.
         """
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 

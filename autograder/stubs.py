@@ -210,13 +210,10 @@ def _helpers_of(
 
 
 def _short(name: str) -> str:
-    """Strip the class from the name of a method: Vector3.dot becomes dot."""
     return name.rpartition(".")[2]
 
 
 def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
-    """Remove the functions and methods with these names from the source of a module."""
-
     def kept(nodes: Any, prefix: str = "") -> list[Any]:
         left = []
         for node in nodes:

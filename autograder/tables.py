@@ -32,7 +32,7 @@ def _extra(exercise: Exercise) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List the functions that students write for an exercise, file by file, then its data files.
+    """List what students write for an exercise: functions by file, and then data files.
 
     If several classes in a file have a method with the same name, the class is named as well.
     """

@@ -29,7 +29,7 @@ def plain_console(file: IO[str] | None = None, width: int | None = None) -> Cons
 
 
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
-    """Wrap a text to the width of a terminal, and return its lines.
+    """Break text into lines that fit the width of a terminal.
 
     All lines but the first are indented by ``hanging`` columns. A word is split only if it is too
     long for a whole line.
@@ -56,7 +56,7 @@ def wrapped_rows(rows: list[Row], width: int) -> list[str]:
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print a text, wrapped to the width of the window if the output is a terminal.
+    """Print text on the console, and wrap it to the width of the window if that is a terminal.
 
     All lines but the first are indented by ``hanging`` columns.
     """
@@ -94,7 +94,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to at most ``room``, replacing its middle with ``note``."""
+    """Shorten a list of lines to at most ``room`` lines by replacing its middle with a note."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

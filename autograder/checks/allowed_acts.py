@@ -44,7 +44,8 @@ WITHOUT = (
 def limit_acts(code: StudentsCode) -> None:
     """Block every operation of the student's code that the grader's sandbox would not allow.
 
-    Examples are writing files and starting threads. The block cannot be lifted again.
+    Examples are writing files and starting threads. There is no way to lift these restrictions
+    again.
     """
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),

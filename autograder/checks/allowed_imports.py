@@ -23,9 +23,9 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """Make every import in the student's code fail if it would fail in the grader.
+    """Make imports in the student's code fail at home if they would fail in the grader.
 
-    Our own imports still work.
+    Our own code can still import any package.
     """
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
@@ -51,9 +51,9 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise the ImportError that the student's code would get in the grader, if any.
+    """Raise the error with which an import in the student's code would fail in the grader.
 
-    ``name`` is the module that the code tries to import.
+    If the import of ``name`` would work there, do nothing.
     """
     if name.startswith("."):
         try:

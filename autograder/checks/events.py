@@ -26,7 +26,7 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """Sent when the checks have been collected. Lists them in the order in which they will run."""
+    """Sent when pytest has collected the checks, to list them in the order in which they run."""
 
     checks: list[Check]
 

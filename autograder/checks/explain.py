@@ -219,7 +219,7 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Build the message for a check that ran out of time, with the student's line that was running.
+    """Build the message for a check that ran out of time, and point to the line that was running.
 
     ``stack`` is the stack trace that the process wrote to a file. It may contain anything, because
     the student's code can write to that file too.
@@ -275,9 +275,9 @@ def _is_given(place: Place, complete: Sequence[str]) -> bool:
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the text of the student's line to ``place``, so that the failure message can show it.
+    """Add the source code of the student's line to ``place``, to show it in the failure message.
 
-    The file is the first one with that name in the engine's folders.
+    The line comes from the first folder of the engine that contains the file.
     """
     for folder in engine_folders:
         file = folder / place.file

@@ -1,7 +1,7 @@
 """Describe an exception in a student's code as data that can be sent to another process.
 
-The student's code may run in a sandboxed worker process. With such a description, the rest of the
-autograder works in the same way whether it does or not.
+The student's code may run in a sandboxed worker process. Thanks to this description, the code that
+explains errors to students does not depend on where the exception was raised.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
 
 
 def text_of(error: BaseException) -> str:
-    """Return the text of an exception, even if its __str__ is the student's own and fails."""
+    """Return the text of an exception, even if a __str__ that the student wrote fails."""
     try:
         return str(error).strip()
     except BaseException:
@@ -102,7 +102,6 @@ def text_of(error: BaseException) -> str:
 
 
 def is_inside(file: str, folders: Sequence[Path]) -> bool:
-    """Return whether a file lies in one of these folders."""
     parents = _parents(file)
     return any(folder in parents for folder in folders)
 

@@ -28,8 +28,8 @@ def with_given(
 ) -> Iterator[list[Path]]:
     """While the context lasts, take the code of the ``given`` chapters from our solutions.
 
-    The context variable is the list of folders to search for code. The first one is a temporary
-    folder with copies of our solutions.
+    The with statement yields the list of folders to search for the student's code, preceded by a
+    temporary folder that holds copies of our solutions.
 
     Raises:
         ValueError: ``root`` does not have our solution of a chapter. No hand-out has it.

@@ -24,10 +24,10 @@ Defined = Callable[[str], set[str] | None]
 def explain_gone(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """Extend a failure message if the student has deleted or renamed a function that it needs.
+    """Say in a failure message that the student has deleted or renamed a function, if so.
 
     ``edits`` maps each exercise to the full names of the functions that students write for it, such
-    as vector.Vector3.dot.
+    as vector.Vector3.dot. If a check failed for any other reason, its message stays the same.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -43,7 +43,7 @@ def _candidates(
 ) -> list[tuple[str, str]]:
     """List the functions that the student may have deleted or renamed, each with its exercise.
 
-    Functions that Python's error mentions come first, followed by those that the check has called.
+    Those that Python's error mentions come first, followed by those that the check has called.
     """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]

@@ -1,7 +1,7 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-This is how checks run on a student's own machine. So that code which passes there also passes in
-the grader, it can import only the modules and perform only the operations that the grader allows.
+This is how checks run on a student's own machine. The student's code can import only the modules
+and perform only the operations that the grader allows, so that what passes here also passes there.
 """
 
 from __future__ import annotations
@@ -75,14 +75,14 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Give the student's code the same restrictions and environment as in the grader."""
+        """Give the student's code the restrictions and the environment that it has when graded."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Exempt all existing objects from garbage collection, so that forks share more memory."""
+        """Exclude all present objects from garbage collection, so that forks share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:

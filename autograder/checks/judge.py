@@ -1,4 +1,4 @@
-"""Start a process that runs checks, read its output line by line, and end it."""
+"""Start a process that runs checks on a student's code, read what it prints, and end it."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ class Ending:
     stderr: str = ""
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
-        """Build the message for the check that was running when the process ended."""
+        """Tell the student why the check that was running when the process ended did not finish."""
         if self.stack or self.silent:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)

@@ -57,7 +57,7 @@ def file_of(module: str) -> str:
 def broken_module(name: str, why: Message) -> ModuleType:
     """Create a placeholder for a student's module that cannot be imported.
 
-    A check can import any name from it, but using that name ends the check with the message
+    The checks can still import any name from it. A check that calls the name ends with the message
     ``why``.
     """
     module = ModuleType(name)
@@ -66,9 +66,9 @@ def broken_module(name: str, why: Message) -> ModuleType:
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Create a module-level __getattr__ that makes a placeholder for any name the module lacks.
+    """Create a module-level __getattr__ with which the checks can import names that do not exist.
 
-    It lets the checks import a function that the student has not defined.
+    A check that calls such a name ends with a message that the student's module does not define it.
     """
     is_empty = all(name.startswith("__") for name in vars(module))
 
@@ -89,7 +89,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a class that stands in for a missing name and raises an error when it is called."""
+    """Create a class that stands in for a function that does not exist, and fails when called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -219,7 +219,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record that the current check or import was cut short, with a message for the student."""
+        """Record that a check or an import was cut short because it hung or the process ended."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return

@@ -1,4 +1,4 @@
-"""Give a student's code at home the same environment as in the grader.
+"""Give a student's code at home the same environment as when it is graded.
 
 The code runs in the root folder, with no command-line arguments and none of the user's environment
 variables. The limits on memory and recursion are the grader's, so a program that needs too much of
@@ -49,7 +49,7 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Lets a student's code recurse exactly as deeply as it could in the grader.
+    """Lets a student's code recurse exactly as deeply as it could when it is graded.
 
     When the student's code is called at home, the stack may already be deeper than it would be in
     the grader. The recursion limit is raised by the difference.

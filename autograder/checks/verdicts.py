@@ -65,7 +65,7 @@ class Recorder:
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Tell the object that runs the student's code that pytest has collected all checks."""
+        """Finish preparing to run the student's code, now that pytest has collected all checks."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
@@ -179,7 +179,7 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Remove the folders of the student's files from the paths in a message.
+        """Shorten the paths in a message by the folders that contain the student's code.
 
         These folders are different on the student's machine and in the grader.
         """
@@ -203,7 +203,6 @@ class Recorder:
 
 
 def run_all(checks: list[pytest.Item]) -> None:
-    """Run pytest's checks one after another."""
     for check in checks:
         runtestprotocol(check, log=False)
 
@@ -220,7 +219,6 @@ def _engine(config: Config) -> InProcess | InWorker:
 
 
 def _properties(item: pytest.Item) -> dict[str, Any]:
-    """Return what a check has recorded about itself, such as its rationale, keyed by name."""
     return dict(item.user_properties)
 
 

@@ -28,7 +28,7 @@ class Chosen:
 
 
 class Chooser:
-    """Determines the exercises of one assignment from its table in the course file.
+    """Finds out which exercises an assignment consists of, from its table in the course file.
 
     Mistakes in the table are recorded in ``mistakes``. ``before`` contains the exercises of all
     earlier assignments, because this one may build on them.
@@ -179,9 +179,9 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points of the exercises so that they add up to ``out_of`` in the course file.
+        """Scale the points of the exercises to the total that the instructor asks for with ``out_of``.
 
-        Without an ``out_of``, the points stay as they are.
+        Without an ``out_of`` in the course file, the points stay as they are.
         """
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")

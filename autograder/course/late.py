@@ -39,9 +39,9 @@ def days_late(due: datetime, submitted: datetime) -> int:
 
 
 def _end(time: datetime) -> datetime:
-    """Return the last moment at which a clock shows this local time.
+    """Return the last moment at which a clock shows this local time, when one day of lateness ends.
 
-    When the clocks go back, some times occur twice. When they go forward, some are skipped; for
+    When the clocks go back, some times occur twice. When they go forward, some are skipped. For
     those we return the moment at which they would have occurred.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))

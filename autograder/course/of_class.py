@@ -1,4 +1,4 @@
-"""Apply the rules of a course file to a whole class: late penalties, and the scale of the marks."""
+"""Apply a course file to a whole class: compute penalties for late work, and scale the marks."""
 
 from __future__ import annotations
 

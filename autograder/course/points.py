@@ -1,4 +1,4 @@
-"""Scale the points of exercises so that an assignment adds up to the total that it is out of."""
+"""Scale the points of exercises so that an assignment adds up to the intended total."""
 
 from __future__ import annotations
 

@@ -179,9 +179,9 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points of the exercises to the total that the instructor asks for with ``out_of``.
+        """Scale the points of the exercises to the total that the course file sets as ``out_of``.
 
-        Without an ``out_of`` in the course file, the points stay as they are.
+        Without an ``out_of``, the points stay as they are.
         """
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")

@@ -26,7 +26,7 @@ except ImportError:  # a hand-out contains only the student's commands
 
 
 def main() -> int:
-    """Parse the command line, run the command on it, and return the exit status."""
+    """Parse the command line, run the command, and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m autograder", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     add_commands(commands)

@@ -77,8 +77,8 @@ def sentence(error: Exception) -> str:
 def find_engine(folder: str) -> list[Path]:
     """List the folders in which to search for the code to check, beginning with ``folder``.
 
-    The folder chapters/ always comes second, because only there are the files that students do not
-    edit.
+    The second folder is always chapters/, because the files that students do not edit are only
+    there.
 
     Raises:
         ValueError: The folder does not exist.

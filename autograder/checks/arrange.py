@@ -119,8 +119,8 @@ def arrange(
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
     """Return the folder from which pytest runs the checks.
 
-    That is the folder of this project. Only if there are hidden checks, it is a copy of the tests
-    that includes them.
+    That is normally the folder of this project. If there are hidden checks, it is a temporary copy
+    of the tests that includes them.
     """
     return folder / "root" if behind and behind.hidden else root
 

@@ -24,7 +24,7 @@ Defined = Callable[[str], set[str] | None]
 def explain_gone(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """Say in a failure message that the student has deleted or renamed a function, if so.
+    """Rewrite the message of a check that failed because the student removed a function.
 
     ``edits`` maps each exercise to the full names of the functions that students write for it, such
     as vector.Vector3.dot. If a check failed for any other reason, its message stays the same.

@@ -1,7 +1,8 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-This is how checks run on a student's own machine. The student's code can import only the modules
-and perform only the operations that the grader allows, so that what passes here also passes there.
+This is how checks run on a student's own machine. Even there, the student's code can import only
+the modules and perform only the operations that the grader allows. Otherwise, code that works at
+home could fail when it is graded.
 """
 
 from __future__ import annotations

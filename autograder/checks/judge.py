@@ -141,7 +141,7 @@ class Ending:
 def judge(run: Run) -> Ending:
     """Start a process that runs the checks still without a verdict, and wait for it to end.
 
-    Its output is passed to ``run`` line by line.
+    The process reports its progress line by line, and each line is passed to ``run``.
     """
     order, silent = run.order, False
     # On Windows the files of a process stay locked for a moment after its end.

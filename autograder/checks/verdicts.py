@@ -179,7 +179,7 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Shorten the paths in a message by the folders that contain the student's code.
+        """Remove the folders that contain the student's code from the paths in a message.
 
         These folders are different on the student's machine and in the grader.
         """

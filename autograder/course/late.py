@@ -24,7 +24,7 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Count how many days late a submission is, with any part of a day as a full day.
+    """Count how many days late a submission is, where any part of a day counts as a full day.
 
     Each late day begins at the hour at which the work was due, in the time zone of ``due``. A day
     on which the clocks change therefore has 23 or 25 hours.
@@ -39,10 +39,11 @@ def days_late(due: datetime, submitted: datetime) -> int:
 
 
 def _end(time: datetime) -> datetime:
-    """Return the last moment at which a clock shows this local time, when one day of lateness ends.
+    """Return the last moment at which a clock shows this local time.
 
-    When the clocks go back, some times occur twice. When they go forward, some are skipped. For
-    those we return the moment at which they would have occurred.
+    A day of lateness ends at that moment. When the clocks go back, some times occur twice. When
+    they go forward, some are skipped. For those we return the moment at which they would have
+    occurred.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 

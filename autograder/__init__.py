@@ -1,6 +1,6 @@
-"""The autograder checks a student's engine, grades a class, and makes the folders we hand out.
+"""The autograder checks a student's engine, grades a class, and builds the folder students receive.
 
-A few terms have a fixed meaning throughout these packages:
+The following terms have a fixed meaning throughout the autograder:
 
 - *Exercise*: A part of a chapter that a student writes. The chapter's *manifest*, chapter.toml,
   lists its exercises and the functions to write for each.
@@ -8,10 +8,10 @@ A few terms have a fixed meaning throughout these packages:
   physics; *robust* checks try bad arguments, overflow and NaN.
 - *Stub*: The unfinished file that a student starts from. Our own solution, in solutions/, is the
   *reference*.
-- *Engine*: A list of folders to search for a chapter's files, in order: the first folder that has a
-  file wins.
+- *Engine*: The student's game physics code, described by a list of folders to search for a
+  chapter's files. If several folders contain a file, the first one wins.
 - *Given* chapter: A chapter whose code comes from the reference rather than from the student.
-- *Inherited*: Said of a check that fails only because of a mistake in an earlier chapter. A check
-  is *blocked* if its exercise builds on another one that still fails.
-- *Hand-out*: The folder that students receive, without the reference.
+- *Inherited*: A failed check is inherited if only a mistake in an earlier chapter makes it fail. A
+  check is *blocked* if its exercise builds on another one that still fails.
+- *Hand-out*: The folder that an instructor gives to students, without the reference.
 """

@@ -46,7 +46,7 @@ def main() -> int:
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Register the student commands (check, watch, hint and reset) with the argument parser."""
+    """Define the command-line options of the student commands: check, watch, hint and reset."""
     check_command = commands.add_parser("check", help="check your work")
     check_command.add_argument("--exercise", help="check only this exercise, such as 2.5 or B2.3")
     check_command.add_argument(
@@ -88,7 +88,10 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_check(arguments: argparse.Namespace) -> bool:
-    """Run the checks of every requested chapter or of a single exercise."""
+    """Check the student's code for the requested chapters or for one exercise.
+
+    The result becomes the exit status, which is zero only if all checks pass.
+    """
     chapters = select_chapters(arguments.chapter)
     exercise = None
     if arguments.exercise:
@@ -102,7 +105,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 
 def run_watch(arguments: argparse.Namespace) -> int:
-    """Rerun the checks of the student's current exercise whenever a file is saved."""
+    """Rerun the checks of the student's current exercise each time the student saves a file."""
     from autograder.student.watch import watch  # imported only here, so that check starts quickly
 
     engine = find_engine(arguments.engine)
@@ -112,7 +115,10 @@ def run_watch(arguments: argparse.Namespace) -> int:
 
 
 def run_reset(arguments: argparse.Namespace) -> int:
-    """Restore the original stub of an exercise in the student's file."""
+    """Restore the original stub of one exercise in the student's file.
+
+    The student can then write the exercise again from scratch.
+    """
     from autograder.student.reset import reset
 
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
@@ -122,7 +128,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 
 def run_hint(arguments: argparse.Namespace) -> int:
-    """Print the first few hints for an exercise, and say how to ask for the next one."""
+    """Print the first few hints for an exercise and the command that shows the next one."""
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
     refuse_given(chapter, exercise, arguments.given)
     shown = exercise.hints[: max(1, arguments.count)]
@@ -137,12 +143,12 @@ def run_hint(arguments: argparse.Namespace) -> int:
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Look up an exercise by its id, such as B2.3, and return it together with its chapter.
+    """Find the exercise with an id such as B2.3, and return it together with its chapter.
 
-    Upper and lower case are treated alike.
+    The id may be typed in upper or lower case.
 
     Raises:
-        ValueError: No exercise has that id. The message suggests similar ones if there are any.
+        ValueError: No exercise has that id. The message suggests similar ids if there are any.
     """
     known = {e.id.lower(): (chapter, e) for chapter in chapters for e in chapter.exercises}
     if wanted.lower() in known:

@@ -1,8 +1,8 @@
 """Read a student's written answers from answers.md, and our model answers from solutions/.
 
 Every question has a section in answers.md: a heading, the question as a quotation, and the answer.
-In our own copies in solutions/, the answer is the model answer, followed by a rubric that lists
-what an answer must contain to earn points.
+In the copies of answers.md in solutions/, the answer is our model answer. It is followed by a
+rubric that lists what an answer must contain to earn points.
 """
 
 from __future__ import annotations
@@ -24,10 +24,11 @@ ENOUGH = 2  # a text with fewer words does not count as an answer
 
 @dataclass(frozen=True)
 class Section:
-    """One section of answers.md: a question and its answer.
+    """One section of an answers.md file: a question about the chapter and the answer to it.
 
-    ``rubric`` says how to mark the answer and is empty in a student's file. ``line`` is the line
-    number at which the answer begins or, if it is missing, should begin.
+    ``rubric`` says how to mark the answer. It is empty in a student's file, because only our own
+    copy has rubrics. ``line`` is the line number at which the answer begins or, if there is no
+    answer yet, should begin.
     """
 
     id: str
@@ -39,17 +40,26 @@ class Section:
 
     @property
     def places(self) -> list[str]:
-        """The placeholder lines still in the section, recognized even if a few letters differ."""
+        """The lines that still hold the placeholder "_Write your answer here._".
+
+        A line counts even if the student has accidentally changed a few letters of it.
+        """
         return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
 
     @property
     def has_words(self) -> bool:
-        """Whether the student has written an answer, even if the placeholder is still there."""
+        """Whether the student has written an answer of two words or more.
+
+        A placeholder line that the student forgot to delete makes no difference.
+        """
         return self.words >= ENOUGH
 
     @property
     def words(self) -> int:
-        """The number of words in the answer, not counting placeholders, headings and comments."""
+        """The number of words in the student's answer.
+
+        Placeholder lines, headings, quotations and HTML comments do not count.
+        """
         text = re.sub(r"<!--.*?(-->|\Z)", "", self.answer, flags=re.DOTALL)
         lines = [line for line in text.splitlines() if not (line[:1] in "#>" or _is_place(line))]
         return len(WORD.findall(" ".join(lines)))
@@ -57,10 +67,10 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """A written exercise, together with the student's answer to it.
+    """An exercise that asks for a written answer, together with the student's answer.
 
-    ``section`` is the student's section in answers.md. ``problems`` lists what is wrong with that
-    section, such as a duplicate heading.
+    ``section`` is the student's section in answers.md, or None if it cannot be found. ``problems``
+    lists what is wrong with that section, such as a duplicate heading.
     """
 
     exercise: Exercise
@@ -70,17 +80,20 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether the student has answered the question in a section that has no problems."""
+        """Whether the student has answered, in a section of answers.md that has no problems."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """Where the answer belongs: file and line, or only the file if the section is missing."""
+        """The file and line where the student writes the answer, such as answers.md:12.
+
+        If the question's section is missing, only the file is named.
+        """
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
-    """Make the students' answers.md from ours by replacing each model answer with a placeholder."""
+    """Create the students' answers.md from ours, with a placeholder for each model answer."""
     title = text.partition("\n")[0]
     parts = [title]
     for section in sections_of(text):
@@ -89,11 +102,11 @@ def blank_answers(text: str) -> str:
 
 
 def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
-    """Split the text of an answers.md file into its sections.
+    """Split the text of an answers.md file into one section per question.
 
     A section begins at a level-two heading (##). Students sometimes delete a # or the space after
-    it by accident, so a heading of any other level also begins a section if its first word is one
-    of the exercise ids in ``ids``.
+    it by accident. That is why a heading of any other level also begins a section if its first word
+    is one of the exercise ids in ``ids``.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -103,7 +116,7 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 
 
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
-    """Find the written exercises of a chapter, and read the student's answers to them.
+    """List the written exercises of a chapter, each with the student's answer from answers.md.
 
     The answers come from the first folder of ``engine`` that contains this chapter's answers.md.
     """
@@ -135,9 +148,9 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 
 
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
-    """Return our model answer to a written exercise, along with its rubric.
+    """Find our model answer to a written exercise, with the rubric for marking it.
 
-    Return None in a hand-out, which does not include the model answers.
+    In a hand-out the result is None, because students do not receive the model answers.
     """
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():
@@ -147,9 +160,9 @@ def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Sec
 
 
 def _section(lines: list[str], start: int, end: int) -> Section:
-    """Read one section of answers.md.
+    """Parse one section of an answers.md file into its heading, question, answer and rubric.
 
-    Its heading is on line ``start``, and the next section begins on line ``end``.
+    The heading is on line ``start``, and the next section begins on line ``end``.
     """
     heading = lines[start]
     first = start + 1
@@ -175,7 +188,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return whether a line is the placeholder for an answer, even if a few letters differ."""
+    """Return whether a line of answers.md is the placeholder, even if a few letters differ."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 
@@ -183,11 +196,11 @@ def _is_place(line: str) -> bool:
 def _problems(
     exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
 ) -> list[str]:
-    """List what the student must fix in answers.md before the answer to this exercise counts.
+    """List what the student must fix in answers.md before the answer to one exercise counts.
 
-    Each problem is a sentence addressed to the student. ``own`` holds the sections for this
-    exercise, of which there should be exactly one. ``strangers`` holds the sections that belong to
-    no exercise, perhaps because the student changed a heading.
+    Each problem is a sentence addressed to the student. ``own`` holds the sections with the
+    exercise's id, of which there should be exactly one. ``strangers`` holds the sections that
+    belong to no exercise, perhaps because the student has changed a heading.
     """
     heading = f"## {exercise.id}"
     if not file.is_file():

@@ -1,7 +1,7 @@
-"""Make untrusted text safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
+"""Make text from students safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
 
-A student's file or name can contain characters that do harm when somebody displays them. This
-module alone decides which characters may be shown.
+A student's file or name can contain control characters that do harm when somebody displays them. No
+other module decides which characters may be shown.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 
 
 def clean(text: str) -> str:
-    """Return the text with every unprintable character replaced by an escape sequence.
+    r"""Replace every unprintable character with a visible escape sequence such as \x1b.
 
-    Unprintable characters could repaint the screen, reverse the reading direction, or fail to
-    encode. All line endings become newlines, and unusual spaces become ordinary ones. Tabs are
-    kept.
+    In text from a student, unprintable characters could repaint the instructor's screen, reverse
+    the reading direction, or fail to encode. All line endings become newlines, and unusual spaces
+    become ordinary ones. Tabs are kept.
     """
     if text.isprintable():
         return text
@@ -24,12 +24,12 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Clean a text as ``clean`` does, and join its lines into one."""
+    """Make untrusted text safe to show, as ``clean`` does, and join its lines into one."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
 def visible(character: str) -> str:
-    """Return a printable character as is, and the escape sequence of any other character."""
+    r"""Return a printable character unchanged, and any other as an escape such as \x1b."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

@@ -1,4 +1,4 @@
-"""Helpers that all commands share, such as the one that says what to type next."""
+"""Helpers that the autograder's commands share, such as the one that says what to type next."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 
 
 def prepare() -> bool:
-    """Set up the output streams, and return whether all required packages are installed.
+    """Prepare Python for running a command, and return whether the required packages are installed.
 
-    If a package is missing, print how to install it. Python must encode file names in
-    UTF-8; where it does not, as under LC_ALL=C with PYTHONUTF8=0, the program restarts itself in
-    UTF-8 mode.
+    If a package is missing, print how to install it. File names must be encoded in UTF-8. Where
+    Python uses another encoding, as under LC_ALL=C with PYTHONUTF8=0, the program restarts itself
+    in UTF-8 mode. Characters that the console cannot encode are printed as question marks.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -60,24 +60,25 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """If the disk is full or read-only, tell the user what to do about it.
+    """Suggest what the user can do if a file could not be written, for example on a full disk.
 
-    Return an empty string for any other error.
+    For an error that has another cause, the suggestion is an empty string.
     """
     number = error.errno if isinstance(error, OSError) else None
     return next((words for numbers, words in ADVICE.items() if number in numbers), "")
 
 
 def sentence(error: Exception) -> str:
-    """Return the text of an error as shown to the user, followed by any advice on fixing it."""
+    """Format an error message for the user, followed by advice if the disk is full or read-only."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the engine that begins with ``folder``: a list of folders to search, in order.
+    """List the folders in which to search for the code to check, beginning with ``folder``.
 
-    The second folder is always chapters/, the only place with the files that students do not edit.
+    The second folder is always chapters/, because the files that students do not edit are only
+    there.
 
     Raises:
         ValueError: The folder does not exist.
@@ -89,10 +90,10 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Return what a user should type to run the command ``name``, such as "make check EX=2.5".
+    """Compose the line that a user types to run a command, such as "make check EX=2.5".
 
-    On a machine without make, that is a line that calls Python directly. In the browser, students
-    cannot type commands, but the buttons on the page have the same names as the make commands.
+    On a machine without make, the line calls Python directly. In the browser, students cannot type
+    commands, but the buttons on the page have the same names as the make commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
@@ -106,9 +107,9 @@ def command(name: str, **variables: str) -> str:
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return the make variables that select this engine, such as {"ENGINE": "solutions"}.
+    """Return the make variables that select the code to check, such as {"ENGINE": "solutions"}.
 
-    The result is empty for the student's own engine in chapters/, which is the default.
+    The result is empty for the student's own code in chapters/, because that is the default.
     """
     if engine[0] == ROOT / "chapters":
         return {}
@@ -117,5 +118,8 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Return the command with which the user can recheck this engine, to print as the next step."""
+    """Compose the command that rechecks the same code, such as "make check ENGINE=solutions".
+
+    We print it after a check as the student's next step.
+    """
     return command("check", **arguments, **engine_variables(engine))

@@ -1,4 +1,7 @@
-"""Find the functions that a module defines, and name them as the manifests do."""
+"""List the functions that a Python file defines, under the names that the manifests use for them.
+
+An example of such a name is Vector3.dot. The file is only parsed, so none of its code runs.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from pathlib import Path
 
 
 def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
-    """Return the top-level functions and the methods of a module, keyed by names like Vector3.dot.
+    """Find the functions and methods of a module, keyed by names such as Vector3.dot.
 
     A property appears as Particle.mass, and its setter as Particle.mass.setter.
     """
@@ -23,7 +26,10 @@ def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
 
 
 def read_definitions(file: Path) -> set[str] | None:
-    """Return the names that a file defines, or None if it is missing, empty or not valid Python."""
+    """List the names that a student's file defines, or return None if there are none.
+
+    The result is also None if the file is missing or is not valid Python.
+    """
     try:
         return bound_names(ast.parse(file.read_bytes())) or None
     except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
@@ -31,10 +37,10 @@ def read_definitions(file: Path) -> set[str] | None:
 
 
 def bound_names(tree: ast.Module) -> set[str]:
-    """Return every name that a module or one of its classes defines with def, class, = or import.
+    """List every name that a module or one of its classes defines with def, class, = or import.
 
-    The names look like those of ``functions``. There is no telling whether a name assigned with =
-    is a property, so the result contains its setter as well.
+    A method is listed with its class, as in Vector3.dot. A name assigned with = may or may not be a
+    property, which the source code alone does not show, so its setter is listed as well.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -44,7 +50,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names defined directly in a module or class, ignoring nested functions."""
+    """Yield the names defined directly in a module or class, without those inside functions."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -60,7 +66,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return a function's name without its module and class: dot for vector.Vector3.dot."""
+    """Strip module and class from a function's full name: vector.Vector3.dot becomes dot."""
     return edited.split(".", 2)[-1]
 
 

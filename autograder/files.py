@@ -11,9 +11,9 @@ LITTLE = 1_000_000  # bytes
 def replace_bytes(path: Path, content: bytes) -> None:
     """Replace the contents of a file, or leave them untouched if anything goes wrong.
 
-    We first write to a temporary file and then move it into place, so the old contents survive if
-    the disk is full or the program is killed in between. If ``path`` is a link, the file that it
-    points to is replaced.
+    The new contents are first written to a temporary file, which is then moved into place. The old
+    contents therefore survive if the disk is full or the program is killed in between. If ``path``
+    is a link, the file that it points to is replaced.
     """
     path = path.resolve()
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -31,20 +31,20 @@ def replace_bytes(path: Path, content: bytes) -> None:
 
 
 def is_full(folder: Path) -> bool:
-    """Return whether the disk has less than 1 MB free, so that programs may fail."""
+    """Return whether the disk has less than 1 MB free, which may be why a program has failed."""
     return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:
-    """Return the path of the temporary file that ``replace_bytes`` writes before moving it."""
+    """Return the path at which a file is written before it is moved to ``path``."""
     return path.with_name(path.name + ".tmp")
 
 
 def is_new(folder: Path, first: Path) -> bool:
-    """Return whether a folder for results is missing or empty, so that a run can start there.
+    """Return whether a folder for grading results is missing or empty, so that it may be used.
 
-    Every run writes the file ``first`` before any other. A folder that holds nothing but an
-    unfinished copy of that file counts as empty too, because an earlier run must have been killed
-    right after it started.
+    Every run of the grader writes the file ``first`` before any other. A folder that contains only
+    an unfinished copy of that file counts as empty too, because an earlier run must have been
+    killed right after it started.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

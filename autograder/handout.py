@@ -59,7 +59,7 @@ This folder has the original stubs, which `make reset` restores. Do not edit or 
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files of our own programs that are included in a hand-out."""
+    """Yield the files in a hand-out that students use but do not write, such as the Makefile."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -68,11 +68,12 @@ def student_tools(root: Path = ROOT) -> Iterator[Path]:
 def make_handout(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
-    """Write a hand-out into the new folder ``out``, and print a summary of its contents.
+    """Write the folder that an instructor gives to students, and print a summary of its contents.
 
     Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
     code without checks. If ``chapters`` contain only some of the exercises in a manifest, the
-    others are marked as optional. ``about`` is the text about the assignment for the README.
+    others are marked as optional. ``about`` is the text about the assignment for the README. The
+    folder ``out`` must be new or empty.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.
@@ -101,7 +102,7 @@ def make_handout(
 
 
 def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, about: str) -> None:
-    """Copy or generate every file of a hand-out in the folder ``out``."""
+    """Copy or generate every file that students receive, in the folder ``out``."""
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
@@ -138,9 +139,9 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 
 
 def _remove_dead_links(out: Path) -> None:
-    """Turn links into plain text if they lead to files that are not in the hand-out.
+    """Turn a link on a hand-out's pages into plain text if the linked file is not in the hand-out.
 
-    One example is a link to the lesson of a later chapter.
+    One example is a link to the lesson of a later chapter, which students have not received.
     """
     for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")
@@ -152,7 +153,7 @@ def _remove_dead_links(out: Path) -> None:
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write a chapter's manifest and exercise table, with the points from the assignment."""
+    """Write a chapter's manifest and its table of exercises, with the points of this assignment."""
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):
@@ -165,7 +166,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab into the hand-out, leaving out scenes of chapters that are not in it."""
+    """Copy the lab into a hand-out, without scenes of chapters that students do not receive."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

@@ -1,4 +1,4 @@
-"""The commands for instructors only, such as grade.
+"""The commands that only instructors use, such as grade, handout and similarity.
 
 A hand-out does not contain this module.
 """
@@ -16,10 +16,10 @@ from autograder.release import commands as release
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Register the instructor commands, such as grade and handout, with the argument parser.
+    """Define the command-line options of the instructor commands, such as grade and handout.
 
-    Each command imports the modules it needs only when it runs, so that a student's `check` does
-    not have to wait for the grader's imports.
+    Each command imports the modules it needs only when it runs. Otherwise, a student's `make check`
+    would have to wait for all the imports of the grader.
     """
     unsafe = "grade without a sandbox if this machine has none; only for a class you trust"
     command = commands.add_parser("grade", help="grade a folder of submissions")
@@ -100,7 +100,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
-    """Grade a whole class, or regrade one of its students."""
+    """Grade the submissions of a whole class, or regrade one student."""
     if sys.platform == "win32":
         raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
     import signal
@@ -133,7 +133,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
-    """Make a hand-out for students, and print a summary of its contents."""
+    """Build the folder that students receive for an assignment or for some chapters."""
     from autograder.course.handout import about
     from autograder.handout import make_handout
 
@@ -143,7 +143,7 @@ def run_handout(arguments: argparse.Namespace) -> int:
 
 
 def run_classroom(arguments: argparse.Namespace) -> int:
-    """Make a hand-out that GitHub Classroom can grade, and print a summary of its contents."""
+    """Build a hand-out for GitHub Classroom, with a workflow that grades every push."""
     from autograder.course.handout import about
     from autograder.platforms.classroom import make_classroom
 
@@ -153,7 +153,7 @@ def run_classroom(arguments: argparse.Namespace) -> int:
 
 
 def run_gradescope(arguments: argparse.Namespace) -> int:
-    """Make the zip file to upload to Gradescope, and print a summary of its contents."""
+    """Build the autograder zip file that an instructor uploads to Gradescope."""
     from autograder.platforms.gradescope import make_gradescope
 
     make_gradescope(work_of(arguments), arguments.out, unsafe=arguments.unsafe_no_sandbox)
@@ -161,7 +161,7 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 
 def run_similarity(arguments: argparse.Namespace) -> int:
-    """Compare the code of all submissions, and print how many pairs are unusually similar."""
+    """Compare the code of all students, and print how many pairs are unusually similar."""
     from autograder.similarity.run import similarity
     from autograder.submissions.unpack import class_folder
 
@@ -170,7 +170,7 @@ def run_similarity(arguments: argparse.Namespace) -> int:
 
 
 def run_mark(arguments: argparse.Namespace) -> int:
-    """Serve the web page for marking written answers until the user presses Ctrl-C."""
+    """Serve the web page for marking written answers until the instructor presses Ctrl-C."""
     if sys.platform == "win32":
         raise ValueError("mark needs Linux or macOS; on Windows, run it under WSL")
     from autograder.marking.server import mark
@@ -181,9 +181,10 @@ def run_mark(arguments: argparse.Namespace) -> int:
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:
-    """Generate the stubs and the exercise tables from our solutions and the manifests.
+    """Generate the stubs that students start from, and the table of exercises in each chapter.
 
-    With --check, only list the files that are out of date.
+    They are generated from our solutions and the manifests. With --check, only list the files that
+    are out of date.
     """
     from autograder.stubs import stale_stubs, write_stubs
     from autograder.tables import write_tables

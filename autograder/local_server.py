@@ -1,8 +1,8 @@
-"""A base for the small web servers that run on the user's own machine, such as the marking page.
+"""A base for the small web servers that run on the user's own machine, such as the marking page's.
 
 Such a server listens only on 127.0.0.1. Its addresses begin with a random token, so that other web
 pages and other users of the machine cannot guess them. It refuses every request that is addressed
-to another host name or comes from a page of another origin.
+to another host name or comes from another origin.
 """
 
 from __future__ import annotations
@@ -26,7 +26,11 @@ HEADERS = {
 
 
 class Site:
-    """The address of a page that is served on this machine, including the secret token in it."""
+    """The address of a web page that is served only on this machine.
+
+    The address contains a secret random token, such as http://127.0.0.1:8000/Xy3.../, so that
+    nobody else can guess it.
+    """
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(16)
@@ -37,7 +41,7 @@ class Site:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def listen(self, application: Application, port: int = 0) -> None:
-        """Start listening on ``port``, or on any free port if it is 0.
+        """Start the web server on ``port``, or on any free port if it is 0.
 
         The caller must already be running an event loop.
         """
@@ -46,7 +50,7 @@ class Site:
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Reject a request that is addressed to any host name but this machine's.
+        """Reject a web request that is addressed to any host name but this machine's.
 
         Otherwise a malicious site could point its own host name at this server and pose as our
         page.
@@ -56,7 +60,7 @@ class Site:
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether a request comes from our own page, the only one that may change data."""
+    """Return whether a web request comes from our own page, the only one that may change data."""
     try:
         return urlsplit(origin).netloc == request.host
     except ValueError:  # no address at all, such as http://[
@@ -64,7 +68,10 @@ def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
 
 
 class Handler(RequestHandler):
-    """A request handler that rejects requests addressed to a host name other than its site's."""
+    """A base class for request handlers that refuses requests addressed to another host name.
+
+    It also adds our security headers to every response.
+    """
 
     site: Site
 
@@ -80,7 +87,7 @@ class Handler(RequestHandler):
 
 
 class Files(StaticFileHandler):
-    """A handler that serves our page and its static files, such as scripts and style sheets."""
+    """A handler that serves our web page and its static files, such as scripts and style sheets."""
 
     def initialize(self, site: Site, path: str, default_filename: str = "index.html") -> None:  # type: ignore[override]
         self.site = site

@@ -1,6 +1,6 @@
 """Read stubs.lock, which stores a hash of every file that students start from.
 
-As long as its hash matches, a stub has not been edited.
+As long as the hash of a stub matches, nobody has edited the stub.
 """
 
 from __future__ import annotations
@@ -15,12 +15,15 @@ LOCK_NAME = "stubs.lock"
 
 
 def stub_hash(text: str) -> str:
-    """Compute the hash of a stub's text in the form in which stubs.lock stores it."""
+    """Compute the SHA-256 hash of a stub's text, as it is stored in stubs.lock."""
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return the hash of each file listed in stubs.lock, or an empty dict if there is no lock."""
+    """Read stubs.lock, and return the hash of each file listed there, keyed by the file's path.
+
+    If there is no stubs.lock, the result is empty.
+    """
     path = root / LOCK_NAME
     if not path.exists():
         return {}

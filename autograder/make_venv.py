@@ -1,4 +1,4 @@
-"""Create .venv, and install the exact packages listed in requirements.lock.
+"""Create the virtual environment .venv, and install the packages listed in requirements.lock.
 
 `make` runs this script before its first command. If you do not have make, run it yourself: python3
 autograder/make_venv.py. The script sticks to the syntax of Python 3.6, so that a Python too old for
@@ -18,20 +18,23 @@ NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is u
 
 
 def stop(sentence: str) -> None:
-    """Print why .venv could not be set up, and exit.
+    """Print why the virtual environment could not be set up, and exit.
 
-    The next run starts from scratch, because .venv/ready does not exist.
+    The next attempt starts from scratch, because the file .venv/ready has not been written.
     """
     sys.exit(f"Cannot set up: {sentence}")
 
 
 def python_of_venv() -> Path:
-    """Return the path of the Python interpreter in .venv, as Python 3.11 or later lays it out."""
+    """Return the path of the Python interpreter in the virtual environment .venv.
+
+    The path follows the layout that Python 3.11 and later use on this operating system.
+    """
     return Path(sysconfig.get_path("scripts", "venv", {"base": str(VENV)})) / "python"
 
 
 def shown_python() -> str:
-    """Return the path of .venv's Python as a user would type it, relative if possible."""
+    """Return the path of Python in .venv as a user would type it, relative if possible."""
     try:
         return str(python_of_venv().relative_to(Path.cwd()))
     except ValueError:
@@ -59,7 +62,7 @@ def check_python() -> None:
 
 
 def install(python: str) -> str:
-    """Install the locked packages with pip, and show its progress.
+    """Install the packages of requirements.lock with pip, and print how many have been fetched.
 
     Return pip's output if the installation fails, and an empty string if it succeeds.
     """
@@ -82,7 +85,7 @@ def install(python: str) -> str:
 
 
 def main() -> None:
-    """Create .venv from scratch.
+    """Create the virtual environment .venv from scratch.
 
     The file .venv/ready is written last, as proof that the environment is complete.
     """

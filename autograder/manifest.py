@@ -1,4 +1,7 @@
-"""Read chapter.toml, the manifest of a chapter. chapters/README.md explains its keys."""
+"""Read chapter.toml, the manifest that lists a chapter's exercises and what students write.
+
+chapters/README.md explains the keys of a manifest.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise of a chapter, as described in its manifest.
+    """One exercise, as described in the manifest of its chapter.
 
     In an assignment, an exercise can be ``extra`` credit, which means that its points come on top
     of the total. An ``optional`` exercise is not part of the assignment: students may do it, but it
@@ -42,10 +45,10 @@ class Exercise:
 
 @dataclass(frozen=True)
 class Chapter:
-    """A chapter, as its manifest describes it.
+    """A chapter of the book with its exercises, as described in its manifest.
 
     Attributes:
-        name: The name of the chapter's folder and package.
+        name: The name of the chapter's folder and package, such as ch02_vectors.
         complete: The modules that students use without changing them, such as cloth.py.
         builds_on: The numbers of the earlier chapters whose code this one imports. None means all
             of them.
@@ -66,22 +69,22 @@ class Chapter:
 
     @property
     def edited_files(self) -> list[str]:
-        """The modules that students write in, such as vector.py, in manifest order."""
+        """The modules that students write code in, such as vector.py, in manifest order."""
         modules = [name.split(".")[0] for exercise in self.exercises for name in exercise.edit]
         return [f"{module}.py" for module in dict.fromkeys(modules)]
 
     @property
     def data_files(self) -> list[str]:
-        """The files in which students record their own data, such as drops.csv."""
+        """The files in which students record their own measurements, such as drops.csv."""
         return [name for exercise in self.exercises for name in exercise.files]
 
     @property
     def handed_in(self) -> list[str]:
-        """All files that are copied from a submission: edited modules and data files."""
+        """The files that the grader copies from a submission, such as vector.py and drops.csv."""
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
-        """Return this chapter's exercise with the id ``exercise_id``.
+        """Find the exercise of this chapter that has the id ``exercise_id``, such as B2.3.
 
         Raises:
             ValueError: The chapter has no such exercise.
@@ -94,7 +97,7 @@ class Chapter:
 
 
 def load_chapter(folder: Path) -> Chapter:
-    """Read a chapter's manifest from the chapter's folder, and validate it.
+    """Read the manifest in a chapter's folder, and validate it.
 
     Raises:
         ValueError: Something in the manifest is invalid. The message says what.
@@ -136,10 +139,11 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Split some chapters into the given ones and the ones that the student writes.
+    """Separate the chapters whose code we give to a student from those that the student writes.
 
-    The code of a given chapter comes from the reference. ``numbers`` says which chapters are given,
-    as in "2,4-6"; if it is empty, the student writes all of them.
+    The code of a given chapter comes from our solutions. ``numbers`` says which chapters are given,
+    as in "2,4-6". If it is empty, the student writes all of them. The given chapters come first in
+    the result.
 
     Raises:
         ValueError: No chapter is left for the student, or ``numbers`` is malformed.
@@ -154,7 +158,7 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
     """Raise ValueError if a student asks about an exercise of a given chapter.
 
-    The code of such a chapter comes from the reference, so the student has nothing to write.
+    The code of such a chapter comes from our solutions, so the student has nothing to write there.
     ``numbers`` says which chapters are given, as in "2-5".
     """
     if numbers and chapter in select_chapters(numbers):
@@ -165,7 +169,7 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """Return the earlier chapters that a chapter imports code from."""
+    """List the earlier chapters whose code a chapter imports."""
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below
@@ -173,9 +177,9 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a user has selected with a text such as "2,4-6".
+    """Parse a selection of chapters such as "2,4-6", and return those chapters.
 
-    An empty text selects all chapters.
+    Users type such a selection on the command line. An empty one stands for all chapters.
 
     Raises:
         ValueError: The text is malformed, or it names a chapter that does not exist.
@@ -198,7 +202,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Abbreviate consecutive chapter numbers as our commands accept them, such as "2-5"."""
+    """Abbreviate the numbers of consecutive chapters for the command line, as in "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 

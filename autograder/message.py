@@ -1,4 +1,4 @@
-"""The message that a check sends to a student, stored as data rather than text.
+"""The message that tells a student why a check failed, stored as data rather than text.
 
 The terminal, the web pages and the result files each lay it out in their own way.
 """
@@ -16,7 +16,7 @@ Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
 class Kind(Enum):
-    """The ways in which a check can end other than by passing."""
+    """The reasons why a check does not pass, such as an endless loop."""
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
@@ -28,9 +28,9 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Place:
-    """A line in the student's code, as shown in a message.
+    """A line of the student's code, to which a failure message points.
 
-    ``file`` includes the chapter, as in ch02_vectors/vector.py.
+    ``file`` includes the folder of the chapter, as in ch02_vectors/vector.py.
     """
 
     file: str
@@ -46,7 +46,7 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """What a check has to say to a student. Empty parts are not shown.
+    """What a student reads about a check that did not pass. Empty parts are not shown.
 
     Attributes:
         title: A sentence that is shown without a label.
@@ -77,11 +77,13 @@ class Message:
     blocked_by: tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
-        """Return whether the message contains any text at all."""
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message with ``change`` applied to every text."""
+        """Return a copy of the message in which ``change`` has been applied to every text.
+
+        One use is to escape the special characters in all texts at once.
+        """
         values: dict[str, Any] = {
             field.name: change(value)
             for field in fields(self)
@@ -95,7 +97,10 @@ class Message:
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """Return the texts of the message with their labels, in display order."""
+        """List the parts of the message that are not empty, with their labels, in display order.
+
+        One such row is ("got", "Vector3(1.0, 0.0, 0.0)").
+        """
         rows = [("", self.blocked), ("", self.title)]
         rows += [("called", one_per_line(self.called)), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]
@@ -105,13 +110,13 @@ class Message:
 
     @property
     def blocked(self) -> str:
-        """A sentence that says which exercises must pass first, or an empty string."""
+        """A phrase such as "blocked until B2.1 passes", or "" if nothing blocks the check."""
         verb = "pass" if len(self.blocked_by) > 1 else "passes"
         return f"blocked until {', '.join(self.blocked_by)} {verb}" if self.blocked_by else ""
 
     @property
     def in_short(self) -> str:
-        """The most helpful part of the message, for places with room for only one part.
+        """The most helpful part of the message, for a table or list with room for only one line.
 
         For a wrong value that is the likely mistake, and for an exception it is the exception
         itself.
@@ -131,7 +136,10 @@ class Message:
 
 
 def one_per_line(call: str) -> str:
-    """Put each statement of a long call on its own line, without splitting inside parentheses."""
+    """Put each statement of a long call on its own line, without splitting inside parentheses.
+
+    A call that fits into 100 characters stays on one line.
+    """
     if len(call) <= LONG_CALL:
         return call
     lines, depth = [""], 0
@@ -145,7 +153,7 @@ def one_per_line(call: str) -> str:
 
 
 def laid_out(rows: list[Row]) -> str:
-    """Lay out the rows of a message as text, with labels on the left and texts in column 10.
+    """Format the rows of a failure message as text, with labels on the left and texts in column 10.
 
     Continuation lines are indented to the same column, so that none can be mistaken for a label.
     """
@@ -162,7 +170,7 @@ NOTHING = Message()
 class ExpectationError(AssertionError):
     """Raised when the student's code does not do what a check expects.
 
-    It carries the message for the student.
+    The exception carries the message that the student will read.
     """
 
     def __init__(self, message: Message) -> None:

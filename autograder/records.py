@@ -1,7 +1,7 @@
-"""Convert frozen dataclasses to JSON and back.
+"""Convert frozen dataclasses to JSON and back, and validate every value that is read.
 
-The JSON may come from another process or from an older version of this program, so every value is
-compared with the type of its field. If the two do not match, the error says which value is wrong.
+The JSON may come from another process or from an older version of this program. If a value does not
+have the type declared for its field, the error says which value is wrong.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class RecordError(ValueError):
 def to_json(value: Any) -> Any:
     """Convert a dataclass to plain lists and dictionaries for json.dumps.
 
-    Fields that have their default value are omitted, to keep the data short.
+    Fields that have their default value are omitted, to keep the JSON short.
     """
     if is_dataclass(value) and not isinstance(value, type):
         data = {}
@@ -42,9 +42,9 @@ def to_json(value: Any) -> Any:
 
 
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
-    """Create a dataclass of the type ``kind`` from JSON data.
+    """Create a dataclass of the type ``kind`` from parsed JSON, and validate every value.
 
-    ``what`` names the data in error messages, as in "the report".
+    ``what`` names the JSON in error messages, as in "the report".
 
     Raises:
         RecordError: A value is missing, unknown or of the wrong type.
@@ -55,7 +55,10 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """Return a dataclass's fields with their defaults, where MISSING means that one is required."""
+    """List the field names of a dataclass with their default values.
+
+    The default of a required field is MISSING.
+    """
     found = []
     for field in fields(kind):
         made = field.default_factory
@@ -65,9 +68,10 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 
 @cache
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return a function that validates JSON data and converts it to the type ``kind``.
+    """Build a function that validates parsed JSON and converts it to the type ``kind``.
 
-    The function takes the data and a name for it, which error messages use to say what is wrong.
+    The function is called with the JSON and with a name for it, such as "the report.score", which
+    error messages use to say what is wrong.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):
@@ -108,9 +112,9 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 
 
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
-    """Return a function that reads JSON data of any of the types in ``kinds``.
+    """Build a function that accepts JSON of any of the types in ``kinds``.
 
-    If the data fit none of the types, the error is the one for the first type.
+    If the JSON fits none of the types, the error is the one for the first type.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 
@@ -171,7 +175,7 @@ def _choice_reader(choices: Any) -> Callable[[Any, str], Any]:
 
 
 def _plain_reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return a function that reads a string, number or boolean from JSON data.
+    """Build a function that accepts a string, a number or a boolean in JSON.
 
     Where a float is expected, an int is accepted too.
     """

@@ -1,4 +1,4 @@
-"""Turn the verdicts on checks into points for the exercises."""
+"""Compute how many points a student earns on each exercise from the verdicts on its checks."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ PHYSICS_SHARE = 0.85  # the physics checks' part of the points, if there are rob
 
 @dataclass(frozen=True)
 class Result:
-    """A student's result on one exercise, including the verdicts on its checks.
+    """A student's result on one exercise: its status, its points and the verdicts on its checks.
 
     The score is None if the exercise is a written answer that nobody has marked yet, or if the
     grader itself failed on it.
@@ -38,17 +38,20 @@ class Result:
 
     @property
     def works(self) -> bool:
-        """Whether the exercise works, that is, whether all of its physics checks pass."""
+        """Whether the exercise works, which means that all of its physics checks pass."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
     def on_chart(self) -> Point | None:
-        """The cost and error of the student's solution, provided that a check measured them."""
+        """The cost and the error of the student's solution, or None if no check measured them.
+
+        In an open exercise, these two numbers place the solution on a chart.
+        """
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 
 def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
-    """Group the verdicts by exercise, and compute the result of each exercise in the chapter."""
+    """Compute the result of every exercise in a chapter from the verdicts on its checks."""
     by_exercise: dict[str, list[Verdict]] = {}
     for verdict in verdicts:
         by_exercise.setdefault(verdict.exercise, []).append(verdict)
@@ -82,13 +85,13 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def _passing(checks: Sequence[Verdict]) -> float:
-    """Return the combined weight of the passing checks as a fraction of the total weight."""
+    """Compute the weight of the checks that pass as a fraction of the weight of all checks."""
     passed = sum(check.weight for check in checks if check.status == "passed")
     return passed / sum(check.weight for check in checks)
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
-    """Return the points that a student has earned, and the points possible.
+    """Add up the points that a student has earned, and the points that were possible.
 
     Written answers and optional exercises do not count, and extra credit adds only to the points
     earned. If the grader failed on an exercise, the sum is unknown, so the points earned are None.
@@ -100,18 +103,18 @@ def total(results: Iterable[Result]) -> tuple[float | None, float]:
 
 
 def possible(exercises: Iterable[Exercise]) -> float:
-    """Add up what these exercises are worth, leaving out extra credit and optional exercises."""
+    """Add up what some exercises are worth, without extra credit and optional exercises."""
     counted = [e.points for e in exercises if not (e.extra or e.optional)]
     return round(sum(counted), 2)
 
 
 def shown(score: float | None) -> str:
-    """Format a score for people to read, as in 2.5, with a dash for an unknown score."""
+    """Format a score for people to read, such as 2.5, or "-" if the score is not known yet."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")
 
 
 def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
-    """Put the cost and the error of a solution into words, for the chart.
+    """Describe in words where a solution lies on the chart of cost and error.
 
     ``axes`` names the two quantities, such as the number of force evaluations.
     """

@@ -1,4 +1,4 @@
-"""Turn our solutions into the stubs in chapters/, which students start from.
+"""Turn our solutions into the stubs in chapters/, the unfinished files that students complete.
 
 The manifest lists the functions that students write. In a stub, each of them keeps its signature
 and docstring, but its body becomes ``raise NotImplementedError``. stubs.lock stores a hash of every
@@ -28,7 +28,11 @@ KEPT = "stubs"  # the folder of a hand-out with the original stubs
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Generate the text of every stub, keyed by a path such as chapters/ch02_vectors/vector.py."""
+    """Generate the text of every file that students start from, keyed by its path in the project.
+
+    A path looks like chapters/ch02_vectors/vector.py. Besides Python stubs, there are answers.md
+    without the model answers, and data files that contain only the names of the columns.
+    """
     stubs = {}
     for chapter in load_chapters(root):
         solution = root / "solutions" / chapter.name
@@ -45,7 +49,7 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 
 
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
-    """Generate the stub of one module, such as vector.py, from our solution, and return its text.
+    """Generate the stub of one module, such as vector.py, from our solution.
 
     Raises:
         OSError: The solution cannot be read.
@@ -58,17 +62,17 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
 def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
     """Generate a stub from the text of a solution.
 
-    Stubs are cached, because libcst is slow.
+    The stub is cached, because parsing the solution with libcst is slow.
     """
     return stub_module(source, dict(messages))
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
-    """Return the stub of a module as it was before the student edited it.
+    """Return the original stub of a module, as it was before the student edited it.
 
-    Where the reference is available, the stub is generated from it. A hand-out has no reference and
-    keeps a copy of each original stub in a separate folder instead. If there is no copy either, the
-    result is None.
+    Where our solutions are available, the stub is generated from them. A hand-out has no solutions
+    and keeps a copy of each original stub in a separate folder instead. If there is no copy either,
+    the result is None.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -104,7 +108,7 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
-    """Return the paths of all files in chapters/ that are out of date or have been edited.
+    """List the files in chapters/ that are out of date or have been edited.
 
     These are stubs that no longer match our solutions, and complete modules that no longer match
     stubs.lock.
@@ -115,7 +119,10 @@ def stale_stubs(root: Path = ROOT) -> list[str]:
 
 
 def complete_hashes(root: Path = ROOT) -> dict[str, str]:
-    """Return the hashes of the modules that students use without changing them, keyed by path."""
+    """Compute a hash of each module that students use without changing it, such as cloth.py.
+
+    The hashes are keyed by the path of the module in the project.
+    """
     files = [
         root / "chapters" / chapter.name / name
         for chapter in load_chapters(root)
@@ -128,7 +135,7 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 
 
 def _read(file: Path) -> str | None:
-    """Return the text of a file, or None if it does not exist.
+    """Return the text of a stub in chapters/, or None if the file does not exist.
 
     Bytes that are not valid UTF-8 are replaced. A stub that contains such bytes then counts as
     edited.
@@ -170,7 +177,10 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Return the message that each stub in a module raises, keyed by the name of the function."""
+    """Compose the error message of each stub, such as "Exercise B2.1: Copy, clear and invert".
+
+    The messages are keyed by the name of the function, such as Vector3.copy.
+    """
     prefix = file.removesuffix(".py") + "."
     return {
         name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"
@@ -183,11 +193,11 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Find the helper functions that nothing uses any more, now that some bodies are gone.
+    """Find the helpers of a solution that nothing uses any more, now that some bodies are removed.
 
-    Each helper comes with the message of a function that used it. If several functions share a
-    short name, such as the methods of a Protocol, there is no telling which of them a body used, so
-    all of them are left alone.
+    Each helper gets the message of a function that used it. If several functions share a short
+    name, such as the methods of a Protocol, we cannot know which of them a body used, so all of
+    them stay.
     """
     short_names = [_short(name) for name in defined]
     return {
@@ -200,13 +210,10 @@ def _helpers_of(
 
 
 def _short(name: str) -> str:
-    """Return the name of a function or method without the name of its class."""
     return name.rpartition(".")[2]
 
 
 def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
-    """Remove the functions and methods with these names from a module."""
-
     def kept(nodes: Any, prefix: str = "") -> list[Any]:
         left = []
         for node in nodes:
@@ -222,14 +229,14 @@ def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
 
 
 def _used_names(source: str) -> set[str]:
-    """Return every variable name and attribute name that some source code reads."""
+    """Collect every variable name and attribute name that some source code reads."""
     nodes = [*ast.walk(ast.parse(source))]
     names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
     return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}
 
 
 def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return _NAME if a statement has the form ``_NAME = value``, or else None."""
+    """Return _NAME if a statement defines a private constant, as in ``_NAME = 3``, or else None."""
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
@@ -239,7 +246,10 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
 
 
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
-    """Replace the body of each function named in ``messages`` by one that raises its message."""
+    """Replace the body of each function named in ``messages`` with a NotImplementedError.
+
+    The error carries the message that ``messages`` holds for that function.
+    """
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"
         for name, message in messages.items()
@@ -248,7 +258,7 @@ def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
 
 
 def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
-    """Give some functions new bodies, keeping their docstrings.
+    """Replace the bodies of some functions in a module, and keep their docstrings.
 
     ``bodies`` maps the name of each function to the source code of its new body.
     """
@@ -274,7 +284,7 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
 
 
 def _tidied(source: str) -> str:
-    """Have ruff remove imports and blank lines that a stub no longer needs."""
+    """Have ruff remove the imports and blank lines that a stub no longer needs."""
     one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
     unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
     for arguments in (unused, ["format", "-"]):

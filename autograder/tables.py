@@ -1,4 +1,4 @@
-"""Write the exercise table in each chapter's reference.md from the data in the manifest."""
+"""Write the table of exercises in each chapter's reference.md from the chapter's manifest."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ END = "<!-- end of exercises -->"
 
 
 def exercise_table(chapter: Chapter) -> str:
-    """Return the exercises of a chapter as a table in Markdown."""
+    """Build the Markdown table of a chapter's exercises, with stars, points and functions."""
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:
@@ -32,7 +32,7 @@ def _extra(exercise: Exercise) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List the functions that students write for an exercise, file by file, then its data files.
+    """List what students write for an exercise: functions by file, and then data files.
 
     If several classes in a file have a method with the same name, the class is named as well.
     """
@@ -48,7 +48,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Return the text of a reference.md with its exercise table brought up to date.
+    """Replace the table of exercises in the text of a chapter's reference.md with an updated one.
 
     Raises:
         ValueError: The page lacks the two comment lines between which the table belongs.
@@ -61,7 +61,7 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Update the exercise tables of all chapters, and return the paths of the changed files."""
+    """Update the table of exercises in each reference.md, and list the files that have changed."""
     changed = []
     for chapter in chapters:
         path = root / "chapters" / chapter.name / "reference.md"

@@ -1,4 +1,4 @@
-"""Fit text to a terminal: wrap lines between words, and shorten very long output."""
+"""Fit text to a terminal window: wrap lines between words, and shorten very long output."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
-    """Return a console that prints text as is, to standard output by default.
+    """Create a rich console that prints text exactly as it is, by default to standard output.
 
     Rich normally interprets brackets as styles and words between colons as emoji, so a student
     whose name contains "[/]" would cause an error.
@@ -29,7 +29,7 @@ def plain_console(file: IO[str] | None = None, width: int | None = None) -> Cons
 
 
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
-    """Wrap a text to the width of a terminal, and return its lines.
+    """Break text into lines that fit the width of a terminal.
 
     All lines but the first are indented by ``hanging`` columns. A word is split only if it is too
     long for a whole line.
@@ -46,14 +46,17 @@ def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
-    """Wrap the rows of a message to a terminal's width, so that texts stay next to their labels."""
+    """Wrap the rows of a failure message to a terminal's width, and return the lines.
+
+    Wrapped lines are indented, so that each text stays to the right of its label.
+    """
     return [
         line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
     ]
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print a text. If the output is a terminal, wrap it to the width of the window.
+    """Print text on the console, and wrap it to the width of the window if that is a terminal.
 
     All lines but the first are indented by ``hanging`` columns.
     """
@@ -62,13 +65,13 @@ def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 
 
 
 def print_rows(console: Console, rows: list[Row]) -> None:
-    """Print the rows of a message, wrapping them if the output is a terminal."""
+    """Print the labeled rows of a failure message, wrapped if the output is a terminal."""
     lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
     console.print("\n".join(lines), markup=False, soft_wrap=True)
 
 
 def few_lines(text: str, lines: int, characters: int) -> str:
-    """Return the beginning of a long text, followed by a note on how many lines were left out.
+    """Shorten a student's long output to its beginning and a note such as "... and 12 more lines".
 
     If an earlier call has already shortened the text, the count includes the lines left out then.
     Output of LONGEST_PRINTED or more characters was cut while it was captured. Its true length is
@@ -91,7 +94,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to at most ``room``, replacing its middle with ``note``."""
+    """Shorten a list of lines to at most ``room`` lines by replacing its middle with a note."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

@@ -42,7 +42,11 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """From now on, block every operation that the grader's sandbox would not allow student code."""
+    """Block every operation of the student's code that the grader's sandbox would not allow.
+
+    Examples are writing files and starting threads. There is no way to lift these restrictions
+    again.
+    """
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),
@@ -91,9 +95,9 @@ def _list(code: StudentsCode, path: Any) -> None:
 
 
 def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
-    """Let the student's code read only Python's library and the files in the folders of ``more``.
+    """Raise a PermissionError if the sandbox would not let the student's code read this file.
 
-    For any other file, raise the PermissionError that the sandbox would cause.
+    The code may read only Python's library and the files in the folders of ``more``.
     """
     inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):

@@ -23,7 +23,10 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """From now on, make student code's imports fail wherever they would fail in the grader."""
+    """Make imports in the student's code fail at home if they would fail in the grader.
+
+    Our own code can still import any package.
+    """
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -48,7 +51,10 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """If importing ``name`` would fail in the grader, raise the same ImportError here."""
+    """Raise the error with which an import in the student's code would fail in the grader.
+
+    If the import of ``name`` would work there, do nothing.
+    """
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

@@ -2,8 +2,8 @@
 
 A student's module may contain a counter or a cache, and whatever one check leaves in it could
 change the result of the next. The grader prevents that with a new process for each check. On a
-student's machine that would take too long (even forking once per check doubles the run time), so
-all checks of an exercise share one copy.
+student's machine that would take too long, since even forking once per check doubles the run time.
+That is why all checks of an exercise share one copy.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ DONE = 87  # exit code of a copy that has finished its work
 def run_in_a_copy(work: Callable[[], object]) -> None:
     """Fork this process, and call ``work`` in the child process.
 
-    If the child crashes, this process deliberately ends the same way. The runner notices that, and
-    starts a new process for the remaining checks.
+    If the child crashes, this process deliberately ends in the same way. The runner of the checks
+    notices that, and starts a new process for the remaining ones.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
@@ -47,7 +47,10 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Explain to a student how the process that ran the code ended, given its exit code."""
+    """Explain to a student how the process that ran the code ended, given its exit code.
+
+    A crash of Python gives a negative code. Any other code suggests a call of os._exit.
+    """
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
         return f"the process ended early: Python crashed ({name})"

@@ -1,4 +1,4 @@
-"""Assemble the files and settings that a check process needs.
+"""Assemble the files and settings for a check process.
 
 A check process is the program that runs one chapter's checks on one student's code.
 """
@@ -38,10 +38,10 @@ class Behind:
 
 @dataclass(frozen=True)
 class Workers:
-    """The settings with which a check process starts its workers.
+    """The settings with which a check process starts the sandboxed processes for a student's code.
 
-    A worker is the sandboxed process that runs the student's code. ``probes`` and ``compiled`` are
-    the folders that hold the probes and the compiled code.
+    ``probes`` is the folder of the probes, which are those parts of our checks that run in the same
+    process as the student's code. ``compiled`` is the folder that caches compiled code.
     """
 
     level: dict[str, bool]
@@ -53,12 +53,12 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The files and names that a check process works with, as data that can be stored as JSON.
+    """The files and names that a check process works with, stored as JSON in its configuration.
 
     Attributes:
         known: The exercises of the chapter.
         edits: For each exercise, the functions that students write.
-        modules: The modules to import before the checks.
+        modules: The student's modules to import before the checks.
         complete: The files that students use but did not write.
         graded: For each chapter's folder, the files that the grader has too.
     """
@@ -98,7 +98,7 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Copy what a check process needs into ``folder``, and return the paths and names to use."""
+    """Copy the files that a check process needs into ``folder``, and return where everything is."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
@@ -117,16 +117,16 @@ def arrange(
 
 
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
-    """Return the root folder from which pytest runs the checks.
+    """Return the folder from which pytest runs the checks.
 
-    That is the project itself or, if there are hidden checks, a copy of the project that includes
-    them.
+    That is normally the folder of this project. If there are hidden checks, it is a temporary copy
+    of the tests that includes them.
     """
     return folder / "root" if behind and behind.hidden else root
 
 
 def shared_by_checks(root: Path) -> list[Path]:
-    """Return the helper modules in tests/ that the checks of all chapters share."""
+    """List the helper modules in tests/ that the checks of all chapters import."""
     return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
 
 
@@ -135,8 +135,8 @@ def _put_hidden_checks(
 ) -> list[str]:
     """Copy a chapter's public and hidden checks into the check process's folder.
 
-    Return a list with one entry, the folder of the hidden checks relative to the root, or an empty
-    list if the chapter has no hidden checks.
+    The result is a list with one entry, the folder of the hidden checks relative to the root. If
+    the chapter has no hidden checks, the list is empty.
     """
     if not behind or not behind.hidden:
         return []
@@ -161,7 +161,11 @@ def _put_hidden_checks(
 
 
 def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
-    """Copy the probes into the check process's folder, and return the settings for its workers."""
+    """Prepare the folders that a sandboxed worker process reads, and return the worker settings.
+
+    One folder holds copies of the probes, which are those parts of our checks that run in the same
+    process as the student's code. The other caches compiled code.
+    """
     if behind is None:
         return None
     probes = folder / "probes" / chapter.name
@@ -179,7 +183,7 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the names of the modules to import before the checks, to find out which of them fail.
+    """List the student's modules to import before the checks, to find out which of them fail.
 
     A module that fails does not keep the others from being imported. In some hand-outs an earlier
     chapter has no manifest, and then all of its files are imported.

@@ -16,9 +16,9 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """Texts for one expectation, which override those that the check has stored in ``about``.
+    """Texts for the failure message of one expectation, in place of those stored in ``about``.
 
-    ``then`` is appended to the call instead of replacing it.
+    Only ``then`` does not replace a text. It is appended to the call.
     """
 
     call: str
@@ -28,7 +28,7 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """The texts for a failure message: the call, the likely mistake, and what to read.
+    """The texts for a failure message: the call, the likely mistake, and the section to read.
 
     To change only some of them, call the object with the new texts or assign to its attributes, as
     in ``about.call += "; v.x"``.
@@ -45,7 +45,10 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the call, the likely mistake and the reading, as overridden by ``words``."""
+        """Return the call, the likely mistake and the section to read, for one expectation.
+
+        Texts in ``words`` replace those that the check has stored.
+        """
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
@@ -58,7 +61,7 @@ about = About()
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Decorate a helper of the checks, so that its changes to ``about`` are undone when it returns.
+    """Decorate a helper function of the checks, so that it leaves ``about`` as it was.
 
     If the helper raises an exception, its changes stay, because the failure message needs them.
     """

@@ -1,4 +1,7 @@
-"""Find out which of the student's functions a check's expression calls."""
+"""Find out which of the student's functions are called in a check's expression.
+
+The expression is the text that a failure message shows, such as "v.dot(w)".
+"""
 
 from __future__ import annotations
 
@@ -38,7 +41,8 @@ def calls(expression: str, name: str) -> bool:
 def names_class(expression: str, name: str) -> bool:
     """Return whether a check's expression creates an object of the class that defines a method.
 
-    ``name`` is the method's full name in the manifest. For a function outside a class, return True.
+    For example, "Vector3(1, 2, 3)" creates an object of the class that defines vector.Vector3.dot.
+    For a function outside a class, return True.
     """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

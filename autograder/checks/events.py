@@ -12,7 +12,7 @@ from autograder.records import from_json, to_json
 
 @dataclass(frozen=True)
 class Check:
-    """A check that is about to run.
+    """A check that is about to run, as the check process announces it.
 
     If the check is hidden, ``rationale`` is all that students see of it.
     """
@@ -26,14 +26,17 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """The first event of a process: all of its checks, in the order in which they will run."""
+    """Sent when pytest has collected the checks, to list them in the order in which they run."""
 
     checks: list[Check]
 
 
 @dataclass(frozen=True)
 class Importing:
-    """Sent before the process imports one of the student's modules."""
+    """Sent before the check process imports one of the student's modules.
+
+    If the process dies now, that module is to blame.
+    """
 
     module: str
 
@@ -53,7 +56,7 @@ class Broken:
 
 @dataclass(frozen=True)
 class Started:
-    """Sent when a check begins."""
+    """Sent when a check begins, so that we know which check to blame if the process dies."""
 
     name: str
 
@@ -70,7 +73,7 @@ class Decided:
 
 @dataclass(frozen=True)
 class Ended:
-    """Sent when all checks have ended."""
+    """Sent by a check process when all of its checks have ended."""
 
 
 Event = Checks | Importing | Imported | Broken | Started | Decided | Ended
@@ -80,12 +83,12 @@ KINDS: dict[str, type[Event]] = {
 
 
 def write_event(event: Event) -> str:
-    """Serialize an event as one line of JSON."""
+    """Convert an event of a check process to one line of JSON."""
     return json.dumps({type(event).__name__: to_json(event)}) + "\n"
 
 
 def read_event(line: str) -> Event:
-    """Parse a line of JSON that a check process printed into an event.
+    """Parse one line that a check process has printed, and return the event in it.
 
     Raises:
         ValueError: The line is not an event.

@@ -1,4 +1,4 @@
-"""Explain an error in a student's code, and suggest how to fix it."""
+"""Explain to a student why the code failed in a check, and suggest how to fix it."""
 
 from __future__ import annotations
 
@@ -153,12 +153,12 @@ STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})'
 def explain_exception(
     error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Build the message for a check that ended with an exception.
+    """Build the message that tells a student about an exception that ended a check.
 
     If an expectation was not met, the exception already carries its message. For any other
     exception, the message shows the call that the check made, the exception, the student's line and
-    a likely mistake: the one behind Python's error if we recognize it, and otherwise the one that
-    the check suggests.
+    a likely mistake. That is the mistake behind Python's error if we recognize it, and otherwise
+    the one that the check suggests.
 
     ``complete`` lists modules that the student calls but did not write, such as
     ch02_vectors/arguments.py. An exception from a worker process has the attribute ``fault``.
@@ -196,8 +196,8 @@ def explain_import(
 ) -> Message:
     """Build the message that tells a student why a module cannot be imported.
 
-    ``complete`` lists the modules that the student did not write, and the message never points to a
-    line in one of them.
+    ``complete`` lists the modules that the student did not write. The message never points to a
+    line in one of them, unless there is no other line.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -219,7 +219,7 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Build the message for a check that ran out of time.
+    """Build the message for a check that ran out of time, and point to the line that was running.
 
     ``stack`` is the stack trace that the process wrote to a file. It may contain anything, because
     the student's code can write to that file too.
@@ -245,7 +245,10 @@ def _unescaped(text: str) -> str:
 
 
 def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
-    """Return the likeliest mistake behind an exception, and an alternative that may be empty."""
+    """Guess the mistake behind an exception in a student's code, and a second possibility.
+
+    The second possibility may be empty. ``cause`` is the mistake that the check suggests.
+    """
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""
@@ -254,24 +257,28 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def slip_of(text: str) -> str:
-    """Explain the common Python mistake that typically causes an exception with this text.
+    """Explain the common Python mistake that causes an exception with this text.
 
-    Return an empty string for any other exception.
+    For example, "circular import" means that two files import each other. If the text is not one
+    that we recognize, return an empty string.
     """
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether the code at ``place`` is code that the student was given.
+    """Return whether a line with an error is in code that the student was given.
 
-    If given code raises an error, the mistake is in its caller. The same goes for constructors,
-    which students never write.
+    In that case the mistake is in its caller. Constructors count as given code, because students
+    never write them.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the source line to ``place``, taken from the first engine folder that has the file."""
+    """Add the source code of the student's line to ``place``, to show it in the failure message.
+
+    The line comes from the first folder of the engine that contains the file.
+    """
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

@@ -1,7 +1,7 @@
-"""Describe an exception in a student's code as plain data.
+"""Describe an exception in a student's code as data that can be sent to another process.
 
-The code may run in this process or in a worker process, and the rest of the program need not care
-which.
+The student's code may run in a sandboxed worker process. Thanks to this description, the code that
+explains errors to students does not depend on where the exception was raised.
 """
 
 from __future__ import annotations
@@ -45,10 +45,11 @@ class StudentLeft(BaseException):
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception as plain data: its type, its text, and the student's lines in its traceback.
+    """An exception in a student's code, described by its type, its text and the student's lines.
 
-    For a syntax error, ``syntax`` holds the file, the line and the text that Python could not
-    parse. If the exception is about a missing name, ``unknown`` describes that name.
+    ``frames`` holds the lines of the traceback that are in the student's files. For a syntax error,
+    ``syntax`` holds the file, the line and the text that Python could not parse. If the exception
+    is about a missing name, ``unknown`` describes that name.
     """
 
     type: str
@@ -60,7 +61,7 @@ class Fault:
 
     @property
     def first_line(self) -> str:
-        """The type and text of the exception, as in the last line of a traceback.
+        """The type and text of the exception, as in "ZeroDivisionError: division by zero".
 
         A very long text is reduced to the beginning of its first line.
         """
@@ -69,9 +70,10 @@ class Fault:
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception as plain data that can be sent to another process.
+    """Describe an exception as data that can be sent to another process.
 
-    Of its traceback, keep only the lines in files of ``folders``, innermost last.
+    Of its traceback, keep only the lines in files of ``folders``, which hold the student's code.
+    The innermost line comes last.
     """
     syntax = None
     text = text_of(error)
@@ -92,7 +94,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
 
 
 def text_of(error: BaseException) -> str:
-    """Return the text of an exception, even if its __str__ is the student's own and fails."""
+    """Return the text of an exception, even if a __str__ that the student wrote fails."""
     try:
         return str(error).strip()
     except BaseException:
@@ -100,7 +102,6 @@ def text_of(error: BaseException) -> str:
 
 
 def is_inside(file: str, folders: Sequence[Path]) -> bool:
-    """Return whether a file lies in one of these folders."""
     parents = _parents(file)
     return any(folder in parents for folder in folders)
 

@@ -1,6 +1,6 @@
 """Find out which failures in a chapter come from mistakes in earlier chapters.
 
-To do so, run the chapter's checks a second time, with the earlier chapters of the reference. If a
+To do so, run the chapter's checks a second time, with our solutions of the earlier chapters. If a
 check passes this time, an earlier chapter was to blame, and the check is marked as inherited.
 """
 
@@ -26,10 +26,13 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Return an engine that takes the ``given`` chapters from the reference.
+    """While the context lasts, take the code of the ``given`` chapters from our solutions.
+
+    The with statement yields the list of folders to search for the student's code, preceded by a
+    temporary folder that holds copies of our solutions.
 
     Raises:
-        ValueError: ``root`` does not have the reference for a chapter. No hand-out has it.
+        ValueError: ``root`` does not have our solution of a chapter. No hand-out has it.
     """
     if not given:
         yield engine
@@ -48,7 +51,7 @@ def with_given(
 
 
 def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
-    """Return whether ``root`` contains our solution of a chapter, which hand-outs lack."""
+    """Return whether our solution of a chapter is available, which it never is in a hand-out."""
     return (root / "solutions" / chapter.name).is_dir()
 
 
@@ -60,10 +63,10 @@ def run_on_given(
     run: Run,
     root: Path = ROOT,
 ) -> list[Verdict]:
-    """Run the checks again, with the reference in place of the chapters in ``below``.
+    """Run a chapter's checks again, with our solutions in place of the student's earlier chapters.
 
-    Return the new verdicts, or an empty list if a second run would be pointless: when the reference
-    is not available, when the student has not written any of the functions that fail, or when a
+    Return the new verdicts, or an empty list if a second run would be pointless: when our solutions
+    are not available, when the student has not written any of the functions that fail, or when a
     loop in this chapter never ends.
 
     Raises:
@@ -94,10 +97,11 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """For each check that failed in both runs, keep the verdict of the second run.
+    """Replace the verdict on each check that failed in both runs with the one from the second run.
 
-    ``verdicts`` come from the first run, and ``again`` from the run on the reference. The second
-    verdict explains the failure better, because only the student's own chapter can have caused it.
+    ``verdicts`` come from the first run, and ``again`` from the run with our solutions of the
+    earlier chapters. The second verdict explains the failure better, because only the student's
+    code in this chapter can have caused it.
     """
     second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
     return [
@@ -109,10 +113,10 @@ def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Ve
 def suspects(
     verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
-    """Return the earlier chapters that fail some of their own checks.
+    """List the earlier chapters that fail some of their own checks.
 
-    This is for a hand-out, which lacks the reference. Without it we cannot tell which failures are
-    inherited, but we can at least warn the student that an earlier chapter may be to blame.
+    This is for a hand-out, which lacks our solutions. Without them we cannot tell which failures
+    are inherited, but we can at least warn the student that an earlier chapter may be to blame.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -130,7 +134,7 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """Return the earlier chapters that this one imports and that the student wrote."""
+    """List the earlier chapters that this one imports and whose code the student wrote."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 
@@ -141,11 +145,11 @@ def _is_unwritten(verdict: Verdict) -> bool:
 
 
 def _number(exercise: str) -> str:
-    """Return the chapter number in an exercise id, which is 4 for B4.2."""
+    """Return the chapter number in an exercise id: "4" for B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 
 def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
-    """Return whether any of these failed checks hung in the code of this chapter."""
+    """Return whether any of the failed checks hung in the student's code for this chapter."""
     hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
     return any(m.where and m.where.file.startswith(f"{chapter.name}/") for m in hung)

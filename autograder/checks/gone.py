@@ -1,7 +1,7 @@
 """Tell students when a check fails because they have deleted or renamed a function.
 
 When a function from the manifest is gone, Python reports only that some name is missing. This
-module adds to the message that the stub is gone, and says how to restore it.
+module adds to the message that the student has removed the stub, and says how to restore it.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ Defined = Callable[[str], set[str] | None]
 def explain_gone(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """If a check failed because the student removed a function, say so in its message.
+    """Rewrite the message of a check that failed because the student removed a function.
 
     ``edits`` maps each exercise to the full names of the functions that students write for it, such
-    as vector.Vector3.dot.
+    as vector.Vector3.dot. If a check failed for any other reason, its message stays the same.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -41,9 +41,9 @@ def explain_gone(
 def _candidates(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
 ) -> list[tuple[str, str]]:
-    """Return the functions that the student may have removed, with their exercises.
+    """List the functions that the student may have deleted or renamed, each with its exercise.
 
-    Functions named in the message come first, then those called by the check's expression.
+    Those that Python's error mentions come first, followed by those that the check has called.
     """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
@@ -52,7 +52,7 @@ def _candidates(
 
 
 def _names(says: str, name: str) -> bool:
-    """Return whether the text of an error says that ``name`` or its class does not exist."""
+    """Return whether Python's error says that the function ``name`` or its class does not exist."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
     signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]

@@ -1,7 +1,8 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-This is how checks run on a student's own machine. To avoid surprises later, the code can import
-only the modules and perform only the operations that the grader allows.
+This is how checks run on a student's own machine. Even there, the student's code can import only
+the modules and perform only the operations that the grader allows. Otherwise, code that works at
+home could fail when it is graded.
 """
 
 from __future__ import annotations
@@ -75,14 +76,14 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Give the student's code the same restrictions and environment as in the grader."""
+        """Give the student's code the restrictions and the environment that it has when graded."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Exempt all existing objects from garbage collection, so that forks share more memory."""
+        """Exclude all present objects from garbage collection, so that forks share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
@@ -101,7 +102,7 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that the module in ``file`` defines, or None if they are unknown."""
+        """List the names that a student's file defines, or return None if they are unknown."""
         return read_definitions(file)
 
     def start(self) -> None:
@@ -112,7 +113,7 @@ class InProcess:
         self.start_clock()
 
     def stop(self) -> str:
-        """Cancel the check's time limit, and return what the student's code printed."""
+        """Cancel a check's time limit, and return what the student's code has printed."""
         self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams
@@ -123,10 +124,10 @@ class InProcess:
     def start_clock(self) -> None:
         """Start the time limit for a check.
 
-        When it runs out, the process writes a stack trace and exits, even if it is stuck in a loop.
+        When it runs out, the process writes a stack trace and exits, even if the student's code is
+        stuck in an endless loop.
         """
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 
     def stop_clock(self) -> None:
-        """Cancel the time limit of the current check."""
         faulthandler.cancel_dump_traceback_later()

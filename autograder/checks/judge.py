@@ -1,4 +1,4 @@
-"""Start a process that runs checks, read its output line by line, and end it."""
+"""Start a process that runs checks on a student's code, read what it prints, and end it."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _stopping = threading.Event()
 def stopping() -> Iterator[None]:
     """While the context lasts, stop the check processes of all threads and start no new ones.
 
-    Every run that is stopped raises GraderError.
+    Every run of checks that is stopped raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -57,7 +57,7 @@ def is_stopped() -> bool:
 
 
 class SilentError(Exception):
-    """Raised when a check process has not printed anything for too long."""
+    """Raised when a check process prints nothing for too long, perhaps because it hangs."""
 
 
 class Judge:
@@ -77,7 +77,7 @@ class Judge:
     def lines(self, silence: float, deadline: float) -> Generator[str]:
         """Run the check process, and yield each line that it prints until it ends.
 
-        If the caller stops reading early, kill the process.
+        If the caller stops reading early, the process is killed.
 
         Raises:
             SilentError: No line arrived for ``silence`` seconds plus GRACE, or by the deadline.
@@ -132,14 +132,17 @@ class Ending:
     stderr: str = ""
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
-        """Build the message for the check that was running when the process ended."""
+        """Tell the student why the check that was running when the process ended did not finish."""
         if self.stack or self.silent:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)
 
 
 def judge(run: Run) -> Ending:
-    """Start a process that runs the remaining checks of ``run``, and wait for it to end."""
+    """Start a process that runs the checks still without a verdict, and wait for it to end.
+
+    The process reports its progress line by line, and each line is passed to ``run``.
+    """
     order, silent = run.order, False
     # On Windows the files of a process stay locked for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
@@ -186,7 +189,7 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
 
 
 def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
-    """Kill a process and, on systems with process groups, every program that it started."""
+    """Kill a check process and, on systems with process groups, every program that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
             assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
@@ -196,7 +199,11 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment for a check process, in which pytest loads no third-party plugins."""
+    """Return the environment variables with which a check process starts.
+
+    They keep pytest from loading plugins that happen to be installed on the user's machine, because
+    these could change how the checks run.
+    """
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

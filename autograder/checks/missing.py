@@ -1,7 +1,7 @@
-"""Placeholders for modules that cannot be imported and for names that do not exist.
+"""Placeholders for what a student's file should define but does not.
 
-They let the checks of a chapter load even if the student's file lacks a name. Only a check that
-uses that name then fails, and its message says why.
+They let the checks of a chapter load even if the student's file lacks a function or cannot be
+imported. Only a check that uses the missing name then fails, and its message says why.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class MissingName:
-    """A name that should be defined in a student's module but is not.
+    """A function or class that should be defined in a student's module but is not.
 
     ``nearest`` is the most similar name that the module does define.
     """
@@ -29,14 +29,14 @@ class MissingName:
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
-        """Build the message for a check that uses this missing name."""
+        """Build the message for a check that uses this missing function or class."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
         likely = f"Did you mean {self.nearest}?" if self.nearest else ""
         return Message(says, likely=likely)
 
 
 class MissingNameError(CheckEnded):
-    """Raised when a check uses a name that the student's module does not define."""
+    """Raised when a check uses a function or class that the student's module does not define."""
 
     def __init__(self, missing: MissingName, message: Message) -> None:
         super().__init__(message)
@@ -44,20 +44,21 @@ class MissingNameError(CheckEnded):
 
 
 def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
-    """Return a sentence such as "ch02_vectors/vector.py does not define Vector3"."""
+    """Compose a sentence such as "ch02_vectors/vector.py does not define Vector3"."""
     empty = " is empty and" if is_empty else ""
     return f"{file_of(module)}{empty} does not define {name}"
 
 
 def file_of(module: str) -> str:
-    """Return the file of a module as students know it, such as ch02_vectors/vector.py."""
+    """Turn a module's name into its file as students know it, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
     """Create a placeholder for a student's module that cannot be imported.
 
-    Every check that uses a name from the module fails with the message ``why``.
+    The checks can still import any name from it. A check that calls the name ends with the message
+    ``why``.
     """
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
@@ -65,7 +66,10 @@ def broken_module(name: str, why: Message) -> ModuleType:
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Return a module-level __getattr__ that makes a placeholder for any name the module lacks."""
+    """Create a module-level __getattr__ with which the checks can import names that do not exist.
+
+    A check that calls such a name ends with a message that the student's module does not define it.
+    """
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
@@ -76,7 +80,7 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Build the message for a module that hung or ended the process while it was being imported."""
+    """Build the message for a student's module that hung or ended the process during its import."""
     return Message(
         f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,
@@ -85,7 +89,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a class that stands in for a missing name and raises an error when it is called."""
+    """Create a class that stands in for a function that does not exist, and fails when called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -1,7 +1,7 @@
 """Guess which name a student meant when the code uses one that does not exist.
 
-Python's error contains only the missing name. Only the process that ran the code knows which names
-exist, so that process finds the most similar one and reports it as plain data.
+Python's error contains only the missing name. Only the process that ran the student's code knows
+which names exist, so that process finds the most similar one and reports it as plain data.
 """
 
 from __future__ import annotations
@@ -44,7 +44,10 @@ class Unknown:
 
 
 def unknown_of(error: BaseException) -> Unknown | None:
-    """Return the missing name that caused an error, or None if the error has another cause."""
+    """Find the missing name that caused an error in a student's code.
+
+    If the error has another cause, such as a division by zero, return None.
+    """
     try:
         if isinstance(error, UnboundLocalError):
             return None
@@ -60,9 +63,9 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return the name in ``there`` that is most similar to ``name``, to suggest it to the student.
+    """Find the name in ``there`` that is most similar to ``name``, to suggest it to the student.
 
-    Return an empty string if no name is similar enough. Dunder names such as __init__ are never
+    If no name is similar enough, return an empty string. Dunder names such as __init__ are never
     suggested.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
@@ -72,7 +75,10 @@ def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
 
 
 def explain_unknown(unknown: Unknown) -> str:
-    """Suggest an existing name in place of a missing one, or return "" if none is similar."""
+    """Suggest to the student what to use in place of a name that does not exist.
+
+    If no existing name is similar, return an empty string.
+    """
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
         held = ", ".join(unknown.slots)
@@ -138,7 +144,7 @@ def _innermost(traceback: TracebackType | None) -> FrameType | None:
 
 
 def _assigns(traceback: TracebackType | None) -> bool:
-    """Return whether an error was raised by an assignment to an attribute."""
+    """Return whether an error was raised by an assignment to an attribute, as in p.mas = 3."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
     if traceback is None:
@@ -149,18 +155,18 @@ def _assigns(traceback: TracebackType | None) -> bool:
 
 
 def _attributes(value: Any) -> set[str]:
-    """Return the names of an object's attributes, including those of its class."""
+    """Collect the names of an object's attributes, including those of its class."""
     kinds = value.__mro__ if isinstance(value, type) else type(value).__mro__
     names = {name for kind in kinds for name in vars(kind)}
     return names | set(getattr(value, "__dict__", ()))
 
 
 def _slots(kind: type) -> list[str]:
-    """Return the attributes that a student may assign to, if a class limits them with __slots__.
+    """List the attributes that a student may assign to, if a class limits them with __slots__.
 
     If the class accepts any attribute, the list is empty. A private slot such as _damping is listed
-    only if there is a property named damping; other private slots are internal to the class. If
-    that leaves no slots, all of them are returned.
+    only if there is a property named damping, because other private slots are internal to the
+    class. If that leaves no slots, all of them are returned.
     """
     if kind.__dictoffset__:
         return []

@@ -9,7 +9,10 @@ LONGEST = 4000  # characters
 
 
 class CappedText(io.TextIOBase):
-    """A text stream that keeps the first LONGEST characters written to it and discards the rest."""
+    """A text stream that captures the first 4000 characters that student code prints.
+
+    It discards the rest, so an endless loop that prints cannot fill the memory.
+    """
 
     def __init__(self, keep: Callable[[str], object]) -> None:
         self.left = LONGEST

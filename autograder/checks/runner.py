@@ -30,7 +30,7 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory diff
 
 @dataclass(frozen=True)
 class Limits:
-    """The most seconds that one check and a whole run of checks may take.
+    """How many seconds a single check may take, and how many all checks of a chapter together.
 
     The limit for a check is generous, since most checks finish within milliseconds.
     """
@@ -43,17 +43,17 @@ Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
-    """Raised when the checks could not be run for reasons unrelated to the student's code."""
+    """Raised when checks could not be run for reasons unrelated to the student's code."""
 
 
 @dataclass(frozen=True)
 class Order:
-    """What to check: the chapter's checks to run, and the engine to run them on.
+    """Which checks of a chapter to run, and on which student's code.
 
-    ``engine`` is a list of folders with chapters; if several of them have a module, the first one
-    wins. ``behind`` describes the sandbox for the student's code. If it is None, the code runs in
-    the same process as the checks, and ``apart`` says whether each exercise's checks run in a
-    forked copy of it.
+    ``engine`` lists the folders to search for the student's code. If several of them have a module,
+    the first one wins. ``behind`` describes the sandbox for the student's code. If it is None, the
+    code runs in the same process as the checks, and ``apart`` says whether each exercise's checks
+    run in a forked copy of it.
     """
 
     chapter: Chapter
@@ -78,7 +78,7 @@ def run_checks(
     root: Path = ROOT,
     judge: Judging = judge,
 ) -> list[Verdict]:
-    """Run a chapter's checks on a student's engine, and return the verdict on each.
+    """Run a chapter's checks on a student's code, and return the verdict on each check.
 
     If ``exercises`` is given, only the checks of those exercises and their prerequisites run. To
     show the progress, ``on_verdict`` is called after each verdict with the number of verdicts so
@@ -103,7 +103,7 @@ def run_checks(
 
 
 class Run:
-    """One run of the checks, which may take several processes to finish.
+    """One run of a chapter's checks, which may take several processes to finish.
 
     ``judge`` is the function that starts such a process and passes its events to the run. It
     returns an ``Ending``, which says how the process ended.
@@ -157,12 +157,18 @@ class Run:
         return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
-        """Return the verdicts in the order of the checks, after marking the blocked ones."""
+        """Return the verdicts in manifest order, and mark those that are blocked.
+
+        A failed check is blocked if its exercise builds on another one that still fails.
+        """
         verdicts = [self.verdicts[name] for name in self.checks]
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Start a process for the checks that still need a verdict, and wait for it to end."""
+        """Start a process for the checks that still need a verdict, and wait for it to end.
+
+        If the process hangs or dies during a check, that check fails.
+        """
         self.current = None
         ending = self.judge(self)
         self.stderr = ending.stderr
@@ -171,7 +177,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Return the configuration for the next check process, with the checks left to run."""
+        """Assemble the configuration for the next process, without the checks already decided."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -185,7 +191,7 @@ class Run:
         )
 
     def hear(self, line: str) -> None:
-        """Parse one line of the check process's output, and handle the event it contains."""
+        """Parse one line of the check process's output, and handle the event that it reports."""
         try:
             event = read_event(line)
         except ValueError as error:
@@ -213,7 +219,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record that the current check or import was cut short, with a message for the student."""
+        """Record that a check or an import was cut short because it hung or the process ended."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return
@@ -247,7 +253,7 @@ class Run:
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
-        """Fail all the remaining checks, because the run has exceeded its overall time limit."""
+        """Fail all remaining checks, because the run has exceeded its overall time limit."""
         seconds = f"{self.order.limits.run:g} seconds"
         if not self.checks:
             raise GraderError(f"no check began within {seconds}:\n{self.stderr}")
@@ -258,10 +264,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Record that a check of this exercise hung.
+        """Record that a check of this exercise hung, so that we can skip checks likely to hang too.
 
-        If a check of one of its prerequisites hung too, fail the remaining checks of this exercise
-        without running them, because they would most likely get stuck in the same loop until their
+        If a check of one of its prerequisites hung before, the remaining checks of this exercise
+        fail without running, because they would most likely get stuck in the same loop until their
         time is up.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
@@ -273,9 +279,11 @@ class Run:
 
 
 def presentable(message: Message) -> Message:
-    """Make a message safe to show: escape special characters, strip addresses, and shorten it.
+    """Make a failure message safe to show to people.
 
-    All text that comes from a student's code passes through this function.
+    Special characters are escaped, memory addresses are removed because they differ in every run,
+    and long texts are shortened. All text that comes from a student's code passes through this
+    function.
     """
     message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
     return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)

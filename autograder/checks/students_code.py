@@ -1,4 +1,7 @@
-"""Tell the student's code from ours, and find out which of the two made the current call."""
+"""Tell the student's code from ours, and find out which of the two made the current call.
+
+At home, the autograder blocks some imports and operations for the student's code only.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +20,7 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """For each chapter's folder, list the files that will also exist in the grader.
+    """List for each chapter's folder the files that will also exist in the grader.
 
     These are the files that students hand in, plus the ones that we supply.
     """
@@ -25,11 +28,11 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 
 
 class StudentsCode:
-    """Recognizes whether a file is the student's by the folder that it is in.
+    """Recognizes whether the code in a file is the student's, by the folder that the file is in.
 
-    ``graded`` maps each chapter's folder to the files that the grader has too. In a folder that is
-    not in ``graded``, every file counts. ``ours`` lists files in these folders that the student did
-    not write, such as ch06_springs/cloth.py.
+    ``graded`` maps each chapter's folder to the files that the grader has too. A chapter that is
+    not in ``graded`` has no such restriction. ``ours`` lists files in these folders that the
+    student did not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -46,14 +49,18 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """Switch to the student code of another engine, without lifting any restrictions."""
+        """Treat the code in other folders as the student's from now on.
+
+        The restrictions on imports and operations stay in force. In a browser, one process runs the
+        checks again and again, and there the restrictions can be set up only once.
+        """
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
         self.ours = ours
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return whether the current call was made by the student's code.
+        """Return whether the student's code made the current call, such as a call of open.
 
         The caller is the first function on the stack that is not part of Python's library. Python's
         own steps during an import do not count as calls by the student.
@@ -69,7 +76,7 @@ class StudentsCode:
         return False
 
     def _is_students(self, file: str) -> bool | None:
-        """Return whether a file is the student's, or None if it is part of Python's library."""
+        """Return whether the student wrote a file, or None if it is part of Python's library."""
         if file.startswith("<"):  # such as <string>, from exec, and <frozen os>
             return False if file.startswith("<frozen importlib") else None
         if is_inside(file, self.folders):
@@ -78,9 +85,10 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether this file of the chapter ``package`` will also exist in the grader.
+        """Return whether a file in the folder of a chapter will also exist in the grader.
 
-        Probes always do.
+        ``package`` is the name of the folder, such as ch02_vectors. Probes always exist in the
+        grader, because they belong to our checks.
         """
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")

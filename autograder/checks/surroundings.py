@@ -1,4 +1,4 @@
-"""Give a student's code the same environment as in the grader.
+"""Give a student's code at home the same environment as when it is graded.
 
 The code runs in the root folder, with no command-line arguments and none of the user's environment
 variables. The limits on memory and recursion are the grader's, so a program that needs too much of
@@ -23,7 +23,11 @@ FIRST_CALLS = 9  # how many of these calls the grader's own code uses up
 
 
 def leave_home() -> None:
-    """Permanently remove the user's own settings from this process, and limit its memory."""
+    """Remove the user's own settings from this process for good, and limit its memory.
+
+    The settings are the command line, the environment variables and the working directory. The
+    memory limit works only on Linux.
+    """
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
     os.environ.clear()
@@ -45,10 +49,10 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Lets a student's code recurse exactly as deeply as it could in the grader.
+    """Lets a student's code recurse exactly as deeply as it could when it is graded.
 
-    When the student's code is called here, the stack may already be deeper than it would be in the
-    grader. The recursion limit is raised by the difference.
+    When the student's code is called at home, the stack may already be deeper than it would be in
+    the grader. The recursion limit is raised by the difference.
     """
 
     def __init__(self, deepest: int = DEPTH) -> None:
@@ -56,7 +60,7 @@ class Depth:
         self.limit = sys.getrecursionlimit()
 
     def adapt(self, more: int) -> None:
-        """Set the recursion limit for a call of the student's code.
+        """Set Python's recursion limit just before a check calls the student's code.
 
         ``more`` is the number of calls between this method's caller and the student's code. If the
         student's code has changed the limit, the new limit stays.

@@ -1,4 +1,4 @@
-"""The verdict on a check, and how the exercises of a chapter depend on each other."""
+"""The verdict on a check, and the prerequisites that decide whether its exercise is blocked."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Point = tuple[float, float]  # the cost (counted work) and the error, on an open
 
 @dataclass(frozen=True)
 class Verdict:
-    """The verdict on one check: whether it passed and, if not, the message for the student.
+    """The outcome of one check: whether it passed and, if not, the message for the student.
 
     A ``robust`` check tries bad arguments, overflow or NaN instead of testing the physics.
     """
@@ -30,13 +30,13 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Return all prerequisites of an exercise, direct and indirect."""
+    """Collect the exercises that must work before this one can, directly or indirectly."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 
 
 def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Return these exercises together with their prerequisites, in manifest order.
+    """Add the prerequisites of these exercises, and return all of them in manifest order.
 
     If ``exercises`` is None, return all exercises of the chapter.
     """
@@ -48,12 +48,12 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def asked_for(chapter: Chapter) -> list[str]:
-    """Return the exercises that students are required to do, along with their prerequisites."""
+    """List the exercises that students are required to do, along with their prerequisites."""
     return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Change a verdict from failed to blocked if a prerequisite of its exercise fails.
+    """Change a verdict from failed to blocked if the exercise builds on one that still fails.
 
     Only the physics checks of a prerequisite matter here, not its robust checks. A check that
     passes although its exercise is blocked keeps its verdict and its points.

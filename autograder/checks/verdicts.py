@@ -1,9 +1,9 @@
 """Run the checks with pytest, and report each verdict as soon as it is known.
 
 The runner starts this program as ``python -m autograder.checks.verdicts FILE`` and reads one JSON
-object from each line of its output. The first object lists the checks, and the following ones say
-when each check starts and how it ends. The verdicts come from pytest's own reports, because the
-student's code could print anything.
+object from each line of its output. These objects list the checks, and say when each check starts
+and how it ends. The verdicts come from pytest's own reports, because the student's code could print
+anything.
 """
 
 from __future__ import annotations
@@ -49,8 +49,9 @@ MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we
 class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
-    ``engine`` is the object that runs the student's code. By default, the configuration determines
-    which kind it is; a test may pass its own.
+    ``engine`` is the object that runs the student's code, either in this process or in a sandbox.
+    By default the configuration determines which of the two it is. Our own tests can pass another
+    object.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -60,22 +61,25 @@ class Recorder:
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:
-        """Make the student's modules importable before pytest collects the checks."""
+        """Import the student's modules before pytest collects the checks that use them."""
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Let the engine finish its preparations, now that all checks have been collected."""
+        """Finish preparing to run the student's code, now that pytest has collected all checks."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """If a check file cannot be collected, print why on stderr, where the runner reads it."""
+        """Print to stderr, where the runner reads it, why a file of checks cannot be imported."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
-        """Sort the checks into manifest order, announce them, and drop those already decided."""
+        """Sort the checks into manifest order, and announce them to the runner.
+
+        Checks that already have a verdict, from a process that ended early, are not run again.
+        """
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
             if exercise_of(item) not in self.config.arranged.known:
@@ -105,7 +109,12 @@ class Recorder:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
-        """If the student's code runs in this process, run each exercise's checks in a fork."""
+        """Run the checks of each exercise in a forked copy of this process.
+
+        Exercises then cannot affect each other through a counter or a cache in the student's code.
+        If the student's code runs in a sandbox, or the system cannot fork, pytest runs the checks
+        as usual.
+        """
         apart = isinstance(self.engine, InProcess) and self.engine.apart
         if session.testsfailed or not apart:  # if the collection failed, pytest reports that
             return None
@@ -115,7 +124,10 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
-        """Start the time limit of a check and, in a sandbox, the worker for it."""
+        """Announce a check to the runner, and start the check's time limit.
+
+        In a sandbox, this also starts the worker process that runs the student's code.
+        """
         self.send(Started(item.name))
         about.forget()
         self.engine.start()  # stopped after the report, since an exception's str() may hang
@@ -130,7 +142,7 @@ class Recorder:
     def pytest_runtest_makereport(
         self, item: pytest.Item, call: pytest.CallInfo[None]
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-        """Report the verdict on a check to the runner.
+        """Report the verdict on a check to the runner, with a message for the student if it failed.
 
         An error outside the body of the check is the grader's fault, not the student's.
         """
@@ -167,13 +179,16 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Strip the engine's folders from the paths in a text, since they differ in the grader."""
+        """Remove the folders that contain the student's code from the paths in a message.
+
+        These folders are different on the student's machine and in the grader.
+        """
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
 
     def _defined(self, module: str) -> set[str] | None:
-        """Return the names that a student's module defines, or None if they are unknown."""
+        """List the names that one of the student's modules defines, or return None if unknown."""
         if module not in self.definitions:
             arranged = self.config.arranged
             places = [Path(folder) / arranged.chapter for folder in arranged.engine]
@@ -188,13 +203,12 @@ class Recorder:
 
 
 def run_all(checks: list[pytest.Item]) -> None:
-    """Run the checks that pytest has collected, one after another."""
     for check in checks:
         runtestprotocol(check, log=False)
 
 
 def _engine(config: Config) -> InProcess | InWorker:
-    """Return the object that runs the student's code, either in this process or in workers."""
+    """Create the object that runs the student's code, in this process or in sandboxed workers."""
     arranged = config.arranged
     where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
     if arranged.worker is None:
@@ -205,18 +219,20 @@ def _engine(config: Config) -> InProcess | InWorker:
 
 
 def _properties(item: pytest.Item) -> dict[str, Any]:
-    """Return the properties that a check has recorded for its report, such as its rationale."""
     return dict(item.user_properties)
 
 
 def _rationale(item: pytest.Item) -> str:
-    """Return the first line of a hidden check's docstring, the only part that students see."""
+    """Return the first line of a hidden check's docstring.
+
+    It is the only part of a hidden check that students see, so it should tell them what went wrong.
+    """
     words = (getattr(item, "obj", None).__doc__ or "").strip()
     return words.splitlines()[0] if words else "a hidden check of this exercise fails"
 
 
 def exercise_of(item: pytest.Item) -> str:
-    """Return the id of the exercise that a check belongs to."""
+    """Return the id of the exercise that a check tests, such as B2.3."""
     return str(_marker(item).args[0])
 
 
@@ -228,7 +244,7 @@ def _marker(item: pytest.Item) -> pytest.Mark:
 
 
 def _is_robust(item: pytest.Item) -> bool:
-    """Return whether this is a robust check. All others are physics checks."""
+    """Return whether a check tries bad arguments, overflow or NaN rather than the physics."""
     return item.get_closest_marker("robust") is not None
 
 
@@ -246,7 +262,7 @@ def main() -> int:
 
 
 def pytest_arguments(config: Config) -> list[str]:
-    """Return the command-line arguments for running the checks with pytest."""
+    """Assemble the command line with which pytest runs the checks of a chapter."""
     arranged = config.arranged
     arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
     arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]
@@ -256,7 +272,7 @@ def pytest_arguments(config: Config) -> list[str]:
 
 
 def run_and_exit() -> NoReturn:
-    """Run the checks, and exit at once with pytest's exit code."""
+    """Run the checks, and end the process at once with pytest's exit code."""
     # Threads or exit handlers of the student's code must not keep the process from ending.
     code = main()
     sys.stderr.flush()

@@ -1,4 +1,5 @@
-"""Read course.toml, in which an instructor describes the assignments of a term.
+"""Read course.toml, the file in which an instructor describes the assignments of a term.
 
-Each assignment has points, a due date and perhaps a policy for late work.
+Each assignment lists its exercises and their points, and may have a due date and a penalty for late
+work.
 """

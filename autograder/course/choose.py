@@ -1,4 +1,7 @@
-"""Find out what a command should work on: an assignment or a list of chapters."""
+"""Find out from the command line which exercises an instructor's command is about.
+
+The instructor names either an assignment of the course file or some chapters.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,7 @@ NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # these come from the cou
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """Add the options --assignment and --course to a command's argument parser."""
+    """Add the options --assignment and --course to an instructor command."""
     command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
     command.add_argument(
         "--course", type=Path, default=DEFAULT, help="the course file (default: course.toml)"
@@ -23,10 +26,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Return the assignment or the chapters that the command-line options select.
+    """Find the assignment, or the chapters, that an instructor has named on the command line.
 
-    With ``handed_out``, return what goes into a hand-out. The given chapters are left out, because
-    a hand-out adds them separately.
+    With ``handed_out``, the given chapters come in addition to the chapters to write, as in `make
+    handout`. Otherwise they are some of the selected chapters, which by default are all chapters.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

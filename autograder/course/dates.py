@@ -1,4 +1,4 @@
-"""Read due dates and time zones, and write deadlines in a machine-readable form."""
+"""Read the due dates and the time zone in a course file, and convert deadlines to JSON and back."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ YEARS = range(1970, 3000)  # close to the years 1 and 9999, Python may fail to c
 
 
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
-    """Return the time zone with this name, such as Europe/Berlin.
+    """Look up a time zone that the course file names, such as Europe/Berlin.
 
-    If there is no such time zone, record a mistake in the course file.
+    If there is no such time zone, record a mistake in the course file and return None.
     """
     if isinstance(name, str) and name in available_timezones():
         return ZoneInfo(name)
@@ -29,10 +29,10 @@ def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
 def read_time(
     value: Any, path: Path, zone: tzinfo | None, mistakes: Mistakes, *, is_zone_wrong: bool = False
 ) -> datetime | None:
-    """Read a due date or another time from the course file, and give it a time zone.
+    """Read a due date or the date of an extension from the course file, and give it a time zone.
 
     A time without a UTC offset is taken to be in ``zone``, the time zone of the course. An invalid
-    time is recorded as a mistake in the course file.
+    time is recorded as a mistake in the course file, and the result is then None.
     """
     key = path[-1]
     example = "2026-10-23T23:59:00+02:00"
@@ -61,7 +61,9 @@ def read_time(
 
 
 def parse_time(text: str, zone: tzinfo) -> datetime:
-    """Parse a time in ISO 8601 format. If it has no UTC offset, it is taken to be in ``zone``.
+    """Parse a submission time in ISO 8601 format, such as 2026-10-23T20:15:00+02:00.
+
+    If it has no UTC offset, it is taken to be in ``zone``.
 
     Raises:
         ValueError: The text is not a time.
@@ -73,7 +75,7 @@ def parse_time(text: str, zone: tzinfo) -> datetime:
 
 
 def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
-    """Convert a deadline to plain data that can be stored as JSON."""
+    """Convert a deadline, its late policy and its extensions to data that can be stored as JSON."""
     return {
         "due": _to_text(deadline.due),
         "policy": vars(deadline.policy) if deadline.policy else None,
@@ -82,7 +84,7 @@ def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
 
 
 def deadline_from_json(data: dict[str, Any]) -> Deadline:
-    """Convert the plain data from ``deadline_to_json`` back to a deadline."""
+    """Create a deadline from the data that ``deadline_to_json`` stored."""
     policy = LatePolicy(**data["policy"]) if data["policy"] else None
     extensions = {name: _from_text(text) for name, text in data["extensions"].items()}
     return Deadline(_from_text(data["due"]), policy, extensions)
@@ -91,7 +93,7 @@ def deadline_from_json(data: dict[str, Any]) -> Deadline:
 def _to_text(time: datetime) -> str:
     """Format a time with its UTC offset and the name of its time zone, as in RFC 9557.
 
-    For example, 2026-10-23T23:59:00+02:00[Europe/Berlin].
+    An example is 2026-10-23T23:59:00+02:00[Europe/Berlin].
     """
     name = f"[{time.tzinfo.key}]" if isinstance(time.tzinfo, ZoneInfo) else ""
     return time.isoformat() + name

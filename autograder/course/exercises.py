@@ -1,4 +1,4 @@
-"""Find out which exercises belong to an assignment, and how many points each is worth."""
+"""Find out which exercises belong to an assignment, and how many points each is worth there."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from autograder.scores import possible, shown
 
 @dataclass(frozen=True)
 class Chosen:
-    """The exercises of an assignment, grouped by chapter, together with its given chapters.
+    """The exercises that an assignment consists of, grouped by chapter.
 
-    ``earlier`` lists the exercises from earlier assignments that they build on.
+    The ``given`` chapters are handed out complete. ``earlier`` lists the exercises from earlier
+    assignments that this assignment builds on.
     """
 
     chapters: list[Chapter]
@@ -27,10 +28,10 @@ class Chosen:
 
 
 class Chooser:
-    """Determines the exercises of one assignment from its table in the course file.
+    """Finds out which exercises an assignment consists of, from its table in the course file.
 
-    Mistakes in the table are recorded. ``before`` contains the exercises of all earlier
-    assignments, which this one may build on.
+    Mistakes in the table are recorded in ``mistakes``. ``before`` contains the exercises of all
+    earlier assignments, because this one may build on them.
     """
 
     def __init__(
@@ -49,7 +50,10 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Return the exercises of the assignment. They are valid only if there were no mistakes."""
+        """Determine the exercises of the assignment.
+
+        The result is valid only if no mistakes in the course file were recorded.
+        """
         given = self._chapters("given")
         listed = self._ids("exercises")
         extra = self._ids("extra_credit")
@@ -81,7 +85,10 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Return the exercise ids listed under a key of the course file, skipping unknown ones."""
+        """Read a list of exercise ids from the course file, and record unknown ones as mistakes.
+
+        The ids are listed under a key such as "extra_credit".
+        """
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
             if name not in self.home:
@@ -94,7 +101,10 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Return the chapters listed under a key of the course file, skipping unknown ones."""
+        """Read a list of chapter numbers from the course file, and return those chapters.
+
+        Numbers of unknown chapters are skipped and recorded as mistakes.
+        """
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
         for number in numbers:
@@ -104,7 +114,7 @@ class Chooser:
         return [chapter for number, chapter in known.items() if number in numbers]
 
     def _earlier(self, ids: set[str], given: list[Chapter]) -> list[str]:
-        """Return the exercises from earlier assignments that this one builds on.
+        """List the exercises from earlier assignments that this assignment builds on.
 
         If it builds on an exercise that was never assigned, record a mistake in the course file.
         """
@@ -128,20 +138,27 @@ class Chooser:
         return [name for name in self.home if name in earlier]
 
     def _below(self, chapter: Chapter) -> list[Chapter]:
-        """Return the earlier chapters that a chapter imports code from."""
+        """List the earlier chapters whose code a chapter imports."""
         earlier = [other for other in self.chapters if other.number < chapter.number]
         numbers = chapter.builds_on
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Return the key, such as extra_credit, that brings this exercise into the assignment."""
+        """Find the key of the course file, such as extra_credit, under which an exercise is listed.
+
+        A message about a mistake points to the line of that key. An exercise that is not listed by
+        itself belongs to the assignment because of its chapter, so its key is "chapters".
+        """
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
             next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),
         )
 
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
-        """Return the exercises of the assignment, each with the points it is worth there."""
+        """Determine how many points each exercise is worth in this assignment.
+
+        The table ``points`` in the course file overrides the points of the manifests.
+        """
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)
             for name, home in self.home.items()
@@ -162,7 +179,7 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points of the exercises to add up to the ``out_of`` of the course file.
+        """Scale the points of the exercises to the total that the course file sets as ``out_of``.
 
         Without an ``out_of``, the points stay as they are.
         """
@@ -183,6 +200,6 @@ class Chooser:
 
 
 def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
-    """Return a copy of the chapter reduced to these exercises, or None if it has none of them."""
+    """Reduce a chapter to the assigned exercises, or return None if it has none of them."""
     mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
     return replace(chapter, exercises=mine) if mine else None

@@ -1,4 +1,4 @@
-"""Write the parts of a hand-out that depend on the assignment: manifests and README."""
+"""Write the parts of a hand-out that differ between assignments: the manifests and the README."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a chapter as the students of an assignment receive it, with all of its exercises.
+    """Return a chapter with all of its exercises, as the students of an assignment receive it.
 
-    Exercises in ``assigned`` carry the assignment's points, and all the others become optional.
+    The exercises in ``assigned`` have the assignment's points, and all the others become optional.
     """
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]
@@ -28,7 +28,7 @@ def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
 
 
 def manifest_of(text: str, chapter: Chapter) -> str:
-    """Replace the points in the text of a manifest with those of ``chapter``.
+    """Replace the points in the text of a chapter.toml with those of the assignment.
 
     The new text also marks which exercises are optional and which give extra credit.
     """
@@ -49,7 +49,11 @@ def _entry(text: str, chapter: Chapter) -> str:
 
 
 def about(work: Work, root: Path = ROOT) -> str:
-    """Return the section about the assignment for the README, or "" if there is none."""
+    """Write the README section about an assignment: its due date, its exercises and their points.
+
+    The result is "" if the instructor selected chapters rather than an assignment of the course
+    file.
+    """
     if not work.name:
         return ""
     title = f"{work.name}: {work.title}" if work.title else work.name

@@ -1,4 +1,4 @@
-"""Compute how late a submission is, and how many points that costs."""
+"""Compute how many days late a submission is, and how many points the student loses for that."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """When a submission was handed in, according to a platform such as Gradescope.
+    """When a student handed in a submission, according to a platform such as Gradescope.
 
-    Canvas does not give the time; it only says whether the submission was ``late``.
+    Canvas does not give the time. It only says whether the submission was ``late``.
     """
 
     source: str
@@ -24,7 +24,7 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Return how many days late a submission is, counting any part of a day as a full day.
+    """Count how many days late a submission is, where any part of a day counts as a full day.
 
     Each late day begins at the hour at which the work was due, in the time zone of ``due``. A day
     on which the clocks change therefore has 23 or 25 hours.
@@ -41,14 +41,15 @@ def days_late(due: datetime, submitted: datetime) -> int:
 def _end(time: datetime) -> datetime:
     """Return the last moment at which a clock shows this local time.
 
-    When the clocks go back, some times occur twice. When they go forward, some are skipped; for
-    those we return the moment at which they would have occurred.
+    A day of lateness ends at that moment. When the clocks go back, some times occur twice. When
+    they go forward, some are skipped. For those we return the moment at which they would have
+    occurred.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
 
 def deduction(policy: LatePolicy, days: int, possible: float) -> float:
-    """Return how many points a submission loses for being ``days`` days late.
+    """Compute how many points a student loses for handing in ``days`` days late.
 
     ``possible`` is the number of points that the assignment is worth.
     """
@@ -64,7 +65,8 @@ def late_of(
     """Compute how late a submission is and how many points that costs, and explain why.
 
     ``names`` lists the students who handed it in together. If some of them have an extension, the
-    latest of their due dates applies to the whole group.
+    latest of their due dates applies to the whole group. If we do not know when the work was handed
+    in, there is no penalty.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
@@ -89,5 +91,5 @@ def late_of(
 
 
 def clock(time: datetime) -> str:
-    """Format a time for people to read, as in 2026-10-23 23:59 CEST."""
+    """Format a due date or submission time for people to read, as in 2026-10-23 23:59 CEST."""
     return f"{time:%Y-%m-%d %H:%M} {time.tzname()}"

@@ -1,4 +1,7 @@
-"""Find the line of a key in a TOML file, since Python's TOML parser does not report lines."""
+"""Find the line of a key in a TOML file, so that a message about a mistake can point to it.
+
+Python's own TOML parser does not report where it found a value.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ Path = tuple[str | int, ...]  # the keys on the way to a value, such as ("assign
 
 
 class Lines:
-    """The line number, counted from 1, of every key and table in a TOML file."""
+    """The line number of every key and table in a TOML file, counted from 1."""
 
     def __init__(self, text: str) -> None:
         self._text = text.splitlines()
@@ -37,7 +40,7 @@ class Lines:
                     self._first.setdefault(path, number)
 
     def of(self, path: Path, word: str = "") -> int:
-        """Return the line of the value at ``path``, so that a message can point to it.
+        """Return the line number of the value at ``path``, such as ("assignment", 0, "due").
 
         If there is no such value, return the line of its table, or 1 if there is no table either.
         If the value spans several lines, return the first one that contains ``word`` in quotes.

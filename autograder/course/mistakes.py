@@ -1,6 +1,6 @@
-"""Collect every mistake in a course file, so that the instructor sees them all at once.
+"""Collect every mistake in a course file, so that the instructor sees all of them at once.
 
-Each mistake comes with its line number.
+Each mistake is reported with its line number.
 """
 
 from __future__ import annotations
@@ -19,7 +19,10 @@ NAMES = {str: "a string", int: "a whole number", list: "a list", dict: "a table"
 
 
 class Mistakes:
-    """Collects the mistakes found in a course file, each with its line."""
+    """Collects the mistakes that an instructor made in a course file, each with its line number.
+
+    Most methods read a value and record a mistake if the value is invalid.
+    """
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -27,11 +30,15 @@ class Mistakes:
         self._found: list[tuple[int, str]] = []
 
     def add(self, path: Path, words: str, word: str = "") -> None:
-        """Record a mistake in the value at ``path`` or, given ``word``, in that item of a list."""
+        """Record a mistake in the course file, to be reported with its line number.
+
+        ``path`` leads to the invalid value, as in ("assignment", 0, "due"). If the value is a list,
+        ``word`` names the item that is wrong.
+        """
         self._found.append((self._lines.of(path, word), words))
 
     def raise_any(self) -> None:
-        """If any mistakes were recorded, raise a ValueError that lists them in file order."""
+        """Raise a ValueError that lists all recorded mistakes by line, if there are any."""
         if not self._found:
             return
         found = sorted(dict.fromkeys(self._found), key=lambda mistake: mistake[0])
@@ -40,7 +47,10 @@ class Mistakes:
         raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
 
     def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
-        """Record each key of a table that is not a known one, suggesting the most similar key."""
+        """Record each unknown key of a table as a mistake, and suggest the most similar valid key.
+
+        For example, a misspelled "tilte" leads to the suggestion "title".
+        """
         keys = list(known)
         for key in table:
             if key not in keys:
@@ -48,9 +58,9 @@ class Mistakes:
                 self.add((*path, key), f"there is no key {key!r}. {wanted}")
 
     def value(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> Any:
-        """Return the value of a key, or None if the key is missing or the value has the wrong type.
+        """Read the value of a key in the course file, or return None if it is missing or invalid.
 
-        Only a wrong type is recorded as a mistake.
+        A value of the wrong type is recorded as a mistake, but a missing key is not.
         """
         value = table.get(key)
         if value is None or type(value) is kind:
@@ -59,7 +69,10 @@ class Mistakes:
         return None
 
     def items(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> list[Any]:
-        """Return the list items that have the right type, and record the others as mistakes."""
+        """Read a list from the course file, and return the items that have the right type.
+
+        Items of any other type are recorded as mistakes.
+        """
         value = self.value(table, path, key, list) or []
         for item in value:
             if type(item) is not kind:
@@ -68,9 +81,9 @@ class Mistakes:
         return [item for item in value if type(item) is kind]
 
     def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
-        """Return the positive number stored under a key, or None if there is none.
+        """Read a positive number from the course file, or return None if there is none.
 
-        Any value but a positive number is recorded as a mistake. A missing key is not.
+        Any other value is recorded as a mistake. A missing key is not.
         """
         value: Any = table.get(key)
         if type(value) in (int, float) and 0 < value <= LARGEST:
@@ -83,7 +96,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Format a value as it would appear in a TOML file, truncated if it is long."""
+    """Format a value as the instructor would write it in a TOML file, truncated if it is long."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)
@@ -91,7 +104,10 @@ def shown(value: Any) -> str:
 
 
 def nearest(name: str, known: Iterable[str], most: int = MOST_SIMILAR) -> str:
-    """Return a question such as "Did you mean B2.1?", or "" if no known name is similar."""
+    """Suggest the known names that are most similar to a wrong one, as in "Did you mean B2.1?".
+
+    If no known name is similar, return an empty string.
+    """
     names = {other.lower(): other for other in known}
     wanted = name.lower()
     bare = re.sub(r"^[a-z]\s*(?=\d)", "", wanted)

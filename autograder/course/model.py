@@ -1,4 +1,7 @@
-"""The contents of a course file. These objects exist only if the file has no mistakes."""
+"""The assignments, deadlines and late policies that an instructor describes in a course file.
+
+These objects are created only if the file has no mistakes.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ class LatePolicy:
 
     @property
     def words(self) -> str:
-        """The policy as a sentence for students."""
+        """The penalty for late work, described in a sentence for students."""
         of = "percent of the points possible" if self.unit == "percent" else "points"
         cap = "" if self.cap is None else f", and at most {self.cap:g} {self.unit} in all"
         return f"Each day or part of a day costs {self.per_day:g} {of}{cap}."
@@ -46,7 +49,7 @@ class Deadline:
 
 @dataclass(frozen=True)
 class Work:
-    """One assignment: what students have to do, and how it is graded.
+    """One assignment: the exercises that students have to do, and how they are graded.
 
     ``chapters`` contain only the assigned exercises, with what they are worth in this assignment.
     The ``given`` chapters are handed out complete. ``earlier`` lists exercises from earlier

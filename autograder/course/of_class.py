@@ -1,4 +1,4 @@
-"""Apply the course file to a whole class: find late submissions, and scale the marks."""
+"""Apply a course file to a whole class: compute penalties for late work, and scale the marks."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from autograder.submissions.find import Submission
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, submissions: list[Submission]
 ) -> tuple[dict[str, Late], list[str]]:
-    """Compute how late each submission of a class is.
+    """Compute how late each student of a class handed in the work, and what that costs.
 
-    Return how late each student was, plus notes for the instructor, such as which students'
-    submission times are unknown.
+    The second result is a list of notes for the instructor, which say for example which submission
+    times are unknown.
 
     Raises:
         ValueError: A file with the times of the submissions is not valid.
@@ -70,7 +70,7 @@ def _some(names: list[str]) -> str:
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Compute how late a submission is, using the metadata that Gradescope provides.
+    """Compute how late a submission to Gradescope is, from the metadata that Gradescope provides.
 
     A submission can have several authors. If the course file gives one of them an extension, by
     name or by e-mail address, the extension applies to the whole group.
@@ -87,7 +87,10 @@ def late_on_gradescope(
 
 
 def points_of(chapters: Iterable[Chapter]) -> float:
-    """Return how many points these chapters are worth, including their written answers."""
+    """Add up the points of all exercises in these chapters, including the written answers.
+
+    Extra credit and optional exercises are left out.
+    """
     return possible(exercise for chapter in chapters for exercise in chapter.exercises)
 
 

@@ -9,9 +9,9 @@ from fractions import Fraction
 def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
     """Scale the points of all exercises by the same factor, so that they add up to ``out_of``.
 
-    Each result is a multiple of ``unit``. To make the sum come out exactly, we first round
-    everything down, and then hand out the remaining units, one each, to the exercises that lost the
-    most to rounding.
+    Each result is a multiple of ``unit``. To make the sum come out exactly, all points are first
+    rounded down. The remaining units are then added, one each, to the exercises that lost the most
+    to rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))
@@ -34,7 +34,7 @@ def scaled_alike(value: float, out_of: float, total: float) -> float:
 
 
 def _plain(value: Fraction) -> float:
-    """Convert a fraction to an int or a float.
+    """Convert points from a fraction to an int or a float.
 
     A whole number becomes an int, so that it is printed as 3 rather than 3.0.
     """

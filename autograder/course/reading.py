@@ -1,4 +1,4 @@
-"""Read course.toml, and report all of its mistakes with line numbers and suggestions."""
+"""Read an instructor's course.toml, and report all of its mistakes with their line numbers."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 def read_course(path: Path, root: Path = ROOT) -> Course:
     """Read the course file, in which an instructor describes the assignments of a term.
 
-    Relative paths in it are relative to the folder of the file.
+    Relative paths in it are relative to the folder that contains the file.
 
     Raises:
         ValueError: The file contains mistakes. The message lists all of them with their lines.
@@ -49,7 +49,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
 
 class Reader:
-    """Reads the tables of one course file, and records any mistakes in them."""
+    """Converts the tables of one course file to assignments, and records any mistakes in them."""
 
     def __init__(
         self, data: dict[str, Any], folder: Path, chapters: list[Chapter], mistakes: Mistakes
@@ -61,7 +61,11 @@ class Reader:
         self.before: set[str] = set()  # the exercises of all assignments that we have read so far
 
     def course(self) -> Course:
-        """Return the whole course, or raise ValueError if the course file contains mistakes."""
+        """Read all assignments of the term.
+
+        Raises:
+            ValueError: The course file contains mistakes. The message lists all of them.
+        """
         mistakes, data = self.mistakes, self.data
         mistakes.check_keys(data, (), OF_COURSE)
         self.zone: tzinfo | None = None
@@ -135,7 +139,10 @@ class Reader:
         return Deadline(due, policy, times)
 
     def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
-        """Read the late policy of an assignment, or return None if late work loses no points."""
+        """Read the penalty for late work from a table of the course file.
+
+        The result is None if late work loses no points.
+        """
         mistakes, at = self.mistakes, (*path, "late")
         late = mistakes.value(table, path, "late", dict)
         if late is None:
@@ -162,7 +169,10 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the path stored under a key, recording a mistake if that path does not exist."""
+        """Read the path of a file or folder, such as the class list, from the course file.
+
+        If nothing exists at that path, record a mistake and return None.
+        """
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None
@@ -178,9 +188,9 @@ class Reader:
     def _hidden(
         self, table: Mapping[str, Any], path: tuple[str | int, ...], chapters: list[Chapter]
     ) -> Path | None:
-        """Return the folder of the hidden checks.
+        """Read the path of the folder that holds an assignment's hidden checks.
 
-        If none of its checks belong to an assigned chapter, record a mistake.
+        If none of these checks belong to an assigned chapter, record a mistake in the course file.
         """
         hidden = self._path(table, path, "hidden_checks")
         if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):

@@ -1,4 +1,4 @@
-"""Find out when each submission was handed in.
+"""Find out when each student of a class handed in the work.
 
 The times come from files that accompany the submissions. The modification times of a student's
 files would be no help, because copying or unpacking changes them.
@@ -27,10 +27,10 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 
 
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
-    """Return when each student handed in the work, where that is known.
+    """Find out when each student handed in the work, as far as that is known.
 
-    If several files give a time for the same student, times.csv takes precedence. A time without a
-    time zone is taken to be in ``zone``.
+    If several files give a time for the same student, times.csv takes precedence, because the
+    instructor writes it. A time without a time zone is taken to be in ``zone``.
 
     Raises:
         ValueError: A file is not valid. The message says which lines are wrong.
@@ -52,7 +52,7 @@ def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[
 
 
 def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the submission times that the instructor entered in times.csv.
+    """Yield the submission times that the instructor has entered in times.csv.
 
     That file has the columns student and submitted.
     """
@@ -89,7 +89,7 @@ def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the submission times in Gradescope's metadata, each with its submission's folder."""
+    """Yield the folder and the time of each submission, from the metadata of Gradescope."""
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
@@ -101,7 +101,7 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the submission times in GitHub Classroom's grades, each with a student's repository."""
+    """Yield each student's repository and submission time from the grades of GitHub Classroom."""
     path = folder / OF_GITHUB
     if not path.is_file():
         return
@@ -114,7 +114,7 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
-    """Yield whether each submission from Canvas was late.
+    """Yield for each submission from Canvas whether it was late.
 
     Canvas marks late submissions in the file name, but does not say when they were handed in.
     """
@@ -136,7 +136,10 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """If the file in use turns out not to be valid CSV or YAML, add its name to the error."""
+    """While the context lasts, read a file with submission times that may not be valid CSV or YAML.
+
+    An error then names the file.
+    """
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
@@ -145,5 +148,5 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _key(name: str) -> str:
-    """Normalize accented letters, so that two encodings of the same name compare equal."""
+    """Normalize the accented letters in a student's name, so that two encodings compare equal."""
     return unicodedata.normalize("NFC", name.strip())

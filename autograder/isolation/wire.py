@@ -1,8 +1,8 @@
-"""The wire between the trusted checks and a worker. Each message is one line of JSON.
+"""Send plain data between the trusted checks and the process that runs a student's code.
 
-Plain data is sent as is: any value whose type is exactly None, bool, int, float, str, list, tuple
-or dict. Any other object is replaced with a reference. Each end makes up the references to its own
-objects, and looks them up again when the other end uses them.
+Each message is one line of JSON. A value is sent as is if its type is exactly None, bool, int,
+float, str, list, tuple or dict. Any other object is replaced with a reference. Each end makes up
+the references to its own objects, and looks them up again when the other end uses them.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """Raised when the process at the other end sends a message that breaks the protocol."""
+    """Raised when a process receives a message that breaks the protocol, perhaps on purpose."""
 
 
 class UnsendableError(Exception):
@@ -49,7 +49,7 @@ _DECODER = json.JSONDecoder()
 
 
 class Wire:
-    """One end of the socket that connects the checks with a worker.
+    """One end of the socket between the checks and the worker that runs a student's code.
 
     The worker's end is ``patient``: it waits for the next request as long as necessary. The checks'
     end has deadlines, because the student's code may never answer.
@@ -113,7 +113,7 @@ class Wire:
 
 
 def _message(line: bytes) -> dict[str, Any]:
-    """Decode a line received over the wire into a message."""
+    """Decode one line of JSON into a message, or raise BrokenProtocolError."""
     try:
         text = line.decode()
         message, end = _DECODER.raw_decode(text)
@@ -127,7 +127,7 @@ def _message(line: bytes) -> dict[str, Any]:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert a value to the form in which it is sent over the wire.
+    """Convert a value to a form that can be sent as JSON between the checks and the student's code.
 
     ``refer`` is called for every object that is not plain data, and returns a reference to it.
 
@@ -162,7 +162,7 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Convert data received over the wire back to the value that was packed.
+    """Convert data that was received as JSON back to the value that ``pack`` converted.
 
     ``find`` is called for every reference in the data, and returns the object it stands for.
 

@@ -1,4 +1,7 @@
-"""Grade a class's submissions in parallel, and write each report as soon as it is ready."""
+"""Grade the submissions of a class in parallel, and write each student's report at once.
+
+If the run is interrupted, the reports that are already written are kept.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,11 @@ from autograder.submissions.find import Submission, file_name
 
 
 class ClassRun:
-    """Grades the submissions of a class, and holds the settings that they all share."""
+    """Grades the submissions of a class, or reuses the reports of an earlier run.
+
+    It holds what all submissions share: the assignment, the marks for written answers, the late
+    submissions, and the folder for the reports.
+    """
 
     def __init__(
         self,
@@ -53,7 +60,10 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show a progress bar while reports arrive, and return them in the order of submissions."""
+        """Show a progress bar while the students' reports arrive, and return all of them.
+
+        The reports are returned in the order of ``submissions``.
+        """
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),
@@ -97,9 +107,10 @@ class ClassRun:
         submissions: list[Submission],
         grade_over: Callable[[list[Submission]], Iterator[StudentReport]],
     ) -> Generator[StudentReport]:
-        """Grade the submissions on a cluster, and yield the reports.
+        """Grade the submissions on a cluster, and yield each report when it arrives.
 
         A submission is not sent to the cluster if its report from an earlier run is still valid.
+        ``grade_over`` is the function that sends submissions there.
         """
         left = []
         for submission in submissions:
@@ -111,7 +122,7 @@ class ClassRun:
             yield self.save(replace(report, run=self.key))
 
     def one(self, submission: Submission) -> StudentReport:
-        """Grade a submission, or reuse the report of an earlier run if it is still valid."""
+        """Grade one student's submission, or reuse an earlier report on it that is still valid."""
         report = self.earlier(submission)
         if report is None:
             report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
@@ -120,7 +131,11 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Complete a report with its marks and its lateness, write it to disk, and return it."""
+        """Complete a student's report and write it to disk.
+
+        This adds the marks that people gave for written answers, and how late the submission is. In
+        an anonymous class it also removes names from the notes.
+        """
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
         if self.anonymous:
             report = replace(report, notes=[without_names(note) for note in report.notes])
@@ -128,7 +143,7 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return an earlier run's report on this submission, or None if it cannot be reused."""
+        """Read an earlier run's report on this submission. Return None if it cannot be reused."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
         if not self.keeps_reports or report is None or not self.is_valid(report, submission):
@@ -137,14 +152,17 @@ class ClassRun:
         return report
 
     def is_valid(self, report: StudentReport, submission: Submission) -> bool:
-        """Return whether grading the submission again would produce this same report."""
+        """Return whether grading the submission again would produce this same report.
+
+        It would if neither the submitted files nor the checks, the grader or the seed have changed.
+        """
         if report.status != "graded" or report.run != self.key:
             return False
         return report.submission == digest_of(self.assignment, submission)
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a table of the class with each student's points, checks and first problem."""
+    """Print a table of the students, with each one's points, passed checks and first problem."""
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")

@@ -1,4 +1,4 @@
-"""Find the mistakes a class has made, based on the messages of its failed checks."""
+"""Find the mistakes that the students of a class have made, from the messages of failed checks."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ class Mistake:
 
     Attributes:
         words: The message that describes the mistake.
-        students: Who has made it.
+        students: The students who have made it.
         exercises: The exercises in which they made it.
         read: The lessons and sections of the book that explain the topic.
-        robust: Whether only robust checks caught it.
+        robust: Whether only robust checks caught it. These try bad arguments, overflow and NaN.
         in_values: Whether the code runs but computes a wrong value. Otherwise it is incomplete or
             raises an error.
     """
@@ -39,7 +39,7 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Mistakes:
-    """All the mistakes that a class made, the most common first.
+    """All the mistakes that the students of a class made, with the most common first.
 
     ``unexplained`` counts the failed checks whose messages do not name a likely mistake. Every
     hidden check is among them, because its message must not reveal what it tests.
@@ -56,7 +56,7 @@ class Mistakes:
 
 
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
-    """Collect the mistakes described in the reports of a class.
+    """Collect the mistakes that are described in the reports on a class's students.
 
     Only checks with the status "failed" count. For a blocked or inherited check, the mistake lies
     in another exercise or chapter and is counted there. Messages that differ only in their numbers

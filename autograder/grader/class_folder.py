@@ -94,7 +94,7 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move the reports of students who are not on the list to ``earlier/``, and count these students.
+    """Move the reports of students who are not on the list to ``earlier/``, and count them.
 
     Such a report belongs to another class, or to a student who has left this one.
     """

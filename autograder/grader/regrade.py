@@ -65,7 +65,7 @@ class Regrade:
         return next((one for one in self.reports if one.student == self.student), None)
 
     def seed(self, seed: str | None) -> str:
-        """Return the seed with which the class was graded, so that the student gets the same checks.
+        """Return the seed of the class, so that the regraded student gets the same random numbers.
 
         Raises:
             ValueError: A different seed was requested, or the class was graded with several.
@@ -126,7 +126,10 @@ class Regrade:
         return sorted([*others, report], key=lambda one: one.student)
 
     def _differing(self, key: RunKey) -> list[str]:
-        """List the grading conditions, such as the checks, that have changed since the class's run."""
+        """List the conditions of grading that have changed since the class was graded.
+
+        An example is "checks", if somebody has corrected a check.
+        """
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]
         return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]

@@ -1,6 +1,7 @@
-"""Count the lines, calls and new objects in a function, to show how it compares with ours.
+"""Count the lines, calls and new objects in a student's function and in the reference solution.
 
-The counts come from the source text. The code never runs, so a call inside a loop counts only once.
+A student can see from the counts which version is shorter or creates fewer objects. They come from
+the source text. The code never runs, so a call inside a loop counts only once.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ def count(function: Function) -> Counts:
 
 
 def _is_call(words: Sequence[str], i: int) -> bool:
-    """Return whether the opening parenthesis at index ``i`` belongs to a call.
+    """Return whether the opening parenthesis at index ``i`` begins the arguments of a call.
 
     Parentheses that group an expression do not, and neither do those after def, class or raise.
     """

@@ -90,7 +90,10 @@ def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
 
 
 def _checks(results: Sequence[ExerciseReport]) -> list[CheckItem]:
-    """Count how a class did on each check of an exercise, and list its physics checks first."""
+    """Count how many students passed or failed each check of an exercise.
+
+    The list begins with the physics checks, followed by those for bad arguments, overflow and NaN.
+    """
     items: dict[tuple[str, bool], CheckItem] = {}
     for result in results:
         for check in result.checks:

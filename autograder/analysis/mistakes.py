@@ -50,7 +50,10 @@ class Mistakes:
 
     @property
     def misconceptions(self) -> list[Mistake]:
-        """The most common physics mistakes, which are worth going over briefly in a lecture."""
+        """The most common physics mistakes, which are worth going over briefly in a lecture.
+
+        There are at most five, and each was made by at least two students.
+        """
         physics = [one for one in self.found if one.in_values and not one.robust]
         return [one for one in physics if len(one.students) >= SHARED_BY][:MOST]
 

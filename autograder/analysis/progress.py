@@ -108,7 +108,7 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 def returning(runs: Sequence[Run]) -> list[Returning]:
     """Find the mistakes that students of the class made in more than one assignment.
 
-    The list starts with the mistakes that the most students repeated.
+    The list starts with the mistakes that the most students have repeated.
     """
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}

@@ -51,7 +51,7 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter on one student's code, and return the verdicts.
+        """Run the checks of a chapter's graded exercises on one student's code.
 
         The checks of an exercise's prerequisites run too, because a failure there explains a
         failure in the exercise. ``missing`` maps each rejected module of the submission to the
@@ -96,9 +96,10 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts on a chapter for which a student has handed in no file.
+        """Return the verdicts for students who have handed in no file for a chapter.
 
-        The earlier chapters that this one uses come from the reference solution.
+        They are the same for every such student. The earlier chapters that this one uses come from
+        the reference solution.
 
         Raises:
             GraderError: The checks could not be run.

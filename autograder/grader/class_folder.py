@@ -21,8 +21,8 @@ from autograder.submissions.find import file_name
 def seed_of(state: Path, seed: str | None) -> str:
     """Choose the seed for the random numbers in the checks of a class.
 
-    It is the seed that the instructor requests. Without one, an interrupted run resumes with its
-    own seed, and a new run draws a new one.
+    The instructor may request a seed. Otherwise an interrupted run resumes with its own seed, and
+    any other run draws a new one.
     """
     if seed:
         return seed
@@ -58,8 +58,8 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
 def only_run(out: Path) -> Iterator[Path]:
     """Lock the folder of reports, so that no other run of the grader writes to it.
 
-    The folder is created if necessary. The context yields the path of the file that records the
-    seed and whether the run has finished.
+    This context manager creates the folder if necessary. It yields the path of the file that
+    records the seed and whether the run has finished.
 
     Raises:
         ValueError: The path is not a folder, or another run is using it.

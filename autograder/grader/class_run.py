@@ -1,6 +1,6 @@
-"""Grade the submissions of a class in parallel, and write each student's report at once.
+"""Grade the submissions of a class in parallel, and write each report as soon as it is ready.
 
-If the run is interrupted, the reports that are already written are kept.
+If the run is interrupted, the reports written so far are kept.
 """
 
 from __future__ import annotations
@@ -60,9 +60,9 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show a progress bar while the students' reports arrive, and return all of them.
+        """Show a progress bar while the reports on the students arrive, and return all of them.
 
-        The reports are returned in the order of ``submissions``.
+        They are returned in the order of ``submissions``.
         """
         columns = (
             TextColumn("{task.description}", markup=False),
@@ -91,7 +91,11 @@ class ClassRun:
         return [reports[submission.student] for submission in submissions]
 
     def here(self, submissions: list[Submission], jobs: int) -> Generator[StudentReport]:
-        """Grade the submissions on this machine, ``jobs`` at a time, and yield the reports."""
+        """Grade the submissions on this machine, ``jobs`` at a time, and yield the reports.
+
+        A report is yielded as soon as it is ready, so the order may differ from that of
+        ``submissions``.
+        """
         with ThreadPoolExecutor(jobs) as pool:
             try:
                 futures = [pool.submit(self.one, submission) for submission in submissions]
@@ -110,7 +114,7 @@ class ClassRun:
         """Grade the submissions on a cluster, and yield each report when it arrives.
 
         A submission is not sent to the cluster if its report from an earlier run is still valid.
-        ``grade_over`` is the function that sends submissions there.
+        ``grade_over`` is the function that sends the remaining submissions.
         """
         left = []
         for submission in submissions:
@@ -154,7 +158,8 @@ class ClassRun:
     def is_valid(self, report: StudentReport, submission: Submission) -> bool:
         """Return whether grading the submission again would produce this same report.
 
-        It would if neither the submitted files nor the checks, the grader or the seed have changed.
+        That is the case if the submitted files and the conditions of grading, such as the checks
+        and the seed, are unchanged. A report on a failure of the grader is never valid.
         """
         if report.status != "graded" or report.run != self.key:
             return False
@@ -162,7 +167,11 @@ class ClassRun:
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a table of the students, with each one's points, passed checks and first problem."""
+    """Print a table of the class on the screen, with a row for each student.
+
+    A row shows the points, the number of passed checks, and the message of the most important check
+    that did not pass.
+    """
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")

@@ -43,11 +43,10 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 
 @dataclass(frozen=True)
 class Work:
-    """What the instructor's machine sends to every worker of the cluster.
+    """The assignment and the hidden checks, as the instructor's machine sends them to a cluster.
 
-    A worker compares its own machine with ``key``, because it must grade under the same conditions
-    as the sender. ``hidden`` contains the hidden checks, and ``home`` is the path of the repository
-    on the sending machine.
+    A worker of the cluster compares its own machine with ``key``, because it must grade under the
+    same conditions as the sender. ``home`` is the path of the repository on the sending machine.
     """
 
     assignment: Assignment
@@ -194,12 +193,15 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the verdicts that this worker computes only once, for all submissions it grades."""
+    """Return the verdicts that this worker of the cluster computes once for all submissions."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment with the repository's path replaced by its path on this machine."""
+    """Return the assignment with its repository path changed to the one on this machine.
+
+    The machines of a cluster may have the repository in different folders.
+    """
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment

@@ -176,7 +176,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions of a class, with notes on what else is in the folder.
+    """Find the submissions in the folder of a class, and note what else is in the folder.
 
     The reports may be written into a folder next to the submissions, but not into a submission.
 

@@ -63,7 +63,7 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the instructor's notes on a submission, adding one if it has no file to grade."""
+    """Return the notes for the instructor on a submission, such as that it has no file to grade."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
@@ -72,7 +72,7 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Compute a digest of the files that would be graded in a submission, without grading them.
+    """Compute a digest of those files in a submission that the grader reads, without grading them.
 
     If the digest has not changed since an earlier run, the report from that run can be reused.
     """
@@ -193,9 +193,9 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """List the earlier chapters that the graded ones use in the student's own version.
+    """List the numbers of the earlier chapters for which the student's own code is used in grading.
 
-    The other earlier chapters come from the reference solution.
+    The graded chapters build on these. Any other earlier chapters come from the reference solution.
     """
     below = [
         other.number

@@ -1,4 +1,4 @@
-"""Find out who is in a class, which names or codes the reports use, and which marks people gave."""
+"""Match the submissions and marks of a class with its roster, and choose the names for reports."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def people_of(
 
 
 def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
-    """Read the marks that people gave for written answers.
+    """Read the points and comments that an instructor gave for students' written answers.
 
     In marks.csv, a student may be entered under any known name, such as the login or the e-mail
     address.

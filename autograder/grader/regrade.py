@@ -152,7 +152,7 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return which chapters an earlier run graded, and which chapters it gave to the students.
+    """Return which chapters an earlier run graded, and which it took from the reference solution.
 
     Both are written as command-line options, such as "2,3".
 

@@ -46,7 +46,10 @@ def run_key(assignment: Assignment) -> RunKey:
 
 
 def grader_digest() -> str:
-    """Compute a digest of the autograder's source code, which changes with every edit to it."""
+    """Compute a digest of the autograder's source code, which changes with every edit to it.
+
+    Reports that an older version has written are then not reused.
+    """
     return _digest((ROOT / "autograder").rglob("*.py"))
 
 

@@ -14,7 +14,7 @@ from types import CodeType, ModuleType
 
 
 class CompiledLoader(SourceFileLoader):
-    """Loads a Python module from bytecode in memory, much as Python loads one from a .pyc file."""
+    """Loads a module from bytecode that is already in memory, as Python does from a .pyc file."""
 
     def __init__(self, name: str, path: str, code: CodeType) -> None:
         super().__init__(name, path)
@@ -25,11 +25,11 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds those modules whose bytecode is already in memory when a worker imports them.
+    """Finds modules whose bytecode is already in memory, so that a worker need not compile them.
 
-    These are the student's modules and the probes, which are helper modules of the checks.
-    ``compiled`` maps each module's name to its marshaled code. Unmarshaling the code does not run
-    it, so the trusted template process can safely do that.
+    These are the student's modules and the probes, which are helper functions of the checks that
+    must run beside the student's code. ``compiled`` maps each module's name to its marshaled code.
+    Unmarshaling the code does not run it, so the trusted template process can safely do that.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

@@ -80,7 +80,7 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Read which misspelled or missing name caused a student's exception, if that was the cause."""
+    """Read from a worker's data which missing name caused the student's exception, if one did."""
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
@@ -89,7 +89,9 @@ def _unknown(data: Any) -> Unknown | None:
 
 
 def text_of_worker(value: Any, longest: int) -> str:
-    """Cut a string that a worker sent to ``longest`` characters, and escape unprintable ones.
+    """Shorten a string from a worker to ``longest`` characters, and escape unprintable ones.
+
+    A student's code could have sent anything, even text that repaints the instructor's screen.
 
     Raises:
         BrokenProtocolError: The worker sent something other than a string.

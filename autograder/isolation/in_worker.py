@@ -75,7 +75,7 @@ class InWorker:
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
         """Let the check files import placeholders instead of the student's modules.
 
-        The student's modules themselves are imported later, in the workers.
+        The student's modules themselves are imported later, in the sandboxed workers.
         """
         threading.Thread(target=_exit_with_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
@@ -86,8 +86,8 @@ class InWorker:
     def after_collection(self) -> None:
         """Compile the student's modules, and find out which of them cannot be imported.
 
-        Each module is imported once on trial in a worker. The checks that need a module that fails
-        to import then report the reason.
+        Each module is imported once on trial in a worker. If that fails, the checks that need the
+        module fail with a message that says why.
         """
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
@@ -101,7 +101,10 @@ class InWorker:
         self.stop()
 
     def _files(self) -> dict[str, Path]:
-        """Find the files of the student's modules and of the probes that the checks may import."""
+        """Find the files that a worker may import: the student's modules and the probes.
+
+        Probes are helper functions of the checks that must run beside the student's code.
+        """
         packages = {module.partition(".")[0] for module in self.modules}
         found: dict[str, Path] = {}
         for folder in [*self.engine, self.probes]:
@@ -279,7 +282,10 @@ class ChapterModule(ModuleType):
 
 
 def _exit_with_parent() -> None:
-    """Exit as soon as standard input closes, which means that the grader's process has ended."""
+    """Exit as soon as standard input closes, which means that the grader's process has ended.
+
+    Otherwise this process would outlive a grader that was killed.
+    """
     while os.read(0, 1024):
         pass
     os._exit(1)

@@ -45,7 +45,7 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order to the waiting process, together with the descriptors of some open files.
+        """Send an order to the process that forks check processes, along with some open files.
 
         The answer is normally the process number of a newly forked check process. If the order was
         to wait for a check process to end, it is the exit code of that process.
@@ -56,7 +56,10 @@ class Judges:
         return int(self._answers.readline())
 
     def close(self) -> None:
-        """End the waiting process. Check processes that still run end when their input closes."""
+        """End the process that forks check processes.
+
+        Check processes that still run end later, when their standard input closes.
+        """
         self._answers.close()
         self._control.close()
         self._process.wait()
@@ -86,7 +89,6 @@ class ForkedJudge:
             os.close(their_output)
 
     def wait(self) -> int:
-        """Wait for the check process to end, and return its exit code."""
         return _ask({"wait": self.pid}, [])
 
 
@@ -144,7 +146,7 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Turn this forked process into the check process that ``order`` describes.
+    """Turn this forked copy into the check process that ``order`` describes.
 
     It adopts the working folder and the environment named in the order, and uses ``descriptors`` as
     its standard streams.

@@ -38,7 +38,7 @@ class Patience:
 
 
 def processor_time(process: int) -> float:
-    """Return the processor time a process has used, in seconds, or inf if it is unknown."""
+    """Return how many seconds a process has spent on the processor, or inf if that is unknown."""
     try:
         text = Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
         user, system = text.rpartition(")")[2].split()[11:13]  # its name may contain anything

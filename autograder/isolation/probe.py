@@ -18,12 +18,15 @@ HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network"
 
 
 def best_level() -> Level:
-    """Find the strongest sandbox that really prevents every operation that it should prevent."""
+    """Find the strongest sandbox for student code that passes a test on this machine.
+
+    The test tries the operations that a sandbox should prevent, such as reading a file.
+    """
     return next((level for level in candidates() if not what_fails(level)), Level())
 
 
 def candidates() -> list[Level]:
-    """List the kinds of sandbox that this machine might support, strongest first."""
+    """List the sandboxes for student code that this machine might support, strongest first."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     found = [around, inside] if shutil.which("bwrap") else [inside]
@@ -37,8 +40,7 @@ def what_fails(level: Level) -> str:
 
     Returns:
         A phrase such as "it does not prevent writing a file", or the reason why the sandbox cannot
-        be
-        started. If the sandbox passes the test, the text is empty.
+        be started. If the sandbox passes the test, the text is empty.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

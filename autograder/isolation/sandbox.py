@@ -29,7 +29,7 @@ _libc = ctypes.CDLL(None, use_errno=True)
 
 
 class SandboxError(Exception):
-    """Raised when a layer of the sandbox cannot be set up on this machine."""
+    """Raised when a layer of the sandbox for student code cannot be set up on this machine."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,10 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """Whether these layers are enough to contain even a hostile submission."""
+        """Whether these layers are enough to contain even a hostile submission.
+
+        That takes either bubblewrap or both Landlock and seccomp.
+        """
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
@@ -164,7 +167,11 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return whether our seccomp filter works here. It is for 64-bit Linux on x86-64."""
+    """Return whether our filter of system calls works on this machine.
+
+    The filter lists system calls by their numbers on 64-bit Linux for x86-64. They differ
+    elsewhere.
+    """
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -232,7 +239,7 @@ def _apply(rules: int) -> None:
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:
-    """Lower one of this process's resource limits, unless it is already lower."""
+    """Lower one of this process's resource limits, such as memory, unless it is already lower."""
     _, there = resource.getrlimit(kind)
     if there != resource.RLIM_INFINITY:
         soft, hard = min(soft, there), min(hard, there)

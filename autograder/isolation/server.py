@@ -51,7 +51,7 @@ class Server:
         self.numbers: dict[int, int] = {}
 
     def serve(self) -> None:
-        """Answer requests from the checks until they close the wire."""
+        """Answer requests about the student's objects until the checks close the connection."""
         with contextlib.suppress(EOFError, BrokenPipeError):
             while True:
                 self.answer(self.wire.receive())
@@ -103,7 +103,8 @@ class Server:
     def find(self, data: dict[str, Any]) -> Any:
         """Look up the object that a reference in a check's request stands for.
 
-        A reference to a callback gives a function that calls the check's own function.
+        If the reference stands for a function of the check, return a stand-in that calls the
+        function in the checks' process.
         """
         if "object" in data:
             return self.objects[data["object"]]
@@ -245,9 +246,9 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
 
 
 def _error(name: str, text: str) -> Exception:
-    """Create a built-in exception by its name, for the student's code to catch.
+    """Recreate an exception that a check's function raised, for the student's code to catch.
 
-    A function of the check has raised it in the other process.
+    The function ran in the checks' process, which sent only the name and the text of the exception.
     """
     kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
     return kind(text)

@@ -31,10 +31,10 @@ _waiting: list[socket.socket] = []
 
 
 def start_waiting() -> None:
-    """Start the process from which templates can be forked quickly.
+    """Start the process that forks templates, from which workers for student code are forked.
 
     It receives orders over a socket that keeps messages whole. On systems without such sockets,
-    nothing is started.
+    nothing is started, and each template will be a new Python process.
     """
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -44,10 +44,11 @@ def start_waiting() -> None:
 
 
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
-    """Have the waiting process fork a template. Return False if there is no such process.
+    """Fork a template, the process from which workers for student code are forked.
 
-    ``control`` is the template's end of its control socket, and ``log`` is the file descriptor to
-    which the template's output goes.
+    A process that has already imported the necessary modules forks it. If there is no such process,
+    return False. ``control`` is the template's end of its control socket, and ``log`` is the file
+    descriptor to which the template's output goes.
     """
     for waiting in _waiting:
         with contextlib.suppress(OSError):
@@ -102,7 +103,10 @@ def _python(function: str, argument: str) -> list[str]:
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Build the bubblewrap command that lets a program see only these paths, and no network."""
+    """Build the beginning of a command line, which makes the rest of it run inside bubblewrap.
+
+    The program there can read only the ``visible`` paths, and it has no network.
+    """
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]

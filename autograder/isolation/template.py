@@ -1,7 +1,7 @@
-"""Control the process that forks a worker for each check, in which a student's code then runs.
+"""Start and control the process from which a worker is forked for every check.
 
-This module runs on the trusted side. It starts the template process, orders workers from it, and
-ends them.
+The workers run the student's code. This module is on the trusted side: it starts the template
+process, orders workers from it, and ends them.
 """
 
 from __future__ import annotations
@@ -117,7 +117,10 @@ class Template:
         return Session(wire, deadline, on_hang, self.how_it_ended, broken, patience)
 
     def warm_up(self) -> None:
-        """Order the next worker process in advance, without waiting until it is ready."""
+        """Order the next worker process in advance, without waiting until it is ready.
+
+        It then starts in the background, for example while pytest collects the checks.
+        """
         if self._control is None:
             self._start()
         if self._next is None:
@@ -156,9 +159,9 @@ class Template:
         return self._answers.readline().strip()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Give the student's modules as bytecode to all workers that start from now on.
+        """Hand the bytecode of the student's modules to all workers that start from now on.
 
-        A worker has already compiled and marshaled them, so the later workers start faster.
+        An earlier worker compiled the modules, so the later ones can import them faster.
         """
         self._compiled = dict(compiled)
         if self._control is not None:
@@ -209,9 +212,9 @@ class Template:
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Explain in a sentence why the process of the student's code has ended.
+        """Explain in a sentence for the student why the process of the student's code has ended.
 
-        The sentence is for the student, for example if the code has used up its processor time.
+        For example, the code may have used up its processor time.
 
         Raises:
             TemplateError: The worker was killed from outside, perhaps because the machine ran out
@@ -245,7 +248,7 @@ class Template:
             self._end()
 
     def close(self) -> None:
-        """End the template process and its current worker."""
+        """End the process that forks workers, and its current worker."""
         self.stop_worker()
         self._end()
         os.close(self._log)

@@ -39,7 +39,7 @@ class BrokenProtocolError(Exception):
 
 
 class UnsendableError(Exception):
-    """Raised when a value is too large or too deeply nested to be sent over the wire."""
+    """Raised when a value is too large or too deeply nested to be sent to the other process."""
 
 
 COPIED = {float, bool, str, type(None)}  # types of values that are packed as they are
@@ -65,7 +65,7 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message to the process at the other end of the wire.
+        """Send a message to the other process, which is either the worker or the checks.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -79,7 +79,7 @@ class Wire:
                 self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
-        """Return the next message from the process at the other end of the wire.
+        """Return the next message from the other process, which is either the worker or the checks.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -113,7 +113,11 @@ class Wire:
 
 
 def _message(line: bytes) -> dict[str, Any]:
-    """Decode one line of JSON into a message, or raise BrokenProtocolError."""
+    """Decode a line of JSON that arrived from the other process.
+
+    Raises:
+        BrokenProtocolError: The line is not a JSON object.
+    """
     try:
         text = line.decode()
         message, end = _DECODER.raw_decode(text)
@@ -162,7 +166,7 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Convert data that was received as JSON back to the value that ``pack`` converted.
+    """Rebuild a value from the JSON data into which ``pack`` converted it.
 
     ``find`` is called for every reference in the data, and returns the object it stands for.
 

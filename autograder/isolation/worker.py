@@ -50,7 +50,8 @@ RULES, WIRE, STACK = 29, 30, 31
 def start_templates(number: str) -> None:
     """Fork a template process for each order that arrives on a socket, until all senders close it.
 
-    ``number`` is the socket's file descriptor.
+    A template is a process from which workers for student code are forked. ``number`` is the
+    socket's file descriptor.
     """
     orders = socket.socket(fileno=int(number))
     _preload()
@@ -83,7 +84,10 @@ def _preload() -> None:
 
 
 def main(text: str) -> None:
-    """Run the template for which this process was started, with its configuration given as JSON."""
+    """Run this process as a template, with its configuration given as JSON text.
+
+    A template is a process from which workers for student code are forked.
+    """
     run_template(json.loads(text))
 
 
@@ -170,7 +174,7 @@ def _kill(worker: int) -> None:
 
 
 def _exit_code(worker: int, seconds: float) -> int | None:
-    """Wait for a worker that has closed its wire, and return its exit code.
+    """Wait for a worker that has closed its connection to the checks, and return its exit code.
 
     If a signal ended the worker, return minus the number of the signal. If the worker does not end
     within a second, kill it and return None.

@@ -36,7 +36,7 @@ class Marking(Site):
         }
 
     def application(self) -> Application:
-        """Build the tornado application, which has a request handler for each address."""
+        """Build the web application that serves the marking page, the answers and the marks."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [

@@ -21,7 +21,10 @@ OUTSIDE = ""  # stands for code outside of functions
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function, without its indentation, and how many lines and calls it has."""
+    """The body of a function, as shown on a page that compares a student's code with the reference.
+
+    It has no indentation, and comes with the number of lines, calls and new objects in it.
+    """
 
     text: str
     counts: Counts

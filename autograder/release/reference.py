@@ -44,7 +44,10 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
 def write_reference(
     out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
 ) -> dict[str, str]:
-    """Write the released solutions of a chapter into ``out``, and return each module's text."""
+    """Write the released solutions of a chapter into ``out``, and return each module's text.
+
+    The folder reference/ in ``out`` also gets the data files and the model answers of the chapter.
+    """
     folder = out / "reference" / whole.name
     folder.mkdir(parents=True)
     modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}

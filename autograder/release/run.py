@@ -119,8 +119,8 @@ def _compare(
     """Compare a student's solved exercises with the reference solution.
 
     Returns:
-        The compared functions, the released exercises that were left out, and the reason in case
-        nothing can be compared.
+        The compared functions, the released exercises that were left out, and the reason to give if
+        nothing could be compared.
     """
     if report is None:
         return [], [], "the work was not graded"

@@ -1,4 +1,4 @@
-"""The command `progress`, which shows how a class does from one assignment to the next."""
+"""The command `progress`, with which an instructor compares a class's graded assignments."""
 
 from __future__ import annotations
 

@@ -67,7 +67,10 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
 
 
 def _interval(value: float, count: int) -> tuple[float, float]:
-    """Compute the 95 % confidence interval of a correlation, using Fisher's z-transformation."""
+    """Compute the 95 % confidence interval of a correlation over ``count`` students.
+
+    It uses Fisher's z-transformation.
+    """
     if abs(value) == 1.0:
         return value, value
     half = statistics.NormalDist().inv_cdf(0.975) / math.sqrt(count - 3)

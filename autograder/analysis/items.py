@@ -53,7 +53,7 @@ class ExerciseItem:
 
     @property
     def counted(self) -> int:
-        """The number of students who have a score for this exercise."""
+        """The number of students in the class who have a score for this exercise."""
         return self.full + self.part + self.none
 
 

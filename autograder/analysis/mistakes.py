@@ -1,4 +1,8 @@
-"""Find the mistakes that the students of a class have made, from the messages of failed checks."""
+"""Find the mistakes that the students of a class have made.
+
+The message of a failed check usually names a likely mistake. Counting these messages shows which
+mistakes are common.
+"""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of all the students whose submissions could be graded."""
+        """The percentages of those students whose submissions could be graded."""
         return [value for value in self.percent.values() if value is not None]
 
     @property

@@ -1,4 +1,4 @@
-"""What the students of a class are graded on, and verdicts that all of their submissions share."""
+"""Describe an assignment, and share those verdicts on it that are the same for every student."""
 
 from __future__ import annotations
 
@@ -79,7 +79,10 @@ class Assignment:
         )
 
     def whole(self, chapter: Chapter) -> Chapter:
-        """Return the chapter with every exercise in its manifest, whether it is graded or not."""
+        """Return the chapter with all of its exercises, including those that are not graded.
+
+        A graded exercise may have one of the others as a prerequisite.
+        """
         return load_chapter(self.root / "chapters" / chapter.name)
 
 

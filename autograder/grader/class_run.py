@@ -147,7 +147,11 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Read an earlier run's report on this submission. Return None if it cannot be reused."""
+        """Read the report of an earlier run on this submission.
+
+        Return None if there is none, or if it is no longer valid because the submission or the
+        checks have changed.
+        """
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
         if not self.keeps_reports or report is None or not self.is_valid(report, submission):

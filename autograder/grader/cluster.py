@@ -56,7 +56,11 @@ class Work:
 
     @classmethod
     def of(cls, assignment: Assignment) -> Work:
-        """Assemble what the cluster's workers need in order to grade an assignment."""
+        """Assemble what the workers of a cluster need in order to grade an assignment.
+
+        The hidden checks are read into memory, because the workers may have no access to their
+        folder.
+        """
         public = replace(assignment, hidden=None)
         return cls(public, run_key(public), _tree(assignment.hidden))
 
@@ -193,7 +197,7 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the verdicts that this worker of the cluster computes once for all submissions."""
+    """Return those verdicts that a worker of the cluster computes once for all submissions."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 

@@ -1,4 +1,7 @@
-"""Grade a whole class: run the checks, write all reports, and resume a run that was interrupted."""
+"""Grade a whole class: run the checks on every submission, and write all reports.
+
+A run that was interrupted is resumed, so that no submission is graded twice.
+"""
 
 from __future__ import annotations
 

@@ -57,13 +57,19 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Build the report on a submission that the grader could not grade, with the reason."""
+    """Build the report on a submission for which the grader itself has failed, and say why.
+
+    The student does not get a zero. The submission can be graded again.
+    """
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes for the instructor on a submission, such as that it has no file to grade."""
+    """Return the notes for the instructor on a student's submission.
+
+    If it contains no file that could be graded, a note says so.
+    """
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
@@ -127,7 +133,10 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Return whether a student has handed in no file for this chapter, not even a rejected one."""
+    """Return whether a student has handed in no file for this chapter, not even a rejected one.
+
+    The verdicts for such a chapter are the same for everyone, so its checks need not run again.
+    """
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
     return not (refused or taken)

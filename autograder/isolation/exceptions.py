@@ -80,7 +80,10 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Read from a worker's data which missing name caused the student's exception, if one did."""
+    """Read which missing name caused an exception in the student's code, if that was the cause.
+
+    The worker sends the name along with the exception, and the most similar name that does exist.
+    """
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))

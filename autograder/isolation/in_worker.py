@@ -114,7 +114,10 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the bytecode of a student's module, compiling it only if no earlier run has."""
+        """Return the bytecode of a student's module, or None if the file cannot be compiled.
+
+        Bytecode from an earlier run of checks on the same submission is reused.
+        """
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -159,7 +162,11 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Ask the worker which names a student's file defines. Return None if it cannot tell."""
+        """Ask the worker process for the names that a student's file defines.
+
+        Return None if it does not give a valid answer, since the student's code may have damaged
+        it.
+        """
         if self.session is None or self.session.dead:
             return None
         try:

@@ -1,4 +1,7 @@
-"""Test which layers of the sandbox work on this machine, by trying what each one should prevent."""
+"""Test which layers of the sandbox for student code work on this machine.
+
+To find out, a worker tries what each layer should prevent, such as reading a file.
+"""
 
 from __future__ import annotations
 

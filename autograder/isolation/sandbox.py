@@ -34,7 +34,10 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True)
 class Level:
-    """Which of the three layers Landlock, seccomp and bubblewrap confine a student's code."""
+    """The layers of the sandbox that confine a student's code on this machine.
+
+    Not every machine offers all three of them.
+    """
 
     landlock: bool = False
     seccomp: bool = False
@@ -72,7 +75,10 @@ _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the version of Landlock in this Linux kernel, or 0 if there is none."""
+    """Return the version of Landlock in this Linux kernel, or 0 if there is none.
+
+    Landlock is the mechanism that restricts which files a student's code can read.
+    """
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))

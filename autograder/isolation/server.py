@@ -57,7 +57,10 @@ class Server:
                 self.answer(self.wire.receive())
 
     def answer(self, request: dict[str, Any]) -> None:
-        """Carry out one request from the checks, such as a method call, and send the result."""
+        """Carry out one request from the checks, such as a method call, and send back the result.
+
+        If the student's code raises an exception, the reply describes the exception instead.
+        """
         reply: dict[str, Any] = {"id": request["id"]}
         try:
             operands = [unpack(operand, self.find) for operand in request["with"]]
@@ -218,7 +221,10 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Import a student's module without showing what it prints, which is not part of any check."""
+    """Import a student's module, and discard what it prints while it is imported.
+
+    Only what the student's code prints during a check is shown.
+    """
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)

@@ -35,7 +35,10 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """Raised when a process receives a message that breaks the protocol, perhaps on purpose."""
+    """Raised when the other process sends a message that is not valid.
+
+    A student's code may do this on purpose, because it runs in the worker that sends the messages.
+    """
 
 
 class UnsendableError(Exception):

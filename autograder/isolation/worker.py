@@ -92,7 +92,11 @@ def main(text: str) -> None:
 
 
 def run_template(config: dict[str, Any]) -> None:
-    """Fork a worker for student code whenever one is ordered, until the control socket closes."""
+    """Fork a worker process for student code whenever one is ordered.
+
+    This process restricts itself before it forks the first worker, and the workers inherit the
+    restrictions. It ends when the control socket closes.
+    """
     # The number of this descriptor depends on the files that the runner has open. We replace it by
     # a low one, because that cannot be one of the numbers above, and because workers close it.
     control = socket.socket(fileno=os.dup(config["control"]))

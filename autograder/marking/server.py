@@ -23,7 +23,10 @@ LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
 class Marking(Site):
-    """The written answers of a class and their marks, which all request handlers share."""
+    """What the server of the marking page knows: the students' written answers and their marks.
+
+    All request handlers share this object.
+    """
 
     def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
         super().__init__()
@@ -141,7 +144,7 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Tell the marking page why its change of a mark was rejected."""
+        """Tell the marking page why a mark that it sent was not saved."""
         self.set_status(status)
         self.write({"why": why})
 

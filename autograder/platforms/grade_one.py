@@ -100,7 +100,11 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return a copy of the chapter with only the assigned exercises and their points."""
+    """Return a copy of the chapter with only the assigned exercises and their points.
+
+    An instructor may have left out exercises, changed their points, or made some of them extra
+    credit.
+    """
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises

@@ -99,7 +99,11 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Read the hidden checks of the graded chapters, keyed by their paths in Gradescope's zip."""
+    """Read the instructor's hidden checks of the graded chapters, to be put into Gradescope's zip.
+
+    Returns:
+        The contents of the files by their paths in the zip.
+    """
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
         for chapter in work.chapters

@@ -1,4 +1,7 @@
-"""Write grades for Moodle: moodle.csv for the gradebook, and the worksheet of an assignment."""
+"""Write a class's grades to files that Moodle can import.
+
+These are moodle.csv for the gradebook, and the grading worksheet of an assignment.
+"""
 
 from __future__ import annotations
 

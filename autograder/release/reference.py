@@ -1,4 +1,7 @@
-"""Release the reference solution for some exercises, and keep the others as stubs."""
+"""Write those parts of the reference solution that students may see now.
+
+Exercises that are not released yet remain stubs, so that students can still solve them.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +36,10 @@ def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapte
 
 
 def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return a module of the reference solution, with stubs for the exercises not released yet."""
+    """Return a module of the reference solution in which only the released exercises are solved.
+
+    The functions of all other exercises are stubs, which do not give away the solution.
+    """
     kept = {exercise.id for exercise in chapter.exercises}
     held_back = replace(whole, exercises=[e for e in whole.exercises if e.id not in kept])
     text = (root / "solutions" / whole.name / file).read_text(encoding="utf-8")

@@ -1,4 +1,7 @@
-"""Release the reference solution, and write a page for each student that shows both versions."""
+"""Release the reference solution to students after the deadline.
+
+Each student can also get a page that shows the student's code next to the reference solution.
+"""
 
 from __future__ import annotations
 

@@ -127,7 +127,7 @@ class Template:
             self._next = self._order()
 
     def _order(self) -> _Worker:
-        """Ask the template process to fork a worker. Its answer will be the worker's number."""
+        """Ask the template process to fork a worker, without waiting for the answer."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         worker = _Worker(own, self._new_file(), self._new_file())

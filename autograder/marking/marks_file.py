@@ -88,7 +88,7 @@ class MarksFile:
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        """Lock marks.csv until the context ends, so that nobody else changes it meanwhile."""
+        """Lock marks.csv, so that two marking pages cannot change it at the same time."""
         with (self.path.parent / ".marks.lock").open("w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             yield

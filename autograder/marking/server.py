@@ -134,7 +134,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks to the marking page, which thus picks up changes made on other pages."""
+        """Send all marks to the marking page, so that it picks up those changed on other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:

@@ -44,7 +44,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """The functions of one exercise, each in the student's version and in the reference solution's.
+    """The functions that a student wrote for one exercise, each beside the reference solution.
 
     Functions that belong to no exercise, such as helpers, are grouped by file instead.
     """
@@ -66,7 +66,7 @@ def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compar
 def compare_others(
     chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Pair functions that belong to no exercise, such as helpers, with the reference solution's.
+    """Pair functions that belong to no exercise, such as helpers, with the reference solution.
 
     A function that is identical on both sides, perhaps because it was given, is left out. So is all
     code outside functions.

@@ -25,7 +25,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 class ShownMistake:
     """A common mistake listed on class.html, with the number of students who made it.
 
-    ``places`` lists what to read about the topic, such as a lesson or a glossary entry.
+    ``places`` lists where the topic is explained, such as in a lesson or in the glossary.
     """
 
     mistake: Mistake

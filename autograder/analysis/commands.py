@@ -1,4 +1,4 @@
-"""The command `progress`, which follows a class over several graded assignments."""
+"""The command `progress`, with which an instructor compares a class's graded assignments."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_progress(arguments: argparse.Namespace) -> int:
-    """Write progress.html, which compares a class's assignments, and print its path."""
+    """Write progress.html, which compares the graded assignments of a class, and print its path."""
     from autograder.analysis.progress import write_progress
 
     page = write_progress(arguments.runs, arguments.out)

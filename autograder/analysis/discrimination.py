@@ -22,9 +22,11 @@ LOW = (
 
 @dataclass(frozen=True)
 class Discrimination:
-    """The item-rest correlation of an exercise, with its 95 % confidence interval.
+    """How well an exercise separates stronger students from weaker ones.
 
-    ``value`` is None if the correlation is undefined, and ``reason`` then says why.
+    ``value`` is the item-rest correlation, which compares the scores on this exercise with those on
+    all the others, and ``interval`` is its 95 % confidence interval. If the correlation is
+    undefined, ``value`` is None, and ``reason`` says why.
     """
 
     students: int
@@ -34,7 +36,10 @@ class Discrimination:
 
     @property
     def is_low(self) -> bool:
-        """Whether the exercise barely tells strong students from weak ones, or favors the weak."""
+        """Whether students who do well on the other exercises do little better on this one.
+
+        Such an exercise may be unclear, or it may test something else.
+        """
         return self.value is not None and self.value < LOW
 
 
@@ -62,7 +67,10 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
 
 
 def _interval(value: float, count: int) -> tuple[float, float]:
-    """Return the 95 % confidence interval of a correlation, using Fisher's z-transformation."""
+    """Compute the 95 % confidence interval of a correlation over ``count`` students.
+
+    It uses Fisher's z-transformation.
+    """
     if abs(value) == 1.0:
         return value, value
     half = statistics.NormalDist().inv_cdf(0.975) / math.sqrt(count - 3)

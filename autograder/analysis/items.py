@@ -1,7 +1,7 @@
-"""Compute how well a class did on each exercise and each of its checks.
+"""Compute how well a class did on each exercise and on each of its checks.
 
-All scores come from runs with the earlier chapters of the reference. Otherwise a single mistake in
-chapter 2 would resurface in every chapter that uses vectors.
+All scores come from runs with the earlier chapters of the reference solution. Otherwise a single
+mistake in chapter 2 would resurface in every chapter that uses vectors.
 """
 
 from __future__ import annotations
@@ -23,7 +23,11 @@ HIDDEN = "a hidden check"
 
 @dataclass(frozen=True)
 class CheckItem:
-    """The class's results on one check, such as how many students passed it and how many failed."""
+    """The results of a whole class on one check of an exercise.
+
+    ``states`` counts how many students passed the check, failed it, had not written the function,
+    and so on.
+    """
 
     name: str
     robust: bool
@@ -33,9 +37,10 @@ class CheckItem:
 
 @dataclass(frozen=True)
 class ExerciseItem:
-    """The class's results on one exercise: how many students got full, partial or no credit.
+    """The results of a whole class on one exercise.
 
-    ``mean`` is the average fraction of the points earned, or None if no student has a score.
+    ``full``, ``part`` and ``none`` count the students with full, partial and no credit. ``mean`` is
+    the average fraction of the points earned, or None if no student has a score.
     """
 
     exercise: Exercise
@@ -48,12 +53,12 @@ class ExerciseItem:
 
     @property
     def counted(self) -> int:
-        """The number of students who have a score for this exercise."""
+        """The number of students in the class who have a score for this exercise."""
         return self.full + self.part + self.none
 
 
 def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[ExerciseItem]:
-    """Compute the class's results on each exercise of a chapter, in manifest order."""
+    """Compute the results of a class on each exercise of a chapter, in manifest order."""
     return [_item(exercise, reports) for exercise in chapter.exercises]
 
 
@@ -85,7 +90,10 @@ def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
 
 
 def _checks(results: Sequence[ExerciseReport]) -> list[CheckItem]:
-    """Compute the class's results on each check of an exercise, physics checks first."""
+    """Count how many students passed or failed each check of an exercise.
+
+    The list begins with the physics checks, followed by those for bad arguments, overflow and NaN.
+    """
     items: dict[tuple[str, bool], CheckItem] = {}
     for result in results:
         for check in result.checks:

@@ -1,4 +1,8 @@
-"""Find the mistakes a class has made, based on the messages of its failed checks."""
+"""Find the mistakes that the students of a class have made.
+
+The message of a failed check usually names a likely mistake. Counting these messages shows which
+mistakes are common.
+"""
 
 from __future__ import annotations
 
@@ -21,10 +25,10 @@ class Mistake:
 
     Attributes:
         words: The message that describes the mistake.
-        students: Who has made it.
+        students: The students who have made it.
         exercises: The exercises in which they made it.
         read: The lessons and sections of the book that explain the topic.
-        robust: Whether only robust checks caught it.
+        robust: Whether only robust checks caught it. These try bad arguments, overflow and NaN.
         in_values: Whether the code runs but computes a wrong value. Otherwise it is incomplete or
             raises an error.
     """
@@ -39,7 +43,7 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Mistakes:
-    """All the mistakes that a class made, the most common first.
+    """All the mistakes that the students of a class made, with the most common first.
 
     ``unexplained`` counts the failed checks whose messages do not name a likely mistake. Every
     hidden check is among them, because its message must not reveal what it tests.
@@ -50,13 +54,16 @@ class Mistakes:
 
     @property
     def misconceptions(self) -> list[Mistake]:
-        """The most common physics mistakes, which are worth going over briefly in a lecture."""
+        """The most common physics mistakes, which are worth going over briefly in a lecture.
+
+        There are at most five, and each was made by at least two students.
+        """
         physics = [one for one in self.found if one.in_values and not one.robust]
         return [one for one in physics if len(one.students) >= SHARED_BY][:MOST]
 
 
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
-    """Collect the mistakes described in the reports of a class.
+    """Collect the mistakes that are described in the reports on a class's students.
 
     Only checks with the status "failed" count. For a blocked or inherited check, the mistake lies
     in another exercise or chapter and is counted there. Messages that differ only in their numbers

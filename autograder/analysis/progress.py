@@ -1,4 +1,4 @@
-"""Show how a class progresses from one graded assignment to the next.
+"""Write progress.html, which shows how a class progresses from one graded assignment to the next.
 
 The page compares the scores, lists every student, and shows which mistakes keep coming back.
 """
@@ -23,7 +23,7 @@ FEWEST = 2  # assignments
 
 @dataclass(frozen=True)
 class Run:
-    """The results of one graded assignment: each student's percentage of the check points.
+    """A class's results on one graded assignment: each student's percentage of the check points.
 
     A student's percentage is None if the grader failed on the submission.
     """
@@ -34,12 +34,12 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of all the students whose submissions could be graded."""
+        """The percentages of those students whose submissions could be graded."""
         return [value for value in self.percent.values() if value is not None]
 
     @property
     def five(self) -> list[float]:
-        """The five-number summary for the box plot: minimum, quartiles and maximum.
+        """The minimum, the quartiles and the maximum of the students' percentages, for a box plot.
 
         The list is empty if there are no percentages.
         """
@@ -52,10 +52,10 @@ class Run:
 
 @dataclass(frozen=True)
 class Returning:
-    """A mistake that came up in more than one assignment.
+    """A mistake that students of a class made in more than one assignment.
 
     ``counts`` holds the number of students who made it in each assignment, and ``again`` the number
-    who made it in more than one.
+    of students who repeated it in a later one.
     """
 
     words: str
@@ -64,7 +64,7 @@ class Returning:
 
 
 def write_progress(folders: Sequence[Path], out: Path) -> Path:
-    """Write progress.html, which compares a class's graded assignments, and return its path.
+    """Write progress.html, which compares the graded assignments of a class, and return its path.
 
     Each of the ``folders`` holds the results of one assignment, and the page shows the assignments
     in that order.
@@ -90,9 +90,9 @@ def write_progress(folders: Sequence[Path], out: Path) -> Path:
 
 
 def _run(folder: Path, folders: Sequence[Path]) -> Run:
-    """Read the results of one graded assignment for the progress page.
+    """Read the students' results on one assignment from the folder that holds its reports.
 
-    The assignment is named after its folder, or by its full path if another folder has the same
+    The assignment is named after that folder, or by its full path if another folder has the same
     name.
     """
     reports = [clean_all(report) for report in read_results(folder)]
@@ -106,7 +106,10 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 
 
 def returning(runs: Sequence[Run]) -> list[Returning]:
-    """Find the mistakes that came up in more than one assignment, the most often repeated first."""
+    """Find the mistakes that students of the class made in more than one assignment.
+
+    The list starts with the mistakes that the most students have repeated.
+    """
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}
     for number, run in enumerate(runs):

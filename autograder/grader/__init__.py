@@ -1,1 +1,1 @@
-"""Grade the submissions of a class, on one machine or on a cluster."""
+"""Grade what the students of a class have handed in, on one machine or on a cluster."""

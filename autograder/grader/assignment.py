@@ -1,4 +1,4 @@
-"""The assignment that a class is graded on, and the verdicts shared by all submissions."""
+"""Describe an assignment, and share those verdicts on it that are the same for every student."""
 
 from __future__ import annotations
 
@@ -24,9 +24,13 @@ from autograder.submissions.stage import stage
 class Assignment:
     """What the submissions of a class are graded on: the same exercises and checks for everyone.
 
-    ``chapters`` contain only the graded exercises, perhaps fewer than the manifest lists. The
-    ``given`` chapters come from the reference, even if a student has handed in files for them.
-    ``hidden`` is a folder of hidden checks, and ``level`` says which layers the sandbox has.
+    Attributes:
+        chapters: The graded chapters, with only the graded exercises.
+        seed: Determines the random numbers in the checks.
+        level: The layers of the sandbox that confine the students' code.
+        given: Earlier chapters that come from the reference solution, even if a student has handed
+            in files for them.
+        hidden: A folder of hidden checks, which are not handed out to students, or None.
     """
 
     chapters: list[Chapter]
@@ -47,10 +51,12 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises, along with those of their prerequisites.
+        """Run the checks of a chapter's graded exercises on one student's code.
 
-        ``missing`` maps each rejected module to the reason. ``compiled`` is a folder that caches
-        the compiled code of a submission between runs.
+        The checks of an exercise's prerequisites run too, because a failure there explains a
+        failure in the exercise. ``missing`` maps each rejected module of the submission to the
+        reason. ``compiled`` is a folder that caches the compiled code of the submission between
+        runs.
 
         Raises:
             GraderError: The checks could not be run.
@@ -73,12 +79,15 @@ class Assignment:
         )
 
     def whole(self, chapter: Chapter) -> Chapter:
-        """Return the chapter with every exercise in its manifest, graded or not."""
+        """Return the chapter with all of its exercises, including those that are not graded.
+
+        A graded exercise may have one of the others as a prerequisite.
+        """
         return load_chapter(self.root / "chapters" / chapter.name)
 
 
 class OnceForAll:
-    """Verdicts that are the same for every submission, so that they are computed only once.
+    """Verdicts that do not depend on the student, and are therefore computed only once for a class.
 
     All the threads that grade a class share this object. The first thread that needs a verdict runs
     the checks for it, and the others wait for the result.
@@ -90,9 +99,10 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts on a chapter for which a student has handed in nothing.
+        """Return the verdicts for students who have handed in no file for a chapter.
 
-        The earlier chapters come from the reference.
+        They are the same for every such student. The earlier chapters that this one uses come from
+        the reference solution.
 
         Raises:
             GraderError: The checks could not be run.
@@ -103,9 +113,10 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the results of our own solution, whose cost and error are shown on the charts.
+        """Return the results of the reference solution on the exercises that have a chart.
 
-        Only open exercises have charts, so the results of all other exercises are not needed.
+        The chart compares the student's cost and error with those of the reference solution. If its
+        checks cannot be run, the chart shows only the student's.
         """
         root = assignment.root
         with self._lock:

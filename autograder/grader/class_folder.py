@@ -1,7 +1,7 @@
-"""Manage the folder that holds the reports on a class.
+"""Manage the folder that holds the grading reports on a class.
 
-Only one run at a time may write to this folder. A file in it records whether the last run has
-finished, so that an interrupted run can be resumed.
+Only one run of the grader at a time may write to this folder. A file in it records whether the last
+run has finished, so that an interrupted run can be resumed.
 """
 
 from __future__ import annotations
@@ -19,7 +19,11 @@ from autograder.submissions.find import file_name
 
 
 def seed_of(state: Path, seed: str | None) -> str:
-    """Choose the seed for a run: the requested one, that of an interrupted run, or a new one."""
+    """Choose the seed for the random numbers in the checks of a class.
+
+    The instructor may request a seed. Otherwise an interrupted run resumes with its own seed, and
+    any other run draws a new one.
+    """
     if seed:
         return seed
     try:
@@ -32,10 +36,10 @@ def seed_of(state: Path, seed: str | None) -> str:
 
 
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
-    """Raise ValueError if this run has a roster and the earlier run had none, or vice versa.
+    """Raise ValueError if a class is regraded with a roster but was graded without, or vice versa.
 
-    Without a roster, the reports use other names for the students, so a regrade would list the same
-    student twice.
+    With a roster, the reports use the names on it. Otherwise they use the names of the submissions,
+    so after such a regrade the same student would be listed twice.
     """
     try:
         before = json.loads(state.read_text(encoding="utf-8"))["roster"]
@@ -52,9 +56,10 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
 
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
-    """Lock the folder ``out`` against other runs, and yield the path of the run's state file.
+    """Lock the folder of reports, so that no other run of the grader writes to it.
 
-    The folder is created if necessary.
+    This context manager creates the folder if necessary. It yields the path of the file that
+    records the seed and whether the run has finished.
 
     Raises:
         ValueError: The path is not a folder, or another run is using it.
@@ -72,7 +77,7 @@ def only_run(out: Path) -> Iterator[Path]:
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Create all temporary files in the folder ``out`` until the context ends.
+    """Keep the temporary files of a grading run in the folder of its reports.
 
     If a run is killed, it cannot delete its temporary files, but the next run finds them here and
     deletes them.
@@ -89,7 +94,7 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move the reports of students who are not on the list out of the way, and count them.
+    """Move the reports of students who are not on the list to ``earlier/``, and count them.
 
     Such a report belongs to another class, or to a student who has left this one.
     """

@@ -1,4 +1,7 @@
-"""Grade a class's submissions in parallel, and write each report as soon as it is ready."""
+"""Grade the submissions of a class in parallel, and write each report as soon as it is ready.
+
+If the run is interrupted, the reports written so far are kept.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,11 @@ from autograder.submissions.find import Submission, file_name
 
 
 class ClassRun:
-    """Grades the submissions of a class, and holds the settings that they all share."""
+    """Grades the submissions of a class, or reuses the reports of an earlier run.
+
+    It holds what all submissions share: the assignment, the marks for written answers, the late
+    submissions, and the folder for the reports.
+    """
 
     def __init__(
         self,
@@ -53,7 +60,10 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show a progress bar while reports arrive, and return them in the order of submissions."""
+        """Show a progress bar while the reports on the students arrive, and return all of them.
+
+        They are returned in the order of ``submissions``.
+        """
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),
@@ -81,7 +91,11 @@ class ClassRun:
         return [reports[submission.student] for submission in submissions]
 
     def here(self, submissions: list[Submission], jobs: int) -> Generator[StudentReport]:
-        """Grade the submissions on this machine, ``jobs`` at a time, and yield the reports."""
+        """Grade the submissions on this machine, ``jobs`` at a time, and yield the reports.
+
+        A report is yielded as soon as it is ready, so the order may differ from that of
+        ``submissions``.
+        """
         with ThreadPoolExecutor(jobs) as pool:
             try:
                 futures = [pool.submit(self.one, submission) for submission in submissions]
@@ -97,9 +111,10 @@ class ClassRun:
         submissions: list[Submission],
         grade_over: Callable[[list[Submission]], Iterator[StudentReport]],
     ) -> Generator[StudentReport]:
-        """Grade the submissions on a cluster, and yield the reports.
+        """Grade the submissions on a cluster, and yield each report when it arrives.
 
         A submission is not sent to the cluster if its report from an earlier run is still valid.
+        ``grade_over`` is the function that sends the remaining submissions.
         """
         left = []
         for submission in submissions:
@@ -111,7 +126,7 @@ class ClassRun:
             yield self.save(replace(report, run=self.key))
 
     def one(self, submission: Submission) -> StudentReport:
-        """Grade a submission, or reuse the report of an earlier run if it is still valid."""
+        """Grade one student's submission, or reuse an earlier report on it that is still valid."""
         report = self.earlier(submission)
         if report is None:
             report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
@@ -120,7 +135,11 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Complete a report with its marks and its lateness, write it to disk, and return it."""
+        """Complete a student's report and write it to disk.
+
+        This adds the marks that people gave for written answers, and how late the submission is. In
+        an anonymous class it also removes names from the notes.
+        """
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
         if self.anonymous:
             report = replace(report, notes=[without_names(note) for note in report.notes])
@@ -128,7 +147,11 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return an earlier run's report on this submission, or None if it cannot be reused."""
+        """Read the report of an earlier run on this submission.
+
+        Return None if there is none, or if it is no longer valid because the submission or the
+        checks have changed.
+        """
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
         if not self.keeps_reports or report is None or not self.is_valid(report, submission):
@@ -137,14 +160,22 @@ class ClassRun:
         return report
 
     def is_valid(self, report: StudentReport, submission: Submission) -> bool:
-        """Return whether grading the submission again would produce this same report."""
+        """Return whether grading the submission again would produce this same report.
+
+        That is the case if the submitted files and the conditions of grading, such as the checks
+        and the seed, are unchanged. A report on a failure of the grader is never valid.
+        """
         if report.status != "graded" or report.run != self.key:
             return False
         return report.submission == digest_of(self.assignment, submission)
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a table of the class with each student's points, checks and first problem."""
+    """Print a table of the class on the screen, with a row for each student.
+
+    A row shows the points, the number of passed checks, and the message of the most important check
+    that did not pass.
+    """
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")

@@ -1,8 +1,8 @@
-"""Grade a class on a Dask cluster, whose workers receive submissions and return reports.
+"""Grade a class on a Dask cluster, whose machines receive submissions and return reports.
 
-Dask distributes the submissions and, if a worker dies, gives its submission to another one. A grade
-must not depend on where the work was graded, so every worker uses the same kind of sandbox as the
-instructor's machine, or refuses to grade.
+Dask distributes the submissions among its workers and, if a worker dies, gives its submission to
+another one. A grade must not depend on the machine that computed it, so every worker uses the same
+kind of sandbox as the instructor's machine, or refuses to grade.
 """
 
 from __future__ import annotations
@@ -43,11 +43,10 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 
 @dataclass(frozen=True)
 class Work:
-    """What the sender gives every worker of the cluster: the assignment, and facts about itself.
+    """The assignment and the hidden checks, as the instructor's machine sends them to a cluster.
 
-    A worker compares its own machine with ``key``, because it must grade under the same conditions
-    as the sender. ``hidden`` contains the hidden checks, and ``home`` is the path of the repository
-    on the sending machine.
+    A worker of the cluster compares its own machine with ``key``, because it must grade under the
+    same conditions as the sender. ``home`` is the path of the repository on the sending machine.
     """
 
     assignment: Assignment
@@ -57,7 +56,11 @@ class Work:
 
     @classmethod
     def of(cls, assignment: Assignment) -> Work:
-        """Assemble what a cluster's workers need in order to grade an assignment."""
+        """Assemble what the workers of a cluster need in order to grade an assignment.
+
+        The hidden checks are read into memory, because the workers may have no access to their
+        folder.
+        """
         public = replace(assignment, hidden=None)
         return cls(public, run_key(public), _tree(assignment.hidden))
 
@@ -104,7 +107,9 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
 def grade_over(
     client: Client, assignment: Assignment, submissions: list[Submission]
 ) -> Iterator[StudentReport]:
-    """Grade a class's submissions on the cluster, and yield each report as soon as it is ready.
+    """Grade the submissions of a class on the cluster, and yield each report when it arrives.
+
+    The files of a submission are sent as data, so the machines need no shared disk.
 
     Raises:
         ValueError: A worker that joined later would not grade exactly as this machine does.
@@ -161,9 +166,10 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 
 
 def check_worker(work: Work) -> None:
-    """Raise ValueError if this worker would not grade exactly as the sending machine does.
+    """Raise ValueError if this worker would not grade exactly as the instructor's machine does.
 
-    Otherwise a student's grade could depend on the machine that happened to compute it.
+    Otherwise a student's grade could depend on the machine that happened to compute it. The worker
+    must have the same versions of Python, the grader and the checks, and the same kind of sandbox.
     """
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_sandbox)
@@ -191,12 +197,15 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the verdicts that this worker computes once and reuses for every submission."""
+    """Return those verdicts that a worker of the cluster computes once for all submissions."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment, with its paths changed to those of this machine's repository."""
+    """Return the assignment with its repository path changed to the one on this machine.
+
+    The machines of a cluster may have the repository in different folders.
+    """
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment
@@ -209,7 +218,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A function call that the worker makes when it loads the pickle of this object."""
+    """A function call that a worker of the cluster makes when it unpickles this object."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts
@@ -229,7 +238,7 @@ def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Read all the files in a folder into a dict that can be sent over the network.
+    """Read all the files in a folder into a dict that can be sent to a worker of the cluster.
 
     If ``folder`` is None, the dict is empty.
     """
@@ -241,7 +250,7 @@ def _tree(folder: Path | None) -> Tree:
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write the files that ``_tree`` has read into a folder.
+    """Write the files that the instructor's machine sent into a folder on this worker.
 
     All users may read them, because the student's code may run under another account.
     """

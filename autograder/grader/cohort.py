@@ -1,4 +1,7 @@
-"""Grade a whole class in parallel, write the reports, and resume interrupted runs."""
+"""Grade a whole class: run the checks on every submission, and write all reports.
+
+A run that was interrupted is resumed, so that no submission is graded twice.
+"""
 
 from __future__ import annotations
 
@@ -43,13 +46,14 @@ from autograder.wrapping import plain_console
 class ClassOptions:
     """The options with which an instructor grades a class.
 
-    - ``given`` chapters come from the reference, even if students hand in files for them.
+    - ``given`` chapters come from the reference solution, even if students hand in files for them.
     - ``seed`` determines the random numbers in the checks. Without one, a new run draws a seed, and
       an interrupted run resumes with its own.
     - ``hidden`` is a folder of hidden checks, chNN_name/test_*.py.
     - ``unsafe`` permits grading without a sandbox on a machine that has none.
     - ``jobs`` is the number of submissions to grade at a time, by default one per core.
-    - ``cluster`` is the address of a scheduler, whose workers then grade instead of this machine.
+    - ``cluster`` is the address of a Dask scheduler, whose workers then grade instead of this
+      machine.
     - ``roster`` is a CSV file with the students of the class. If the class is ``anonymous``, the
       reports show codes instead of names.
     - ``column`` describes the files for Canvas and Moodle.
@@ -83,10 +87,13 @@ class ClassOptions:
 
 
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
-    """Grade every submission in ``folder``, and write the reports into ``out``.
+    """Grade every submission in ``folder``, and write the reports on the class into ``out``.
 
     A complete report from the same checks, grader and seed is kept, and its submission is not
-    graded again. Return the exit code, which is 1 if the grader failed on a submission.
+    graded again.
+
+    Returns:
+        The exit code, which is 1 if the grader failed on a submission.
 
     Raises:
         ValueError: The class cannot be graded with these options.
@@ -172,7 +179,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions of a class, and return them with notes on what else is in its folder.
+    """Find the submissions in the folder of a class, and note what else is in the folder.
 
     The reports may be written into a folder next to the submissions, but not into a submission.
 
@@ -192,9 +199,13 @@ def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
 
 
 def check_hidden(assignment: Assignment) -> None:
-    """Raise ValueError if the folder has no hidden checks, or if our own solution fails one.
+    """Test the instructor's hidden checks on the reference solution before any student is graded.
 
-    A check that fails on our solution must be wrong, and would cost every student points.
+    A check that fails on the reference solution must be wrong, and would cost every student points.
+
+    Raises:
+        ValueError: The folder has no hidden checks of a graded chapter, or the reference solution
+            fails one of them.
     """
     hidden, root = assignment.hidden, assignment.root
     if hidden is None:

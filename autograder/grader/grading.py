@@ -31,10 +31,10 @@ def grade_submission(
     once: OnceForAll | None = None,
     fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
-    """Grade one submission and return the report on it, even if the grader itself fails.
+    """Grade one student's submission and return the report on it, even if the grader itself fails.
 
     ``once`` holds the verdicts that all submissions share. ``fill`` copies the files of a
-    submission from another machine; without it, ``stage`` copies them from this one.
+    submission that came from another machine. Without it, ``stage`` copies them from this one.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -57,13 +57,19 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Build the report on a submission that could not be graded, with the reason."""
+    """Build the report on a submission for which the grader itself has failed, and say why.
+
+    The student does not get a zero. The submission can be graded again.
+    """
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes on a submission, such as one that says that it has no file to grade."""
+    """Return the notes for the instructor on a student's submission.
+
+    If it contains no file that could be graded, a note says so.
+    """
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
@@ -72,7 +78,10 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Return a digest of the files in a submission that would be graded, without grading them."""
+    """Compute a digest of those files in a submission that the grader reads, without grading them.
+
+    If the digest has not changed since an earlier run, the report from that run can be reused.
+    """
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         chapters = load_chapters(assignment.root)
         return stage(submission.path, chapters, Path(folder), assignment.root).digest
@@ -86,11 +95,12 @@ def _all_results(
     box: Path,
     compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
-    """Run each chapter's checks twice, and return the results of both runs.
+    """Run each chapter's checks twice on a student's code, and return the results of both runs.
 
     The first run uses the student's own earlier chapters, and the second takes them from the
-    reference. The reports show only the messages of the first run: in the second one, the student's
-    code could read the reference and leak it in a message.
+    reference solution. A check that passes only in the second run failed because of a mistake in an
+    earlier chapter. The reports show only the messages of the first run: in the second one, the
+    student's code could read the reference and leak it in a message.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
 
@@ -123,7 +133,10 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Return whether a student has handed in no file for this chapter, not even a rejected one."""
+    """Return whether a student has handed in no file for this chapter, not even a rejected one.
+
+    The verdicts for such a chapter are the same for everyone, so its checks need not run again.
+    """
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
     return not (refused or taken)
@@ -132,10 +145,11 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return the cost and error of a submission and of our solution, for an exercise's chart.
+    """Build the chart of an open exercise, which compares a student's solution with the reference.
 
-    Most exercises have no chart, and then the result is None. It is also None if the submission
-    fails because of an earlier chapter, because only the second run shows which of its checks pass.
+    It plots the error of both solutions against their cost. Return None for an exercise without a
+    chart. Return None as well if the student's solution fails because of an earlier chapter, since
+    only the second run then shows which of its checks pass.
     """
     if result.on_chart is None:
         return None
@@ -188,7 +202,10 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """Return the numbers of the earlier chapters that come from the student, not the reference."""
+    """List the numbers of the earlier chapters for which the student's own code is used in grading.
+
+    The graded chapters build on these. Any other earlier chapters come from the reference solution.
+    """
     below = [
         other.number
         for chapter in assignment.chapters

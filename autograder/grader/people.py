@@ -1,4 +1,4 @@
-"""Put together what is known about the people in a class: roster, codes and marks."""
+"""Match the submissions and marks of a class with its roster, and choose the names for reports."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ from autograder.submissions.roster import read_roster
 def people_of(
     submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
 ) -> ClassList:
-    """Match submissions with the roster, and return the students by the names used in reports.
+    """Match the submissions with the students on the roster, and choose the names used in reports.
+
+    If the class is anonymous, the reports use codes instead of names.
 
     Raises:
         ValueError: The roster or the key file contains a mistake, or ``out`` contains reports with
@@ -31,7 +33,10 @@ def people_of(
 
 
 def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
-    """Read the marks of a class. A student may be entered under any of the names we know.
+    """Read the points and comments that an instructor gave for students' written answers.
+
+    In marks.csv, a student may be entered under any known name, such as the login or the e-mail
+    address.
 
     Raises:
         ValueError: A line is not valid, or a student has two marks for the same exercise.
@@ -40,7 +45,7 @@ def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
 
 
 def folder_with_names(out: Path, *, anonymous: bool) -> Path:
-    """Return the folder for files that contain students' names.
+    """Return the folder for files that contain students' names, such as those for Canvas.
 
     If the class is anonymous, this folder is outside ``out``, so that ``out`` can be shared.
     """
@@ -48,7 +53,11 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 
 
 def differences(people: ClassList) -> list[str]:
-    """Say in sentences who is on the roster but handed in nothing, and the reverse."""
+    """List students who handed in nothing, and submissions whose names are not on the roster.
+
+    Where two names are similar, such as "Ann Le" and "ann lee", a line suggests how to rename the
+    submission.
+    """
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (

@@ -1,4 +1,4 @@
-"""Regrade one student under the same conditions as the class, and log what has changed."""
+"""Regrade one student under the same conditions as the class, and log which scores have changed."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class Regrade:
         return next((one for one in self.reports if one.student == self.student), None)
 
     def seed(self, seed: str | None) -> str:
-        """Return the seed with which the class was graded.
+        """Return the seed of the class, so that the regraded student gets the same random numbers.
 
         Raises:
             ValueError: A different seed was requested, or the class was graded with several.
@@ -80,9 +80,12 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Check that the class was graded under the same conditions, and return the submission.
+        """Check that the student will be graded under the same conditions as the class.
 
         Some differences, such as a new version of the grader, are allowed. They are reported.
+
+        Returns:
+            A list with the student's submission.
 
         Raises:
             ValueError: The exercises, their points or the hidden checks are not those of the class.
@@ -123,13 +126,16 @@ class Regrade:
         return sorted([*others, report], key=lambda one: one.student)
 
     def _differing(self, key: RunKey) -> list[str]:
-        """Return which grading conditions, such as the checks, are not those of the class's run."""
+        """List the conditions of grading that have changed since the class was graded.
+
+        An example is "checks", if somebody has corrected a check.
+        """
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]
         return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]
 
     def _log(self, report: StudentReport, why: str) -> str:
-        """Add a row to regrades.csv, and return a sentence on how the scores have changed."""
+        """Add a row to regrades.csv, and describe in a sentence how the points have changed."""
         before, after = _points(self.before), _points(report)
         changes = "; ".join(_changes(self.before, report))
         path = self.out / LOG
@@ -146,7 +152,9 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return an earlier run's chapters and given chapters, written as options such as "2,3".
+    """Return which chapters an earlier run graded, and which it took from the reference solution.
+
+    Both are written as command-line options, such as "2,3".
 
     Raises:
         ValueError: There is no earlier run.
@@ -162,7 +170,7 @@ def _points(report: StudentReport | None) -> str:
 
 
 def _changes(before: StudentReport | None, after: StudentReport) -> list[str]:
-    """List the exercises whose score or status has changed, as in "2.5: 1 to 3"."""
+    """List the exercises whose score or status the regrade has changed, as in "2.5: 1 to 3"."""
     earlier = {exercise.id: exercise for exercise in before.exercises} if before else {}
     return [
         f"{new.id}: {_outcome(old)} to {_outcome(new)}"

@@ -1,6 +1,6 @@
-"""Describe the conditions of grading, such as the checks and the seed.
+"""Record the conditions under which a class is graded, such as the checks and the seed.
 
-A report stays valid for as long as these conditions stay the same.
+As long as they stay the same, a student's report is valid and can be reused in a later run.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from autograder.reports.report import RunKey
 
 
 def run_key(assignment: Assignment) -> RunKey:
-    """Return a description of everything besides the submission that a report depends on.
+    """Describe everything besides the submission that a student's report depends on.
 
     That includes the checks, the grader and the seed. If any of them changes, the report is no
     longer valid.
@@ -46,7 +46,10 @@ def run_key(assignment: Assignment) -> RunKey:
 
 
 def grader_digest() -> str:
-    """Return a digest of the autograder's source code, which changes with every edit to it."""
+    """Compute a digest of the autograder's source code, which changes with every edit to it.
+
+    Reports that an older version has written are then not reused.
+    """
     return _digest((ROOT / "autograder").rglob("*.py"))
 
 

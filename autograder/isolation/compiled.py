@@ -1,4 +1,8 @@
-"""Import modules from compiled code, so that not every worker has to compile them again."""
+"""Import a student's modules from bytecode that was compiled earlier.
+
+The grader starts a new worker process for every check, and each worker imports the same modules.
+Compiling them only once makes every worker start faster.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +14,7 @@ from types import CodeType, ModuleType
 
 
 class CompiledLoader(SourceFileLoader):
-    """Loads a module from compiled code in memory, much as Python loads one from a .pyc file."""
+    """Loads a module from bytecode that is already in memory, as Python does from a .pyc file."""
 
     def __init__(self, name: str, path: str, code: CodeType) -> None:
         super().__init__(name, path)
@@ -21,10 +25,11 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds the modules of the engine and the probes that have already been compiled.
+    """Finds modules whose bytecode is already in memory, so that a worker need not compile them.
 
-    ``compiled`` holds each module's marshaled code. Unmarshaling it is safe, because the code does
-    not run until a worker imports the module.
+    These are the student's modules and the probes, which are helper functions of the checks that
+    must run beside the student's code. ``compiled`` maps each module's name to its marshaled code.
+    Unmarshaling the code does not run it, so the trusted template process can safely do that.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

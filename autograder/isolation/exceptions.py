@@ -1,7 +1,7 @@
-"""Recreate an exception from a worker, so that it can be raised in the checks' process.
+"""Recreate an exception that a student's code raised in a worker, so that a check can catch it.
 
-A worker is not trusted and could send anything. If its data does not describe an exception, it has
-broken the protocol.
+The worker process is not trusted and could send anything. Data that does not describe an exception
+is therefore treated as a violation of the protocol.
 """
 
 from __future__ import annotations
@@ -20,14 +20,23 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Return the name of an exception's nearest base class that a worker can recreate."""
+    """Choose the name of the built-in exception that replaces this one in a message to a worker.
+
+    A worker can recreate only built-in exceptions, so an exception of any other class is sent as
+    its nearest built-in base class.
+    """
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
 
 def exception_of(data: Any) -> BaseException:
-    """Recreate an exception of the student's code from the data that a worker sent.
+    """Recreate an exception that the student's code raised, from the data that a worker sent.
 
-    Its attribute ``fault`` describes the original exception in the worker.
+    The result is the nearest built-in exception, or StudentLeft for something like SystemExit. Its
+    attribute ``fault`` describes the original, including the lines of the student's code that
+    raised it.
+
+    Raises:
+        BrokenProtocolError: The data does not describe an exception.
     """
     try:
         frames = [
@@ -57,7 +66,11 @@ def exception_of(data: Any) -> BaseException:
 
 
 class WordedKeyError(KeyError):
-    """A KeyError whose text is shown as is, without the quotes that Python would add."""
+    """A KeyError whose message is printed without quotes.
+
+    Python prints the argument of a KeyError as a repr, which would put the student's message in
+    quotes.
+    """
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -67,7 +80,10 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Return the missing name that caused an exception, or None if it has another cause."""
+    """Read which missing name caused an exception in the student's code, if that was the cause.
+
+    The worker sends the name along with the exception, and the most similar name that does exist.
+    """
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
@@ -76,7 +92,13 @@ def _unknown(data: Any) -> Unknown | None:
 
 
 def text_of_worker(value: Any, longest: int) -> str:
-    """Cut a text that a worker sent to ``longest`` characters, and escape the special ones."""
+    """Shorten a string from a worker to ``longest`` characters, and escape unprintable ones.
+
+    A student's code could have sent anything, even text that repaints the instructor's screen.
+
+    Raises:
+        BrokenProtocolError: The worker sent something other than a string.
+    """
     if type(value) is not str:
         raise BrokenProtocolError("a value that is not a text")
     return clean(value[:longest])

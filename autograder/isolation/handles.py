@@ -1,9 +1,9 @@
-"""A handle lets a check use a student's object that lives in a worker process.
+"""Handles, through which a check uses a student's objects that live in another process.
 
-Whatever a check does with a handle becomes a request to the worker. A check cannot compare a
-handle, convert it or use it as a truth value, because the student's code would then decide the
-outcome. Instead it must read plain numbers and compare them itself, so an object whose ``__eq__``
-always returns True gains nothing.
+Whatever a check does with a handle becomes a request to the worker process that runs the student's
+code. A check cannot compare a handle, convert it or use it as a truth value, because the student's
+code would then decide the outcome. Instead it must read plain numbers and compare them itself, so
+an object whose ``__eq__`` always returns True gains nothing.
 """
 
 from __future__ import annotations
@@ -25,13 +25,14 @@ BROKEN = "the code broke the protocol between its process and the checks"
 
 
 class WorkerFailure(CheckEnded):
-    """Raised when the worker process has died or has sent something invalid."""
+    """Raised when the process that runs the student's code has died or sent something invalid."""
 
 
 class Session:
-    """A conversation with one worker process: the checks send requests, and the worker answers.
+    """A check's conversation with the worker process that runs the student's code.
 
-    ``broken`` maps each module that cannot be imported to the reason.
+    The check sends requests, such as a function call, and the worker answers each one. ``broken``
+    maps each student module that cannot be imported to the reason.
     """
 
     def __init__(
@@ -54,10 +55,10 @@ class Session:
         self._callbacks: list[Callable[..., Any]] = []
 
     def ask(self, what: str, *operands: Any) -> Any:
-        """Send a request to the worker process, and return its answer.
+        """Send a request about the student's code to the worker process, and return its answer.
 
-        If the student's code raises an Exception, raise the nearest built-in one, so that the check
-        can handle it like any other error.
+        If the student's code raises an Exception, raise the nearest built-in one here, so that the
+        check can handle it like any other error.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.
@@ -74,7 +75,11 @@ class Session:
             self._fail(Message(f"{BROKEN}: {error}"))
 
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Send a request, answer any callbacks from the worker meanwhile, and return its reply."""
+        """Send one request to the worker and wait for its reply.
+
+        Before it replies, the student's code may call functions that the check passed to it. These
+        callbacks are answered while waiting.
+        """
         try:
             self.wire.send(message, self.deadline)
             while "callback" in (reply := self._receive()):
@@ -89,9 +94,9 @@ class Session:
         return reply
 
     def _receive(self) -> dict[str, Any]:
-        """Return the next message from the worker process.
+        """Return the next message from the worker process that runs the student's code.
 
-        If the worker got too little processor time because the machine was busy, wait once more.
+        If the machine was so busy that the worker got too little processor time, wait once more.
 
         Raises:
             TimeoutError: No message arrives in time.
@@ -116,7 +121,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Build the message for a check that uses a name the student's module does not define."""
+        """Build the message to a student whose module lacks a name that the check uses."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -124,10 +129,11 @@ class Session:
         return why or MissingName(module, name, near, data[3] is True).explain()
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Call one of the check's functions, because the student's code has called it.
+        """Call one of the check's own functions, because the student's code has called it.
 
-        If the function raises an Exception, pass it on to the worker. Anything else that it raises
-        ends the session.
+        This happens when a check passes a function, such as a force, to the student's code. If the
+        function raises an Exception, the worker raises it in the student's code. Anything else that
+        it raises ends the session.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
@@ -166,7 +172,11 @@ class Session:
 
 
 class Handle:
-    """Stands in for one of the student's objects, which lives in a worker process."""
+    """Stands in for one of the student's objects inside a check.
+
+    The object itself lives in the worker process. Reading an attribute of the handle, calling it or
+    adding it to another one asks the worker to do the same with the object.
+    """
 
     __slots__ = ()
 
@@ -182,7 +192,10 @@ class Handle:
         return self._session().ask("get", self, name)
 
     def get_together(self, names: list[str]) -> tuple[Any, ...]:
-        """Return the values of several attributes with a single request, which saves time."""
+        """Read several attributes of a student's object with a single request to the worker.
+
+        One request for the components x, y and z is faster than three.
+        """
         values = self._session().ask("get_together", self, names)
         if type(values) is not tuple or len(values) != len(names):
             raise WorkerFailure(Message(f"{BROKEN}: attributes that are not valid"))
@@ -257,7 +270,7 @@ setattr(Handle, "__hash__", object.__hash__)  # noqa: B010
 
 
 class ObjectHandle(Handle):
-    """A handle for an object that the worker has returned during this session."""
+    """A handle for an object that the student's code created or returned during this check."""
 
     __slots__ = ("_number", "_of", "_type_name")
 

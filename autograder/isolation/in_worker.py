@@ -1,8 +1,8 @@
-"""Run the checks in this process, and the student's code in a new worker for each check.
+"""Run the checks in this process, and the student's code in a new worker process for each check.
 
 When a check file imports a chapter, it gets placeholders for the student's functions and classes.
-As soon as a check uses one, the placeholder sends a request to the current worker. That way the
-check files need to be imported only once, even though every check has its own worker.
+As soon as a check uses a placeholder, the placeholder sends a request to the current worker. That
+way the check files need to be imported only once, even though every check has its own worker.
 """
 
 from __future__ import annotations
@@ -38,7 +38,10 @@ CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
 
 class InWorker:
-    """Runs the student's code in sandboxed workers, each of which imports the modules afresh."""
+    """Runs the student's code in sandboxed worker processes, one for each check.
+
+    Every worker imports the student's modules afresh, so one check cannot affect the next.
+    """
 
     session: Session | None = None
 
@@ -70,9 +73,9 @@ class InWorker:
         self.broken: dict[str, Message] = {}
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Provide placeholders for the chapters that the checks import.
+        """Let the check files import placeholders instead of the student's modules.
 
-        The student's modules themselves are imported later, in the workers.
+        The student's modules themselves are imported later, in the sandboxed workers.
         """
         threading.Thread(target=_exit_with_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
@@ -81,7 +84,11 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which of the student's modules cannot be imported, and mark them as broken."""
+        """Compile the student's modules, and find out which of them cannot be imported.
+
+        Each module is imported once on trial in a worker. If that fails, the checks that need the
+        module fail with a message that says why.
+        """
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
@@ -94,7 +101,10 @@ class InWorker:
         self.stop()
 
     def _files(self) -> dict[str, Path]:
-        """Return the paths of all the modules that this chapter's checks may need."""
+        """Find the files that a worker may import: the student's modules and the probes.
+
+        Probes are helper functions of the checks that must run beside the student's code.
+        """
         packages = {module.partition(".")[0] for module in self.modules}
         found: dict[str, Path] = {}
         for folder in [*self.engine, self.probes]:
@@ -104,7 +114,10 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return a file's compiled code, reusing that of an earlier run if there is one."""
+        """Return the bytecode of a student's module, or None if the file cannot be compiled.
+
+        Bytecode from an earlier run of checks on the same submission is reused.
+        """
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -117,7 +130,11 @@ class InWorker:
         return code
 
     def _compile(self, module: str, file: Path) -> bytes | None:
-        """Compile a file for all workers, in a worker that has not yet run any student code."""
+        """Compile a student's file in a worker that has not yet run any student code.
+
+        All later workers will use this bytecode, so no student code may have a chance to tamper
+        with it.
+        """
         if module in self.modules:
             self.send(Importing(module))
         code = None
@@ -145,7 +162,11 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that a student's file defines, or None if the worker cannot tell."""
+        """Ask the worker process for the names that a student's file defines.
+
+        Return None if it does not give a valid answer, since the student's code may have damaged
+        it.
+        """
         if self.session is None or self.session.dead:
             return None
         try:
@@ -156,7 +177,7 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return the session with the current worker, and restart its time limit.
+        """Return the session with the current worker process, and restart its time limit.
 
         If there is no current worker, or ``new`` is set, start a new one first.
         """
@@ -167,7 +188,7 @@ class InWorker:
         return self.session
 
     def start(self) -> None:
-        """Start a worker process in which to run the student's code for one check.
+        """Start a sandboxed worker process in which to run the student's code for one check.
 
         Raises:
             TemplateError: The worker did not start.
@@ -177,14 +198,18 @@ class InWorker:
             self.session.ask("begin", list(self.broken))
 
     def stop(self) -> str:
-        """End the worker process, and return what the student's code printed while it ran."""
+        """End the worker process after a check, and return what the student's code printed."""
         printed = self.template.printed() if self.session else ""
         self.session = None
         self.template.stop_worker()
         return printed
 
     def _on_hang(self) -> NoReturn:
-        """Write a stack trace for the runner, and exit. The runner then starts another process."""
+        """Save a stack trace of student code that does not return, and exit this process.
+
+        The runner then shows the student where the code was stuck, and starts another process for
+        the remaining checks.
+        """
         self.stack_file.write_text(
             self.template.stack() or "the worker wrote no stack", encoding="utf-8"
         )
@@ -192,7 +217,11 @@ class InWorker:
 
 
 class Name(Handle):
-    """A placeholder for a name in a student's module, such as Vector3, for use with any worker."""
+    """A placeholder for a name in a student's module, such as Vector3.
+
+    A check file imports it once. Each check then uses it to reach the student's class or function
+    in the worker process of that check.
+    """
 
     __slots__ = ("_module", "_name", "_workers")
 
@@ -212,7 +241,11 @@ class Name(Handle):
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Handles imports of chapters: chNN_name becomes a package whose modules hold placeholders."""
+    """An import hook that answers a check file's import of a chapter with placeholders.
+
+    A package such as ch02_vectors can then be imported although the student's code runs only in the
+    worker processes.
+    """
 
     def __init__(self, workers: InWorker) -> None:
         self.workers = workers
@@ -233,11 +266,15 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Do nothing, because the module's code runs only in the workers."""
+        """Do nothing, because the student's code may run only in the worker processes."""
 
 
 class ChapterModule(ModuleType):
-    """A student's module as the checks see it: placeholders, or real values during a check."""
+    """What a check file gets when it imports a student's module.
+
+    Outside a check its attributes are placeholders. During a check they are the current values,
+    read from the worker process that runs the student's code.
+    """
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)
@@ -252,7 +289,10 @@ class ChapterModule(ModuleType):
 
 
 def _exit_with_parent() -> None:
-    """Exit as soon as standard input closes, which means that the runner has ended."""
+    """Exit as soon as standard input closes, which means that the grader's process has ended.
+
+    Otherwise this process would outlive a grader that was killed.
+    """
     while os.read(0, 1024):
         pass
     os._exit(1)

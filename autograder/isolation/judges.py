@@ -1,4 +1,4 @@
-"""Start check processes quickly, by forking them from one that has already imported pytest.
+"""Fork the processes that run the checks from one that has already imported pytest.
 
 A process that runs checks is called a judge. Importing pytest takes a while, so rather than have
 every judge do it, one process imports pytest and then waits for orders. For each run of checks it
@@ -26,7 +26,10 @@ Order = dict[str, Any]
 
 
 class Judges:
-    """The process that has already imported pytest and forks a judge for each order."""
+    """A process that has already imported pytest, from which check processes are forked.
+
+    It spares every check process the time that importing pytest takes.
+    """
 
     def __init__(self, environment: dict[str, str]) -> None:
         self._control, theirs = socket.socketpair()
@@ -42,10 +45,10 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order to the waiting process, together with the descriptors of some open files.
+        """Send an order to the process that forks check processes, along with some open files.
 
-        The answer is normally the process number of the new judge. If the order asked to wait for a
-        judge, it is that judge's exit code.
+        The answer is normally the process number of a newly forked check process. If the order was
+        to wait for a check process to end, it is the exit code of that process.
         """
         data = json.dumps(order).encode() + b"\n"
         sent = socket.send_fds(self._control, [data], descriptors)
@@ -53,17 +56,22 @@ class Judges:
         return int(self._answers.readline())
 
     def close(self) -> None:
-        """End the waiting process. Each running judge ends later, when its input closes."""
+        """End the process that forks check processes.
+
+        Check processes that still run end later, when their standard input closes.
+        """
         self._answers.close()
         self._control.close()
         self._process.wait()
 
 
 class ForkedJudge:
-    """A forked process that runs checks, with the interface of a Popen object.
+    """A check process that was forked from a process with pytest already loaded.
+
+    It has those parts of the interface of ``subprocess.Popen`` that the grader needs.
 
     Raises:
-        OSError: The waiting process cannot start a judge.
+        OSError: The process that forks check processes has ended.
     """
 
     def __init__(
@@ -81,12 +89,11 @@ class ForkedJudge:
             os.close(their_output)
 
     def wait(self) -> int:
-        """Wait for the judge to end, and return its exit code."""
         return _ask({"wait": self.pid}, [])
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Send an order to the process that forks judges, after starting it if necessary."""
+    """Send an order to the process that forks check processes, starting it first if necessary."""
     own = os.getpid()
     with _lock:
         if own not in _waiting:
@@ -99,7 +106,7 @@ def _ask(order: Order, descriptors: list[int]) -> int:
 
 
 def main() -> None:
-    """Fork a judge for each order that arrives, until the control socket closes."""
+    """Fork a process that runs checks for each order from the grader, until the grader ends."""
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting
@@ -139,7 +146,7 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Make this forked process behave as if it had been started for ``order``.
+    """Turn this forked copy into the check process that ``order`` describes.
 
     It adopts the working folder and the environment named in the order, and uses ``descriptors`` as
     its standard streams.

@@ -1,4 +1,4 @@
-"""Choose the sandbox for this machine, or refuse to grade a class if there is none."""
+"""Choose the sandbox for students' code, or refuse to grade a class on a machine without one."""
 
 from __future__ import annotations
 
@@ -13,10 +13,13 @@ SAMPLE_CLASS = ROOT / "sample_class"
 
 
 def choose_level(folder: Path, *, unsafe: bool) -> Level:
-    """Return the strongest sandbox for student code that works on this machine.
+    """Choose the strongest sandbox for students' code that works on this machine.
+
+    Without a sandbox, only the sample class may be graded, unless ``unsafe`` is set. Even then,
+    student code never runs as root.
 
     Raises:
-        ValueError: No sandbox works, and ``unsafe`` does not permit grading without one.
+        ValueError: No sandbox works, and grading without one is not permitted.
     """
     level = best_level()
     if level.is_sandbox or folder.resolve() == SAMPLE_CLASS:

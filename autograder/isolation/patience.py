@@ -1,8 +1,8 @@
-"""Give a worker more time if the machine was busy with something else.
+"""Give a student's code more time if it was slow only because the machine was busy.
 
 The time limit of a check is in real time, because code that does nothing but wait must be stopped
-too. On a busy machine, however, a worker may get only a fraction of that time, and correct code
-would seem too slow.
+too. On a busy machine, however, the worker process that runs the code may get the processor for
+only a fraction of that time, and correct code would seem too slow.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ ENOUGH = 0.5  # a worker that had this part of the time limit on a processor get
 
 
 class Patience:
-    """Extra time for a worker that a busy machine has slowed down, granted at most once.
+    """Extra time for a student's code on a busy machine, granted at most once for each check.
 
-    ``process`` is the process number of the worker, and ``seconds`` is the time limit. Inside a
-    bubblewrap sandbox, processes are numbered differently, so we cannot tell how much processor
-    time the worker has used; ``process`` is then 0.
+    ``process`` is the process number of the worker that runs the code, and ``seconds`` is the time
+    limit. Inside a bubblewrap sandbox, processes are numbered differently, so we cannot tell how
+    much processor time the worker has used. In that case ``process`` is 0.
     """
 
     def __init__(self, process: int, seconds: float) -> None:
@@ -26,14 +26,19 @@ class Patience:
         self.seconds = seconds
 
     def more(self) -> float:
-        """Return how many extra seconds the worker gets. After the first call, the answer is 0."""
+        """Compute how many extra seconds the worker process gets to finish a check.
+
+        A worker that has used the processor for less than half of its time limit gets the rest of
+        the limit. Any other worker gets 0 seconds, and so does a worker that has had extra time
+        before.
+        """
         used = processor_time(self.process)
         self.process = 0
         return self.seconds - used if used < ENOUGH * self.seconds else 0.0
 
 
 def processor_time(process: int) -> float:
-    """Return the processor time a process has used, in seconds, or inf if it is unknown."""
+    """Return how many seconds a process has spent on the processor, or inf if that is unknown."""
     try:
         text = Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
         user, system = text.rpartition(")")[2].split()[11:13]  # its name may contain anything

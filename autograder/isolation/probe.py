@@ -1,4 +1,7 @@
-"""Find out which layers of the sandbox work here, by trying what they should prevent."""
+"""Test which layers of the sandbox for student code work on this machine.
+
+To find out, a worker tries what each layer should prevent, such as reading a file.
+"""
 
 from __future__ import annotations
 
@@ -18,12 +21,15 @@ HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network"
 
 
 def best_level() -> Level:
-    """Return the strongest sandbox that really prevents every operation it should prevent."""
+    """Find the strongest sandbox for student code that passes a test on this machine.
+
+    The test tries the operations that a sandbox should prevent, such as reading a file.
+    """
     return next((level for level in candidates() if not what_fails(level)), Level())
 
 
 def candidates() -> list[Level]:
-    """Return the kinds of sandbox to try on this machine, strongest first."""
+    """List the sandboxes for student code that this machine might support, strongest first."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     found = [around, inside] if shutil.which("bwrap") else [inside]
@@ -31,9 +37,13 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Test a sandbox, and name the forbidden operations that it fails to prevent.
+    """Test a sandbox by trying forbidden operations in it, and name those that it fails to prevent.
 
-    Return the reason if the sandbox cannot be started, and an empty string if it passes.
+    The operations include reading a file and reaching the network.
+
+    Returns:
+        A phrase such as "it does not prevent writing a file", or the reason why the sandbox cannot
+        be started. If the sandbox passes the test, the text is empty.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

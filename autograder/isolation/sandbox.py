@@ -1,10 +1,11 @@
-"""Restrict what a worker can do, because it runs untrusted student code.
+"""Restrict what a student's code can do while it is graded.
 
-Several Linux mechanisms work together. Landlock lets the worker read a few folders and write
-nothing. A seccomp filter allows only the system calls that a computation needs, so the worker
-cannot create processes, open sockets, or send signals to other processes. Where bubblewrap is
-available, it walls off the whole process. Resource limits cap memory, processor time, and the
-number and size of files. All of this is in place before any student code is loaded.
+The code runs in a worker process, which several Linux mechanisms restrict together. Landlock lets
+the worker read a few folders and write nothing. A seccomp filter allows only the system calls that
+a computation needs, so the worker cannot create processes, open sockets, or send signals to other
+processes. Where bubblewrap is available, it walls off the whole process. Resource limits cap
+memory, processor time, and the number and size of files. All of this is in place before any student
+code is loaded.
 """
 
 from __future__ import annotations
@@ -28,12 +29,15 @@ _libc = ctypes.CDLL(None, use_errno=True)
 
 
 class SandboxError(Exception):
-    """Raised when a layer of the sandbox cannot be set up on this machine."""
+    """Raised when a layer of the sandbox for student code cannot be set up on this machine."""
 
 
 @dataclass(frozen=True)
 class Level:
-    """Which layers of the sandbox are used to confine a student's code."""
+    """The layers of the sandbox that confine a student's code on this machine.
+
+    Not every machine offers all three of them.
+    """
 
     landlock: bool = False
     seccomp: bool = False
@@ -41,7 +45,10 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """Whether these layers are enough to contain even a hostile submission."""
+        """Whether these layers are enough to contain even a hostile submission.
+
+        That takes either bubblewrap or both Landlock and seccomp.
+        """
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
@@ -68,16 +75,22 @@ _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the Landlock version that the kernel supports, or 0 if it does not support any."""
+    """Return the version of Landlock in this Linux kernel, or 0 if there is none.
+
+    Landlock is the mechanism that restricts which files a student's code can read.
+    """
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Create Landlock rules that let a worker read these files and folders, and nothing else.
+    """Create Landlock rules that let a worker read only the listed files and folders.
 
-    Return the file descriptor that stands for the rules.
+    Everything else on the disk, including all writing, is forbidden to the student's code.
+
+    Returns:
+        The file descriptor that stands for the rules.
 
     Raises:
         SandboxError: The kernel does not accept the rules.
@@ -127,7 +140,11 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Create a seccomp filter that fails every system call with EPERM unless it is listed."""
+    """Create the seccomp filter that limits which system calls a student's code can make.
+
+    Calls that Python needs to compute, to import modules and to read files are allowed. All others
+    fail with EPERM.
+    """
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -143,7 +160,10 @@ def seccomp_filter() -> bytes:
 
 
 class Filter:
-    """A seccomp filter in the format that the kernel expects. All workers share one object."""
+    """The seccomp filter for student code, in the format that the kernel expects.
+
+    All worker processes share one object, so the filter is built only once.
+    """
 
     def __init__(self) -> None:
         code = seccomp_filter()
@@ -153,7 +173,11 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return whether our seccomp filter is made for this machine's processor architecture."""
+    """Return whether our filter of system calls works on this machine.
+
+    The filter lists system calls by their numbers on 64-bit Linux for x86-64. They differ
+    elsewhere.
+    """
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -172,9 +196,10 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Permanently restrict a template process. All of its workers inherit the restrictions.
+    """Permanently restrict the process from which all workers with student code are forked.
 
-    ``rules`` is the file descriptor that ``landlock_rules`` returned.
+    The workers inherit the restrictions. ``rules`` is the file descriptor that ``landlock_rules``
+    returned.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -194,10 +219,11 @@ def confine(level: Level, rules: int | None) -> None:
 
 
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
-    """Permanently take away a worker's right to fork and to send signals.
+    """Permanently take away a worker's right to start processes and to send signals.
 
-    Only the template needs those rights. ``seconds`` is how much processor time the worker may
-    still use.
+    The worker enters this state before it loads any student code. The template process that forks
+    the workers needs both rights, so ``confine`` leaves them in place. ``seconds`` is how much
+    processor time the worker may use.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -219,7 +245,7 @@ def _apply(rules: int) -> None:
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:
-    """Lower a resource limit to this value, unless it is already lower."""
+    """Lower one of this process's resource limits, such as memory, unless it is already lower."""
     _, there = resource.getrlimit(kind)
     if there != resource.RLIM_INFINITY:
         soft, hard = min(soft, there), min(hard, there)
@@ -227,11 +253,11 @@ def _lower(kind: int, soft: int, hard: int) -> None:
 
 
 def drop_privileges() -> None:
-    """If this process runs as root, switch to an unprivileged user.
+    """If this process runs as root, switch to an unprivileged user before it loads student code.
 
-    It keeps one of root's privileges: it may read any file, because Python may be installed in a
-    folder that only root can read, such as /root. Landlock then restricts reading to the listed
-    folders.
+    The process keeps one of root's privileges: it may read any file, because Python may be
+    installed in a folder that only root can read, such as /root. Landlock then restricts reading to
+    the listed folders.
     """
     if os.geteuid() != 0:
         return

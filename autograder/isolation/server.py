@@ -1,4 +1,8 @@
-"""Answer the checks' requests about the student's objects. This module runs in a worker."""
+"""Use a student's objects on behalf of the checks, which run in another process.
+
+This module runs in the worker process, next to the student's code. It receives requests such as
+"call this method", carries them out, and sends back the results.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +38,11 @@ _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
 
 class Server:
-    """Answers the checks' requests about the student's objects, which it keeps by number."""
+    """Carries out the checks' requests in the process that runs the student's code.
+
+    The checks refer to the student's objects by number, so the server keeps a numbered list of
+    them.
+    """
 
     def __init__(self, wire: Wire, engine: list[Path]) -> None:
         self.wire = wire
@@ -43,13 +51,16 @@ class Server:
         self.numbers: dict[int, int] = {}
 
     def serve(self) -> None:
-        """Answer requests from the checks until they close the wire."""
+        """Answer requests about the student's objects until the checks close the connection."""
         with contextlib.suppress(EOFError, BrokenPipeError):
             while True:
                 self.answer(self.wire.receive())
 
     def answer(self, request: dict[str, Any]) -> None:
-        """Carry out one request from the checks, and send back the result."""
+        """Carry out one request from the checks, such as a method call, and send back the result.
+
+        If the student's code raises an exception, the reply describes the exception instead.
+        """
         reply: dict[str, Any] = {"id": request["id"]}
         try:
             operands = [unpack(operand, self.find) for operand in request["with"]]
@@ -64,7 +75,10 @@ class Server:
         self.wire.send(reply)
 
     def describe(self, error: BaseException) -> dict[str, Any]:
-        """Describe an exception as plain data, so that the checks' process can recreate it."""
+        """Describe an exception of the student's code as plain data.
+
+        The checks' process then recreates the exception from this data and raises it there.
+        """
         # We compare classes and not names, since a student's class may be called ValueError.
         known = (_KNOWN.get(base) for base in type(error).__mro__)
         fault = fault_of(error, self.engine)
@@ -79,10 +93,10 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Return a reference to an object, giving the object a number if it has none yet.
+        """Return a reference by which a check can use one of the student's objects.
 
-        Numbered objects are kept in a list, and so they stay alive. Otherwise Python could later
-        give the id of one to another object.
+        An object gets a number when it is first sent. It is then kept alive in a list, because
+        Python could otherwise give its id to another object later.
         """
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):
@@ -90,7 +104,11 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that a reference stands for; for a callback, that is a function."""
+        """Look up the object that a reference in a check's request stands for.
+
+        If the reference stands for a function of the check, return a stand-in that calls the
+        function in the checks' process.
+        """
         if "object" in data:
             return self.objects[data["object"]]
         if "callback" in data:
@@ -98,7 +116,11 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Return a function that asks the checks' process to call its function ``number``."""
+        """Create a function through which the student's code calls a function of the check.
+
+        The check's function stays in the checks' process. Calling its stand-in here sends the
+        arguments there and waits for the result. ``number`` identifies the function.
+        """
 
         def call(*arguments: Any) -> Any:
             packed = [pack(argument, self.refer) for argument in arguments]
@@ -117,12 +139,16 @@ class Server:
     # The requests. Each method's name is "do_" and the name of its request.
 
     def do_begin(self, broken: list[str]) -> None:
-        """Mark these modules as broken. The worker is not told why."""
+        """Replace the student's modules that cannot be imported with placeholders.
+
+        A check that uses a name from one of them fails. The checks' process knows the reason, so
+        the worker is not told.
+        """
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
 
     def do_compile(self, file: str) -> str | None:
-        """Compile one of the student's files, and return its bytecode as text.
+        """Compile one of the student's files, and return its bytecode as base64 text.
 
         Return None if the file is not valid Python, or if the text would be too long to send.
         """
@@ -133,7 +159,7 @@ class Server:
         return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
 
     def do_definitions(self, file: str) -> list[str] | None:
-        """Return the names that a student's file defines, or None if the file cannot be read."""
+        """List the names that a student's file defines, or return None if it cannot be read."""
         found = read_definitions(Path(file))
         return None if found is None else sorted(found)
 
@@ -167,7 +193,10 @@ class Server:
         return iter(value)
 
     def do_next(self, iterator: Any) -> list[Any]:
-        """Return a list with the next item of an iterator, or an empty list if it has ended."""
+        """Return the next item of the student's iterator in a list, or an empty list at its end.
+
+        The list makes it possible to tell the end from an item such as None.
+        """
         for item in iterator:
             return [item]
         return []
@@ -179,9 +208,9 @@ class Server:
         return str(repr(value))[:1000]
 
     def do_test_walls(self, what: list[str], forbidden: str) -> list[str]:
-        """Try some forbidden operations, and return the ones that the sandbox did not prevent.
+        """Try forbidden operations, such as reading a file, and list those that succeed.
 
-        At this point the worker has not loaded any student code.
+        This tests the sandbox itself, in a worker that has not loaded any student code.
         """
         through = []
         for name in what:
@@ -192,7 +221,10 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Import a student's module, discarding what it prints, since that is not part of any check."""
+    """Import a student's module, and discard what it prints while it is imported.
+
+    Only what the student's code prints during a check is shown.
+    """
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)
@@ -220,6 +252,9 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
 
 
 def _error(name: str, text: str) -> Exception:
-    """Create a built-in exception by name, so that the student's code can catch it."""
+    """Recreate an exception that a check's function raised, for the student's code to catch.
+
+    The function ran in the checks' process, which sent only the name and the text of the exception.
+    """
     kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
     return kind(text)

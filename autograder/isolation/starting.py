@@ -1,9 +1,10 @@
-"""Start a template, either as a fork of a waiting process or as a new Python process.
+"""Start a template, which is a process from which workers for student code are forked.
 
 A new Python process needs 70 ms to start and to import what a template needs. A grader starts one
 template for each chapter and submission, so it keeps a process that has already imported these
 modules. That process forks a template for each order, never runs any student code, and ends when no
-process is left that could send an order.
+process is left that could send an order. Where this is not possible, the template is started as a
+new Python process.
 """
 
 from __future__ import annotations
@@ -30,7 +31,11 @@ _waiting: list[socket.socket] = []
 
 
 def start_waiting() -> None:
-    """Start the process that forks templates, on systems whose sockets keep messages whole."""
+    """Start the process that forks templates, from which workers for student code are forked.
+
+    It receives orders over a socket that keeps messages whole. On systems without such sockets,
+    nothing is started, and each template will be a new Python process.
+    """
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
@@ -39,10 +44,11 @@ def start_waiting() -> None:
 
 
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
-    """Have the waiting process fork a template. Return False if there is no such process.
+    """Fork a template, the process from which workers for student code are forked.
 
-    ``control`` is the template's end of its control socket, and ``log`` is the file descriptor to
-    which the template's output goes.
+    A process that has already imported the necessary modules forks it. If there is no such process,
+    return False. ``control`` is the template's end of its control socket, and ``log`` is the file
+    descriptor to which the template's output goes.
     """
     for waiting in _waiting:
         with contextlib.suppress(OSError):
@@ -54,7 +60,10 @@ def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> b
 def start_process(
     config: dict[str, Any], level: Level, control: socket.socket, log: int
 ) -> subprocess.Popen[bytes]:
-    """Start a template as a new Python process, inside bubblewrap if ``level`` says so."""
+    """Start a template as a new Python process, inside bubblewrap if ``level`` asks for it.
+
+    This takes longer than forking one, but a process can enter bubblewrap only when it starts.
+    """
     command = _python("main", json.dumps({**config, "control": control.fileno()}))
     if level.bubblewrap:
         visible = [*config["readable"], command[0], str(ROOT / "autograder")]
@@ -63,7 +72,10 @@ def start_process(
 
 
 def python_folders() -> list[str]:
-    """Return the folders of the standard library and of the shared libraries that Python needs."""
+    """List the standard library's folders and the shared libraries that Python needs.
+
+    A student's code must be able to read them inside the sandbox.
+    """
     paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
     if library := sysconfig.get_config_var("LIBDIR"):
         paths |= {str(path) for path in Path(library).glob("libpython*")}
@@ -71,7 +83,7 @@ def python_folders() -> list[str]:
 
 
 def _start(command: list[str], end: socket.socket, output: int) -> subprocess.Popen[bytes]:
-    """Start one of our processes, which inherits ``end`` of a connection to it."""
+    """Start a trusted helper process that inherits ``end``, its end of a connection to us."""
     return subprocess.Popen(
         command,
         cwd="/",
@@ -84,14 +96,17 @@ def _start(command: list[str], end: socket.socket, output: int) -> subprocess.Po
 
 
 def _python(function: str, argument: str) -> list[str]:
-    """Return the command line that calls a function of ``worker`` in a new Python process."""
+    """Build the command that calls a function of the module ``worker`` in a new Python process."""
     code = f"import sys; sys.path.append({str(ROOT)!r}); "
     code += f"from autograder.isolation import worker; worker.{function}(sys.argv[1])"
     return [os.path.realpath(sys.executable), "-I", "-S", "-B", "-c", code, argument]
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Return the bubblewrap command in front of a program that may read only these paths."""
+    """Build the beginning of a command line, which makes the rest of it run inside bubblewrap.
+
+    The program there can read only the ``visible`` paths, and it has no network.
+    """
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]

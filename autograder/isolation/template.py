@@ -1,4 +1,8 @@
-"""Control a template process from the trusted side: start it, fork workers, end them."""
+"""Start and control the process from which a worker is forked for every check.
+
+The workers run the student's code. This module is on the trusted side: it starts the template
+process, orders workers from it, and ends them.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +39,7 @@ END_LIMIT = 1.0  # seconds for it to end
 
 
 class TemplateError(GraderFault):
-    """Raised when a worker did not start for a reason unrelated to the student's code."""
+    """Raised when a worker process did not start for a reason unrelated to the student's code."""
 
 
 @dataclass
@@ -52,12 +56,13 @@ class _Worker:
 
 
 class Template:
-    """A process without student code that forks a worker for each check.
+    """A process that forks a worker for each check, but never runs any student code itself.
 
-    A worker looks for a module in the standard library, then in the folders of ``engine``, and then
-    in the folder of the probes. ``folder`` is for temporary files, and ``seconds`` is how long a
-    worker may take to answer. If ``fresh`` is set, each worker gets a template of its own. That is
-    slower but, without seccomp, the only way to keep one worker from affecting the next.
+    A worker looks for a module in the standard library, then in the folders of ``engine``, which
+    hold the student's chapters, and then in the folder of the probes. ``folder`` is for temporary
+    files, and ``seconds`` is how long a worker may take to answer. If ``fresh`` is set, each worker
+    gets a template of its own. That is slower but, without seccomp, the only way to keep one worker
+    from affecting the next.
     """
 
     def __init__(
@@ -87,9 +92,11 @@ class Template:
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
     ) -> Session:
-        """Return a session with a worker that has not run anything yet, and order the next worker.
+        """Start a conversation with a worker process that has not run any student code yet.
 
-        ``broken`` maps each module that cannot be imported to the reason.
+        Unless ``fresh`` is set, the following worker is ordered at the same time, so that it is
+        ready for the next check. ``broken`` maps each student module that cannot be imported to the
+        reason.
 
         Raises:
             TemplateError: The worker did not start.
@@ -110,14 +117,17 @@ class Template:
         return Session(wire, deadline, on_hang, self.how_it_ended, broken, patience)
 
     def warm_up(self) -> None:
-        """Order the next worker, unless it has been ordered already, without waiting for it."""
+        """Order the next worker process in advance, without waiting until it is ready.
+
+        It then starts in the background, for example while pytest collects the checks.
+        """
         if self._control is None:
             self._start()
         if self._next is None:
             self._next = self._order()
 
     def _order(self) -> _Worker:
-        """Ask the template to fork a worker. It will answer with the worker's process number."""
+        """Ask the template process to fork a worker, without waiting for the answer."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         worker = _Worker(own, self._new_file(), self._new_file())
@@ -127,7 +137,10 @@ class Template:
         return worker
 
     def _new_file(self) -> int:
-        """Create an unnamed temporary file, in memory if possible, and return its descriptor."""
+        """Create an unnamed temporary file for a worker's output, and return its file descriptor.
+
+        The file is in memory if the system allows that.
+        """
         if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
             return os.memfd_create("output")
         descriptor, path = tempfile.mkstemp(dir=self._own)
@@ -135,7 +148,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, after waiting for its process number."""
+        """Return the worker that was ordered in advance, as soon as its process number is known."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -146,9 +159,9 @@ class Template:
         return self._answers.readline().strip()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Give the compiled code of some modules to all workers that start from now on.
+        """Hand the bytecode of the student's modules to all workers that start from now on.
 
-        That code was compiled and marshaled by a worker.
+        An earlier worker compiled the modules, so the later ones can import them faster.
         """
         self._compiled = dict(compiled)
         if self._control is not None:
@@ -174,13 +187,20 @@ class Template:
             self._control.send(b"stop %d\n" % worker.number)
 
     def printed(self) -> str:
-        """Return what the worker has printed, or the template's own output without a worker."""
+        """Return what the student's code has printed in the current worker process.
+
+        If there is no worker, return what the template process itself has printed, such as an
+        error.
+        """
         log = self._log if self._worker is None else self._worker.log
         printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
         return printed.decode("utf-8", errors="replace").strip()
 
     def stack(self) -> str:
-        """Return the stack trace that Python's faulthandler wrote for the worker."""
+        """Return a stack trace of the student's code, to show where it is stuck.
+
+        Python's faulthandler writes the trace in the worker process.
+        """
         assert self._control is not None
         assert self._worker is not None
         self._control.send(b"stack %d\n" % self._worker.number)
@@ -192,7 +212,9 @@ class Template:
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Say in a sentence how a worker that has closed its wire came to an end.
+        """Explain in a sentence for the student why the process of the student's code has ended.
+
+        For example, the code may have used up its processor time.
 
         Raises:
             TemplateError: The worker was killed from outside, perhaps because the machine ran out
@@ -217,7 +239,7 @@ class Template:
         return how_it_ended(code)
 
     def stop_worker(self) -> None:
-        """End the current worker process, if one is running."""
+        """End the worker process of the current check, if one is running."""
         if self._worker is None:
             return
         worker, self._worker = self._worker, None
@@ -226,7 +248,7 @@ class Template:
             self._end()
 
     def close(self) -> None:
-        """End the template process and its current worker."""
+        """End the process that forks workers, and its current worker."""
         self.stop_worker()
         self._end()
         os.close(self._log)

@@ -1,8 +1,8 @@
-"""The wire between the trusted checks and a worker. Each message is one line of JSON.
+"""Send plain data between the trusted checks and the process that runs a student's code.
 
-Plain data is sent as is: any value whose type is exactly None, bool, int, float, str, list, tuple
-or dict. Any other object is replaced with a reference. Each end makes up the references to its own
-objects, and looks them up again when the other end uses them.
+Each message is one line of JSON. A value is sent as is if its type is exactly None, bool, int,
+float, str, list, tuple or dict. Any other object is replaced with a reference. Each end makes up
+the references to its own objects, and looks them up again when the other end uses them.
 """
 
 from __future__ import annotations
@@ -35,11 +35,14 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """Raised when the process at the other end sends a message that breaks the protocol."""
+    """Raised when the other process sends a message that is not valid.
+
+    A student's code may do this on purpose, because it runs in the worker that sends the messages.
+    """
 
 
 class UnsendableError(Exception):
-    """Raised when a value is too large or too deeply nested to be sent over the wire."""
+    """Raised when a value is too large or too deeply nested to be sent to the other process."""
 
 
 COPIED = {float, bool, str, type(None)}  # types of values that are packed as they are
@@ -49,7 +52,7 @@ _DECODER = json.JSONDecoder()
 
 
 class Wire:
-    """One end of the socket that connects the checks with a worker.
+    """One end of the socket between the checks and the worker that runs a student's code.
 
     The worker's end is ``patient``: it waits for the next request as long as necessary. The checks'
     end has deadlines, because the student's code may never answer.
@@ -65,7 +68,7 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message to the process at the other end of the wire.
+        """Send a message to the other process, which is either the worker or the checks.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -79,7 +82,7 @@ class Wire:
                 self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
-        """Return the next message from the process at the other end of the wire.
+        """Return the next message from the other process, which is either the worker or the checks.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -113,7 +116,11 @@ class Wire:
 
 
 def _message(line: bytes) -> dict[str, Any]:
-    """Decode a line received over the wire into a message."""
+    """Decode a line of JSON that arrived from the other process.
+
+    Raises:
+        BrokenProtocolError: The line is not a JSON object.
+    """
     try:
         text = line.decode()
         message, end = _DECODER.raw_decode(text)
@@ -127,7 +134,7 @@ def _message(line: bytes) -> dict[str, Any]:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert a value to the form in which it is sent over the wire.
+    """Convert a value to a form that can be sent as JSON between the checks and the student's code.
 
     ``refer`` is called for every object that is not plain data, and returns a reference to it.
 
@@ -162,7 +169,7 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Convert data received over the wire back to the value that was packed.
+    """Rebuild a value from the JSON data into which ``pack`` converted it.
 
     ``find`` is called for every reference in the data, and returns the object it stands for.
 

@@ -1,9 +1,9 @@
-"""Run the student's code in worker processes.
+"""The program of the template process and of the workers, which run a student's code.
 
 The program starts as a template, without any student code, and waits for orders on a control
 socket:
 
-- "code" brings the compiled code of some modules. The template loads it but never runs it.
+- "code" brings the bytecode of some modules. The template loads it but never runs it.
 - "start" forks a worker, which enters the sandbox before it imports the submission.
 - "stack" makes a worker write a stack trace.
 - "status" asks how a worker ended.
@@ -48,9 +48,10 @@ RULES, WIRE, STACK = 29, 30, 31
 
 
 def start_templates(number: str) -> None:
-    """Fork a template for each order that arrives on a socket, until all senders have closed it.
+    """Fork a template process for each order that arrives on a socket, until all senders close it.
 
-    ``number`` is the socket's file descriptor.
+    A template is a process from which workers for student code are forked. ``number`` is the
+    socket's file descriptor.
     """
     orders = socket.socket(fileno=int(number))
     _preload()
@@ -83,12 +84,19 @@ def _preload() -> None:
 
 
 def main(text: str) -> None:
-    """Run the template for which this process was started, given its configuration as text."""
+    """Run this process as a template, with its configuration given as JSON text.
+
+    A template is a process from which workers for student code are forked.
+    """
     run_template(json.loads(text))
 
 
 def run_template(config: dict[str, Any]) -> None:
-    """Fork a worker whenever one is ordered, until the control socket is closed."""
+    """Fork a worker process for student code whenever one is ordered.
+
+    This process restricts itself before it forks the first worker, and the workers inherit the
+    restrictions. It ends when the control socket closes.
+    """
     # The number of this descriptor depends on the files that the runner has open. We replace it by
     # a low one, because that cannot be one of the numbers above, and because workers close it.
     control = socket.socket(fileno=os.dup(config["control"]))
@@ -125,7 +133,7 @@ def run_template(config: dict[str, Any]) -> None:
 def _obey(
     control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
 ) -> None:
-    """Carry out orders such as "start" as they arrive, until the control socket closes.
+    """Carry out orders to the template, such as "start", until the control socket closes.
 
     ``workers`` is kept up to date with the process numbers of the running workers.
     """
@@ -159,9 +167,9 @@ def _obey(
 
 
 def _kill(worker: int) -> None:
-    """Kill a worker, along with any processes that it has started.
+    """Kill a worker process, along with any processes that the student's code has started.
 
-    It can have started processes only if there is no sandbox.
+    Student code can start processes only if there is no sandbox.
     """
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
@@ -170,9 +178,10 @@ def _kill(worker: int) -> None:
 
 
 def _exit_code(worker: int, seconds: float) -> int | None:
-    """Return the exit code of a worker that has closed its wire, or minus the signal that ended it.
+    """Wait for a worker that has closed its connection to the checks, and return its exit code.
 
-    If the worker does not end within a second, kill it and return None.
+    If a signal ended the worker, return minus the number of the signal. If the worker does not end
+    within a second, kill it and return None.
     """
     for _ in range(100):
         ended, status, used = os.wait4(worker, os.WNOHANG)
@@ -194,10 +203,10 @@ def _work(
     log: int,
     stack: int,
 ) -> None:
-    """Run a worker: enter the sandbox, report that it is ready, and serve until the wire closes.
+    """Turn this forked process into a worker, which enters the sandbox and then serves the checks.
 
-    The student's output goes to ``log``, and a stack trace goes to ``stack``. Every worker has its
-    own two files, so its output cannot be mistaken for another worker's.
+    What the student's code prints goes to the file ``log``, and a stack trace goes to ``stack``.
+    Every worker has its own two files, so its output cannot be mistaken for that of another worker.
     """
     try:
         os.setsid()

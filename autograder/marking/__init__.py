@@ -1,1 +1,1 @@
-"""Mark written answers on a web page on your own machine, one question at a time."""
+"""Mark students' written answers on a local web page, one question at a time."""

@@ -1,4 +1,4 @@
-"""Extract the written answers from a class's submissions, ready to be marked.
+"""Collect the written answers of a class, so that an instructor can mark them.
 
 The submissions are copied and checked just as they are for grading.
 """
@@ -23,10 +23,11 @@ LONGEST = 20_000  # the page shows at most this many characters of an answer
 
 @dataclass(frozen=True)
 class Answer:
-    """One student's written answer to a question, ready to be marked.
+    """One student's answer to a written question, as shown on the marking page.
 
-    The page shows ``code`` instead of the student's name. If something is wrong with the student's
-    answers.md, ``note`` says what it is, and ``text`` is the whole file.
+    The page shows ``code`` instead of the student's name, so that the name cannot influence the
+    mark. If something is wrong with the student's answers.md, ``note`` says what it is, and
+    ``text`` is the whole file.
     """
 
     student: str
@@ -37,7 +38,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Task:
-    """A written exercise to mark, with its model answer, its rubric and the students' answers."""
+    """A written question to mark, with its model answer, its rubric and the students' answers."""
 
     exercise: Exercise
     question: str
@@ -49,10 +50,13 @@ class Task:
 def collect_tasks(
     submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
 ) -> list[Task]:
-    """Return the written exercises of these chapters, each with the answers of all students.
+    """Collect the written questions of these chapters, each with the answers of all students.
 
     The answers are in an order that does not depend on the students' names, so that it does not
     give away who wrote what. The order is the same on every call, and missing answers come last.
+
+    Raises:
+        ValueError: A question has no model answer.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
@@ -73,7 +77,10 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield a student's answer to each question. The text of a missing answer is empty."""
+    """Yield one student's answer to each written question, with the number of its exercise.
+
+    The text of a missing answer is empty.
+    """
     wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
     with tempfile.TemporaryDirectory(prefix="marking-") as folder:
         staged = stage(submission.path, wanted, Path(folder), root)
@@ -87,10 +94,10 @@ def _answers_of(
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Return the text of an answer, and a note if something is wrong with the student's file.
+    """Return the text of a student's answer, and a note if something is wrong with answers.md.
 
-    If its section has problems, such as a duplicate heading, return the whole file, because the
-    answer may be elsewhere in it.
+    If the file has problems, such as a duplicate heading, return the whole file, because the answer
+    may be elsewhere in it.
     """
     if not file.exists():
         return "", ""
@@ -109,7 +116,10 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of the chapter in which answers.md is the only file that students hand in."""
+    """Return a copy of the chapter in which answers.md is the only file that students hand in.
+
+    Their code is not needed for marking, so it is not copied.
+    """
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])
     return replace(chapter, complete=[], exercises=exercises)

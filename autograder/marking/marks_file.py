@@ -1,4 +1,7 @@
-"""Change single marks in marks.csv, leaving everything else in the file untouched."""
+"""Change single marks in marks.csv, leaving everything else in the file untouched.
+
+The file holds the points and comments that people give for students' written answers.
+"""
 
 from __future__ import annotations
 
@@ -15,11 +18,14 @@ from autograder.reports.texts import replace_file
 
 
 class ChangedError(Exception):
-    """Raised when somebody else has changed a mark since the marking page displayed it."""
+    """Raised if somebody else has changed a mark since the marking page displayed it."""
 
 
 class MarksFile:
-    """The marks.csv of a class, which several people may be editing at the same time."""
+    """The marks for the written answers of a class, stored in marks.csv.
+
+    Several people may be changing the file at the same time, for example on two marking pages.
+    """
 
     def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
         self.path = path.resolve()  # the file itself, if the path is a link
@@ -27,14 +33,18 @@ class MarksFile:
         self.students = students
 
     def read(self) -> Marks:
-        """Read all marks from the file. For an invalid line, raise ValueError with its number."""
+        """Read all marks from marks.csv.
+
+        Raises:
+            ValueError: A line is invalid. The error gives its number.
+        """
         return read_marks(self.path, self.chapters, self.students)
 
     def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
-        """Write a mark into marks.csv, or delete the existing one if ``mark`` is None.
+        """Write a student's mark for an answer into marks.csv, or delete it if ``mark`` is None.
 
-        ``seen`` is the old mark that the page displayed. It must match the one in the file, so that
-        nobody overwrites a mark without having seen it.
+        ``seen`` is the old mark that the marking page displayed. It must match the one in the file,
+        so that nobody overwrites a mark without having seen it.
 
         Raises:
             ChangedError: The old mark in the file differs from ``seen``.
@@ -59,7 +69,10 @@ class MarksFile:
             replace_file(self.path, "".join(lines))
 
     def _lines(self) -> list[str]:
-        """Return the lines of marks.csv with their line endings, numbered as in ``read_rows``."""
+        """Return the lines of marks.csv with their line endings, or the header if there is no file.
+
+        The lines are numbered as in ``read_rows``, which reports where each mark begins and ends.
+        """
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]
         with self.path.open(encoding="utf-8", newline="") as file:
@@ -75,7 +88,7 @@ class MarksFile:
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        """Lock marks.csv until the context ends, so that other changes have to wait."""
+        """Lock marks.csv, so that two marking pages cannot change it at the same time."""
         with (self.path.parent / ".marks.lock").open("w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             yield

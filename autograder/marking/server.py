@@ -1,4 +1,4 @@
-"""The server behind the marking page, which sends the answers and stores the marks."""
+"""The local web server behind the marking page, on which an instructor marks written answers."""
 
 from __future__ import annotations
 
@@ -23,7 +23,10 @@ LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
 class Marking(Site):
-    """The answers and marks of a class, which all request handlers share."""
+    """What the server of the marking page knows: the students' written answers and their marks.
+
+    All request handlers share this object.
+    """
 
     def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
         super().__init__()
@@ -36,7 +39,7 @@ class Marking(Site):
         }
 
     def application(self) -> Application:
-        """Return the tornado application, which has a handler for each address."""
+        """Build the web application that serves the marking page, the answers and the marks."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [
@@ -48,7 +51,11 @@ class Marking(Site):
         )
 
     def known(self) -> dict[str, dict[str, Any]]:
-        """Return the marks in marks.csv, keyed by exercise and then by the student's code."""
+        """Read the marks from marks.csv, grouped by exercise.
+
+        In each group, a mark is found under the code that stands for the student on the marking
+        page.
+        """
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
         for (exercise, code), student in self.students.items():
@@ -58,7 +65,10 @@ class Marking(Site):
 
 
 class Questions(Handler):
-    """Sends the page the questions and answers, which stay the same while the server runs."""
+    """Sends the marking page the written questions and the students' answers to them.
+
+    These stay the same while the server runs.
+    """
 
     site: Marking
 
@@ -82,7 +92,7 @@ class Questions(Handler):
 
 
 class Marks(Handler):
-    """Sends the marks to the page, and changes them at its request.
+    """Sends the marks for written answers to the marking page, and changes them at its request.
 
     A request to change a mark includes the old mark that the page displayed. If somebody has
     changed the mark in the file since then, it is not overwritten, because the user has not seen
@@ -124,7 +134,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send the page all marks, so that it also picks up changes made on other pages."""
+        """Send all marks to the marking page, so that it picks up those changed on other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:
@@ -134,13 +144,13 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Tell the marking page why its change was rejected."""
+        """Tell the marking page why a mark that it sent was not saved."""
         self.set_status(status)
         self.write({"why": why})
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Convert data from the page to a mark, or to None if the mark is to be deleted.
+    """Convert data that the marking page sent to a mark, or to None if the mark is to be deleted.
 
     ``most`` is the maximum number of points for the answer.
 
@@ -158,10 +168,10 @@ def mark_of(value: Any, most: float) -> Mark | None:
 
 
 def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
-    """Serve the marking page of a class until the user presses Ctrl-C.
+    """Serve the page for marking a class's written answers until the instructor presses Ctrl-C.
 
-    If ``chapters`` contain only the exercises of an assignment, the page is limited to the
-    questions among them.
+    The marks are saved in marks.csv. If ``chapters`` contain only the exercises of an assignment,
+    the page is limited to the questions among them.
 
     Raises:
         ValueError: There is nothing to mark, or marks.csv contains a mistake.

@@ -1,1 +1,1 @@
-"""Exchange files with Gradescope, GitHub Classroom, Canvas and Moodle."""
+"""Exchange submissions and grades with Gradescope, GitHub Classroom, Canvas and Moodle."""

@@ -1,4 +1,4 @@
-"""Write canvas.csv, which an instructor can import into the Canvas gradebook."""
+"""Write canvas.csv, from which an instructor can import grades into the Canvas gradebook."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ OTHER_COLUMNS = (*HEADER, "LastName", "FirstName", "Integration ID", "Root Accou
 def write_canvas(
     path: Path, people: ClassList, grades: Mapping[str, float], title: str, points: float
 ) -> None:
-    """Write the file that Canvas imports, with a row for each student on the roster.
+    """Write the grades of a class to a file that Canvas can import.
 
-    Canvas recognizes a student by the ID or, if that is empty, by the SIS user ID, the login or the
-    name. A student without a grade gets an empty cell. ``title`` names an existing assignment, as
-    in "Lab 1 (12345)", or a new one.
+    The file has a row for each student on the roster. Canvas recognizes a student by the ID or, if
+    that is empty, by the SIS user ID, the login or the name. A student without a grade gets an
+    empty cell. ``title`` names an existing assignment, as in "Lab 1 (12345)", or a new one.
     """
     rows = [[*HEADER, title], ["    Points Possible", "", "", "", "", number(points)]]
     for member in people.members:
@@ -41,7 +41,12 @@ def write_canvas(
 
 
 def check_title(title: str) -> str:
-    """Return the title if Canvas will import a column with that name, or else raise ValueError."""
+    """Return the title of an assignment if Canvas will import a column with that name.
+
+    Raises:
+        ValueError: The title is not one line of text, begins like a formula, or is the name of a
+            column that Canvas does not import.
+    """
     if not title.strip() or clean_line(title) != title or FORMULA.search(title):
         raise ValueError(
             f"--title must be one line of text, and not begin like a formula, got {title!r}"
@@ -54,7 +59,7 @@ def check_title(title: str) -> str:
 
 
 def _canvas_id(member: Member) -> str:
-    """Return a student's ID number in Canvas, or "" if we cannot find it.
+    """Find a student's ID number in Canvas, or return "" if it is unknown.
 
     If the student handed in through Canvas, the submission's name contains the number. Otherwise we
     use the student's id on the roster, provided that it is a number. Any other text would be

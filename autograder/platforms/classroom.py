@@ -1,4 +1,4 @@
-"""Make a hand-out for GitHub Classroom, which grades the student's work on every push."""
+"""Make a hand-out for GitHub Classroom, which grades a student's work on every push."""
 
 from __future__ import annotations
 
@@ -22,10 +22,11 @@ MINUTES = 10  # a generous limit, since the set-up takes a minute and each exerc
 def make_classroom(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
-    """Write a hand-out for GitHub Classroom into the new folder ``out``, and print a summary.
+    """Write the files that students get through GitHub Classroom into the new folder ``out``.
 
-    GitHub Classroom accepts only whole points, so the points of the exercises are rounded in such a
-    way that their sum stays the same. ``about`` is the README section about the assignment.
+    They are an ordinary hand-out and a workflow that grades every push. GitHub Classroom accepts
+    only whole points, so the points of the exercises are rounded in such a way that their sum stays
+    the same. ``about`` is the README section about the assignment.
 
     Raises:
         ValueError: ``make_handout`` refuses the chapters or the folder.
@@ -42,7 +43,10 @@ def make_classroom(
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
-    """Create the workflow that GitHub runs on every push: a step per exercise, then a report."""
+    """Create the workflow that GitHub runs on every push to a student's repository.
+
+    It has one step for each exercise, followed by a step that reports the points.
+    """
     exercises = _checked(chapters)
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
@@ -84,7 +88,10 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
 
 
 def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
-    """Round the points of all exercises to whole numbers, giving each at least one point."""
+    """Round the points of all exercises to whole numbers, giving each at least one point.
+
+    GitHub Classroom does not accept fractions of a point.
+    """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     counted = {e.id: e.points for e in exercises if not e.extra}
     whole = rescaled(counted, round(possible(exercises)), unit="1")
@@ -96,7 +103,10 @@ def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
 
 
 def step_id(exercise: Exercise) -> str:
-    """Return an id such as exerciseB2dot1, since the reporter accepts only letters and digits."""
+    """Return an id for an exercise's step in a GitHub workflow, such as exerciseB2dot1 for B2.1.
+
+    The step that reports the points accepts only letters and digits.
+    """
     return f"exercise{exercise.id.replace('.', 'dot')}"
 
 
@@ -117,6 +127,6 @@ def _step(exercise: Exercise) -> dict[str, Any]:
 
 
 def _checked(chapters: list[Chapter]) -> list[Exercise]:
-    """Return the exercises that have checks, which are all but the written ones."""
+    """List the exercises that GitHub can grade, which are all except the written ones."""
     everything = [exercise for chapter in chapters for exercise in chapter.exercises]
     return [exercise for exercise in everything if exercise.kind != "written"]

@@ -29,7 +29,10 @@ from autograder.submissions.find import Submission, printable
 
 
 def main(folder: Path, root: Path = ROOT) -> None:
-    """Grade the submission on Gradescope, and print the results or why there are none."""
+    """Grade one student's submission on Gradescope, and print the results as JSON.
+
+    If it cannot be graded, the results contain the reason instead of points.
+    """
     try:
         results = gradescope_results(grade_one(folder, root))
     except ValueError as error:  # its text is written for people to read
@@ -42,7 +45,7 @@ def main(folder: Path, root: Path = ROOT) -> None:
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
-    """Grade the submission in ``folder``, and return the report on it.
+    """Grade the submission that Gradescope has put into ``folder``, and return the report on it.
 
     The file assignment.json in our zip says what to grade. If it has no seed, each run draws new
     random numbers for its checks.
@@ -85,7 +88,10 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Return Gradescope's metadata on the submission, or an empty dict if it is unreadable."""
+    """Read what Gradescope says about a submission, such as the students and the time.
+
+    If the file is unreadable, return an empty dict.
+    """
     try:
         metadata = json.loads(path.read_text(encoding="utf-8"))
         return metadata if isinstance(metadata, dict) else {}
@@ -94,7 +100,11 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return a copy of the chapter that has only the assigned exercises, with their new points."""
+    """Return a copy of the chapter with only the assigned exercises and their points.
+
+    An instructor may have left out exercises, changed their points, or made some of them extra
+    credit.
+    """
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises
@@ -104,7 +114,7 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Return the sandbox that the command `grade` would choose on this machine.
+    """Choose the sandbox for the student's code on Gradescope's machine.
 
     If there is none and ``unsafe`` permits grading without one, a process running as root first
     switches to an unprivileged user.

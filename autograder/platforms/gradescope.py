@@ -1,4 +1,8 @@
-"""Make the zip file that Gradescope needs: scripts, the grader, checks and the reference."""
+"""Make the zip file with which Gradescope grades submissions.
+
+It contains the scripts that Gradescope calls, the grader, the checks, and the parts of the
+reference solution that grading needs.
+"""
 
 from __future__ import annotations
 
@@ -27,10 +31,10 @@ def make_gradescope(
     unsafe: bool = False,
     root: Path = ROOT,
 ) -> None:
-    """Write the zip file for Gradescope, and print a summary of its contents.
+    """Write the zip file that an instructor uploads to Gradescope, and print what it contains.
 
-    The given chapters come from the reference, even if students hand in their own files for them.
-    ``unsafe`` permits grading without a sandbox on a machine that has none.
+    The given chapters come from the reference solution, even if students hand in their own files
+    for them. ``unsafe`` permits grading without a sandbox on a machine that has none.
 
     Raises:
         ValueError: ``out`` does not name a .zip file, or hidden checks would be unprotected.
@@ -74,7 +78,10 @@ def make_gradescope(
 def _files(
     root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
-    """Yield the files of this repository to include in the zip for Gradescope."""
+    """Find the files of this repository that Gradescope needs to grade these chapters.
+
+    ``reference`` lists the chapters whose solutions are included.
+    """
     yield root / "pyproject.toml"
     yield root / "requirements.lock"
     yield root / "LICENSE"
@@ -92,7 +99,11 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Return the hidden checks of the graded chapters, keyed by the path of each in the zip."""
+    """Read the instructor's hidden checks of the graded chapters, to be put into Gradescope's zip.
+
+    Returns:
+        The contents of the files by their paths in the zip.
+    """
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
         for chapter in work.chapters
@@ -101,9 +112,10 @@ def _hidden(work: Work) -> dict[str, bytes]:
 
 
 def _zipped(contents: dict[str, bytes]) -> bytes:
-    """Create a zip file with these contents in memory, and return its bytes.
+    """Pack the files for Gradescope into a zip archive, and return its bytes.
 
-    The files are sorted by name, and the scripts are marked as executable.
+    The files are sorted and have no dates of their own, so that packing the same files twice gives
+    identical bytes. The scripts are marked as executable.
     """
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:

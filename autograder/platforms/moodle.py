@@ -1,4 +1,7 @@
-"""Write grades for Moodle: moodle.csv for the gradebook, and an assignment's worksheet."""
+"""Write a class's grades to files that Moodle can import.
+
+These are moodle.csv for the gradebook, and the grading worksheet of an assignment.
+"""
 
 from __future__ import annotations
 
@@ -20,11 +23,12 @@ WORKSHEET = [
 
 
 def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
-    """Write moodle.csv, which has a row with the grade of each student on the roster.
+    """Write moodle.csv, from which an instructor can import grades into Moodle's gradebook.
 
-    Moodle stops the import at a student it does not know. If the cell that should identify a
-    student is empty, Moodle even gives the grade to the student in the row above. That is why the
-    columns for logins and e-mail addresses are written only if every student has one.
+    The file has a row for each student on the roster. Moodle stops the import at a student it does
+    not know. If the cell that should identify a student is empty, Moodle even gives the grade to
+    the student in the row above. That is why the columns for logins and e-mail addresses are
+    written only if every student has one.
     """
     students = [(member, member.student) for member in people.members if member.student]
     columns = {"ID number": [who.id for _, who in students]}
@@ -42,9 +46,9 @@ def write_worksheet(
 ) -> bool:
     """Write Moodle's grading worksheet for an assignment, and return whether it has any students.
 
-    The participants' numbers come from Moodle's folder names, so no roster is needed. If no
-    submission comes from Moodle, nothing is written. The column for comments is left out, since
-    empty cells in it would delete the comments in Moodle.
+    The participants' numbers come from the folder names in a Moodle download, so no roster is
+    needed. If no submission comes from Moodle, nothing is written. The column for comments is left
+    out, since empty cells in it would delete the comments in Moodle.
     """
     rows = []
     for member in people.members:

@@ -42,7 +42,7 @@ def write_uploads(
     reports: Sequence[StudentReport],
     column: Column,
 ) -> tuple[list[Path], list[str]]:
-    """Write the files that an instructor can import into Canvas or Moodle.
+    """Write the files from which an instructor can import grades into Canvas or Moodle.
 
     These are canvas.csv and moodle.csv if the class has a roster, plus Moodle's grading worksheet
     if there are submissions from Moodle.

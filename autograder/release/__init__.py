@@ -1,1 +1,1 @@
-"""Release the reference after the deadline, so that students can compare it with their code."""
+"""Give students the reference solution after the deadline, to compare it with their own code."""

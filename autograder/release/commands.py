@@ -1,4 +1,4 @@
-"""The command `release`, which makes the reference available to students after the deadline."""
+"""The command `release`, which gives students the reference solution after the deadline."""
 
 from __future__ import annotations
 
@@ -31,7 +31,11 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_release(arguments: argparse.Namespace) -> int:
-    """Write the reference and the students' comparison pages, and print what was released."""
+    """Write the released solutions, and pages that compare them with the students' code.
+
+    Raises:
+        ValueError: A student may still hand in work, or the files cannot be released.
+    """
     from autograder.release.run import release
     from autograder.submissions.unpack import class_folder
 
@@ -51,7 +55,7 @@ def run_release(arguments: argparse.Namespace) -> int:
 def refuse_early(work: Work, now: datetime) -> None:
     """Raise ValueError if any student may still hand in work for this assignment.
 
-    Otherwise that student could copy from the released reference.
+    Otherwise that student could copy from the released solution.
     """
     if work.deadline is None:
         return

@@ -1,4 +1,4 @@
-"""Put a student's functions and ours side by side.
+"""Pair each function that a student wrote with the same function in the reference solution.
 
 Only exercises that the student has passed are compared.
 """
@@ -21,7 +21,10 @@ OUTSIDE = ""  # stands for code outside of functions
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function, without its indentation, and how many lines and calls it has."""
+    """The body of a function, as shown on a page that compares a student's code with the reference.
+
+    It has no indentation, and comes with the number of lines, calls and new objects in it.
+    """
 
     text: str
     counts: Counts
@@ -29,7 +32,10 @@ class Code:
 
 @dataclass(frozen=True)
 class Pair:
-    """A student's version of a function beside ours. Either one is None if it does not exist."""
+    """A student's version of a function beside the one in the reference solution.
+
+    Either version is None if it does not exist.
+    """
 
     name: str
     own: Code | None
@@ -38,14 +44,17 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """Pairs of functions, the student's and ours, that belong to one exercise or to none."""
+    """The functions that a student wrote for one exercise, each beside the reference solution.
+
+    Functions that belong to no exercise, such as helpers, are grouped by file instead.
+    """
 
     title: str
     pairs: list[Pair]
 
 
 def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compared:
-    """Pair the student's functions with ours for one exercise."""
+    """Pair a student's functions for one exercise with those in the reference solution."""
     pairs = []
     for edit in exercise.edit:
         module, name = edit.split(".", 1)
@@ -57,7 +66,7 @@ def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compar
 def compare_others(
     chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Pair the functions that do not belong to any exercise, such as helpers.
+    """Pair functions that belong to no exercise, such as helpers, with the reference solution.
 
     A function that is identical on both sides, perhaps because it was given, is left out. So is all
     code outside functions.
@@ -81,7 +90,10 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Return the functions of a module, leaving out any that cannot be parsed."""
+    """Read the functions in one module of a student or of the reference solution.
+
+    Functions that cannot be parsed are left out.
+    """
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}
 

@@ -1,6 +1,7 @@
-"""Count the lines, calls and new objects in a function, to show how it compares with ours.
+"""Count the lines, calls and new objects in a student's function and in the reference solution.
 
-The counts come from the source text. The code never runs, so a call inside a loop counts only once.
+The counts let a student see how the two versions differ. They come from the source text. The code
+never runs, so a call inside a loop counts only once.
 """
 
 from __future__ import annotations
@@ -29,7 +30,10 @@ class Counts:
 
 
 def count(function: Function) -> Counts:
-    """Count the lines, calls and new objects in the body of a function."""
+    """Count the lines, calls and new objects in the body of a function.
+
+    A student can then compare a function with the one in the reference solution.
+    """
     words = [token.word.removeprefix(LOCAL) for token in function.tokens]
     called = [words[i - 1] for i, word in enumerate(words) if word == "(" and _is_call(words, i)]
     lines = {token.start[0] for token in function.tokens if token.word != END_OF_LINE}
@@ -38,7 +42,7 @@ def count(function: Function) -> Counts:
 
 
 def _is_call(words: Sequence[str], i: int) -> bool:
-    """Return whether the opening parenthesis at index ``i`` belongs to a call.
+    """Return whether the opening parenthesis at index ``i`` begins the arguments of a call.
 
     Parentheses that group an expression do not, and neither do those after def, class or raise.
     """

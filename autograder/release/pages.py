@@ -1,4 +1,4 @@
-"""Write the page that shows a student's solutions next to ours."""
+"""Write the web page that shows a student's code next to the reference solution."""
 
 from __future__ import annotations
 
@@ -17,9 +17,13 @@ TEMPLATES = Path(__file__).parent / "templates"
 def write_page(
     out: Path, student: str, compared: Sequence[Compared], not_compared: Sequence[str]
 ) -> Path:
-    """Write students/<student>.html, a student's code next to ours, and return its path.
+    """Write the page that compares a student's code with the reference solution.
 
-    ``not_compared`` names the released exercises that the student has not solved.
+    The file is students/<student>.html. ``not_compared`` names the released exercises that the
+    student has not solved.
+
+    Returns:
+        The path of the page.
     """
     path = out / "students" / f"{file_name(student)}.html"
     page = render(

@@ -1,4 +1,7 @@
-"""Release parts of the reference, with stubs for the exercises that are not released yet."""
+"""Write those parts of the reference solution that students may see now.
+
+Exercises that are not released yet remain stubs, so that students can still solve them.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ from autograder.stubs import messages_of, stub_module
 
 
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
-    """Return copies of the chapters, reduced to the exercises to be released.
+    """Return copies of the chapters that contain only the exercises to be released.
 
     If ``exercises`` is empty, the copies keep all of their exercises.
 
@@ -33,7 +36,10 @@ def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapte
 
 
 def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return the text of our solution, with stubs for the exercises that are not released yet."""
+    """Return a module of the reference solution in which only the released exercises are solved.
+
+    The functions of all other exercises are stubs, which do not give away the solution.
+    """
     kept = {exercise.id for exercise in chapter.exercises}
     held_back = replace(whole, exercises=[e for e in whole.exercises if e.id not in kept])
     text = (root / "solutions" / whole.name / file).read_text(encoding="utf-8")
@@ -44,7 +50,10 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
 def write_reference(
     out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
 ) -> dict[str, str]:
-    """Write the released files of a chapter into ``out``, and return the text of each module."""
+    """Write the released solutions of a chapter into ``out``, and return each module's text.
+
+    The folder reference/ in ``out`` also gets the data files and the model answers of the chapter.
+    """
     folder = out / "reference" / whole.name
     folder.mkdir(parents=True)
     modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
@@ -58,7 +67,7 @@ def write_reference(
 
 
 def _model_answers(chapter: Chapter, root: Path) -> str:
-    """Return the model answers that are released, without their rubrics.
+    """Return the released model answers to the written exercises, without the rubrics.
 
     If no written exercise is released, return an empty string.
     """

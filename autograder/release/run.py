@@ -1,4 +1,7 @@
-"""Release the reference for some exercises, with a page for each student who solved them."""
+"""Release the reference solution to students after the deadline.
+
+Each student can also get a page that shows the student's code next to the reference solution.
+"""
 
 from __future__ import annotations
 
@@ -37,11 +40,15 @@ def release(
     *,
     roster: Path | None = None,
 ) -> int:
-    """Write the reference of some chapters into a folder, and return the exit code 0.
+    """Write the reference solution of some chapters into a folder for students.
 
     If ``exercises`` is not empty, only those exercises are released. If ``submissions`` and
-    ``grades`` are given, each student also gets a page that compares the student's code with ours.
-    Use the same ``roster`` as for grading, because the results go by the names in it.
+    ``grades`` are given, each student also gets a page that compares the student's code with the
+    reference solution. Use the same ``roster`` as for grading, because the results go by the names
+    in it.
+
+    Returns:
+        The exit code 0.
 
     Raises:
         ValueError: The folder cannot be used, or an exercise, the reference or the class is
@@ -84,7 +91,7 @@ def release(
 
 
 def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
-    """Create the folder ``out`` for the release, or delete an earlier release from it.
+    """Create the folder ``out`` for the released solutions, or delete an earlier release from it.
 
     Raises:
         ValueError: The folder contains other files, or is one whose files go into hand-outs.
@@ -112,9 +119,11 @@ def _compare(
     reference: dict[str, dict[str, str]],
     root: Path,
 ) -> tuple[list[Compared], list[str], str]:
-    """Compare a student's solved exercises with ours, and list the released ones left out.
+    """Compare a student's solved exercises with the reference solution.
 
-    If nothing can be compared, the returned text says why.
+    Returns:
+        The compared functions, the released exercises that were left out, and the reason to give if
+        nothing could be compared.
     """
     if report is None:
         return [], [], "the work was not graded"
@@ -138,7 +147,7 @@ def _compare(
 def _own_texts(
     submission: Submission, report: StudentReport, root: Path
 ) -> dict[str, Texts] | None:
-    """Return the text of every module that the student handed in, grouped by chapter.
+    """Read the modules that a student handed in, grouped by chapter.
 
     Return None if the submission has changed since it was graded, because we then no longer know
     which exercises work.

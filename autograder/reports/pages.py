@@ -1,4 +1,4 @@
-"""Render the templates of all pages. Whatever comes from a student is inserted as plain text."""
+"""Fill in the HTML templates of all pages, with text from students inserted as plain text."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Fill in a template with these values, and return the resulting page.
+    """Fill in the template of a web page, such as student.html, and return the resulting page.
 
     The template is looked up in ``folder`` first, and then among those that all pages share.
+    ``values`` are the variables that it uses.
     """
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),

@@ -1,6 +1,6 @@
-"""Lay out the chart of an open exercise, which plots each submission's error against its cost.
+"""Lay out the chart of an open exercise, which plots each student's error against the cost.
 
-Both axes are logarithmic. This module only computes positions; the template scatter.svg does the
+Both axes are logarithmic. This module only computes positions. The template scatter.svg does the
 drawing.
 """
 
@@ -19,7 +19,10 @@ Point = Sequence[float]  # cost and error
 
 @dataclass(frozen=True)
 class Dot:
-    """A dot on the chart for one student's solution: its cost, its error, and its position."""
+    """A dot on an exercise's chart, which shows the cost and the error of one student's solution.
+
+    ``x`` and ``y`` are its position in the picture.
+    """
 
     name: str
     cost: float
@@ -31,10 +34,11 @@ class Dot:
 
 @dataclass(frozen=True)
 class Scatter:
-    """The layout of an open exercise's chart: two axes, a dot per solution, and the front.
+    """The layout of an open exercise's chart: two axes, a dot for each student, and the front.
 
-    The front is the line through the best solutions, students' or ours. Each tick on an axis has a
-    position and a label.
+    The front is the line through the best solutions, students' or ours. No solution that costs as
+    much as one of these, or less, has a smaller error. Each tick on an axis has a position and a
+    label.
     """
 
     exercise: ExerciseReport
@@ -47,7 +51,10 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Lay out an exercise's chart. ``named`` lists each student's name with the cost and error."""
+    """Compute the positions of the axes, the students' dots and the front on an exercise's chart.
+
+    ``named`` lists each student's name with the cost and error of the student's solution.
+    """
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
@@ -74,7 +81,11 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the points that are more accurate than all cheaper ones, sorted by cost."""
+    """Return the cost and error of the best solutions, sorted by cost.
+
+    A solution is one of the best if it has a smaller error than every solution that costs the same
+    or less.
+    """
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
         if not kept or error < kept[-1][1]:
@@ -83,9 +94,10 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of the staircase that is drawn for the front.
+    """Turn the best solutions on a chart into the corners of the staircase that connects them.
 
-    It is a staircase because the best error stays the same from one cost to the next.
+    It is a staircase because the smallest possible error stays the same from one solution's cost to
+    the next one's.
     """
     corners = line[:1]
     for x, y in line[1:]:
@@ -94,7 +106,10 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Return axis ticks at 1, 2 and 5 times powers of ten, or fewer where that is too many."""
+    """Choose the ticks of a logarithmic axis: 1, 2 and 5 times powers of ten.
+
+    If these would be more than nine, use powers of ten only.
+    """
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]

@@ -68,7 +68,7 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield the code that each student has written, with notes on any unreadable files."""
+    """Yield the code that each student of a class wrote, with notes on any unreadable files."""
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)

@@ -1,4 +1,4 @@
-"""Describe a failed check in full, with what to do next, for the commands check and watch."""
+"""Explain to a student why a check failed and what to do next, for the commands check and watch."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check, with everything the student needs in order to fix it.
+    """The explanation of a failed check that a student sees, with everything needed to fix it.
 
     ``place`` is the line to open in an editor, and ``hints`` is the exercise whose hints may help.
     Both are empty if the student must first fix an earlier chapter.
@@ -44,10 +44,11 @@ def failure_of(
     title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
-    """Return the failed check of an exercise that the student should see first, or None.
+    """Choose the failed check of an exercise that the student should see first, and explain it.
 
     Checks of the functions in ``edited`` come first, because the student has just worked on them.
-    Next, a mistake in finished code comes before a function that is not written yet.
+    Next, a mistake in finished code comes before a function that is not written yet. The result is
+    None if no check has failed.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -79,7 +80,7 @@ def failure_of(
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Print the message of one failed check in full, followed by what to do next."""
+    """Explain to the student the most urgent failed check of an exercise, and the next steps."""
     failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."
@@ -93,7 +94,10 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the beginning of the code's output, or [] if it printed nothing."""
+    """Make a row for the screen from the beginning of what the student's code printed.
+
+    The result is a list with this row, or an empty list if the code printed nothing.
+    """
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 

@@ -1,1 +1,1 @@
-"""Find the submissions of a class, inspect them without trusting them, and copy what is graded."""
+"""Find the submissions of a class, and copy the files to be graded without trusting any of them."""

@@ -1,4 +1,7 @@
-"""Read a CSV file written by a person or a spreadsheet, keeping track of line numbers."""
+"""Read a CSV file written by a person or a spreadsheet, such as a roster or marks.csv.
+
+The line number of each row is kept, so that an error message can name the line.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file, with its separator, its first line, and its column names in lower case."""
+    """A CSV file such as a roster, with its separator and its column names in lower case."""
 
     path: Path
     text: str

@@ -33,7 +33,7 @@ class ExerciseRate:
 
     @property
     def share(self) -> float | None:
-        """The fraction of the students with a score who pass every check of the exercise.
+        """The fraction of students who pass every check of the exercise, among those with a score.
 
         It is None for a written exercise, which has no checks, and if no student has a score yet.
         """
@@ -44,10 +44,10 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """A bar in the histogram of a class's scores, with the number of students that it counts.
+    """A bar in the histogram of a class's scores.
 
-    It counts scores of at least ``low`` and less than ``high`` percent. The last bar includes full
-    marks.
+    ``count`` students have a score of at least ``low`` and less than ``high`` percent of the
+    points. The last bar includes full marks.
     """
 
     low: int
@@ -56,7 +56,7 @@ class Bin:
 
 
 def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[ExerciseRate]:
-    """Compute from the students' reports which fraction of them passes each exercise.
+    """Compute the pass rate of each exercise from the reports on all students of a class.
 
     The exercises are in the same order as in the chapters' manifests.
     """
@@ -69,16 +69,16 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 
 
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
-    """Find the five exercises that the smallest fraction of students passes, hardest first.
+    """Find the five exercises with the lowest pass rates in a class, hardest first.
 
-    Exercises that every student passes are left out, so the list may be shorter or empty.
+    An exercise that every student passes is left out, so the list may be shorter or empty.
     """
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
-    """Count the students of a class by score, in bins of 10 percent.
+    """Count the students of a class by score, in bins of 10 percent, for a histogram.
 
     A full score, or a higher one due to extra credit, goes into the last bin. Students without a
     score are not counted.

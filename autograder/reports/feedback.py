@@ -64,7 +64,7 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """A student's results in one exercise, prepared for the feedback page.
+    """A student's results in one exercise, as shown on the student's feedback page.
 
     Only failed checks are described in full there. ``gains`` is true if the exercise earns more
     points when our solutions replace the student's earlier chapters. ``uneven`` is true if its
@@ -187,7 +187,7 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Lay out a chart of the whole class for each open exercise, one dot per student.
+    """Lay out a chart for each open exercise, on which every student of the class is a dot.
 
     The chart plots the error of each student's solution against its cost. An exercise gets no chart
     if no student's solution could be measured.

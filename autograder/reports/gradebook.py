@@ -1,4 +1,4 @@
-"""Write gradebook.csv, the grades of a class with a row per student and a column per exercise."""
+"""Write gradebook.csv, a table of a class's grades: a row per student, a column per exercise."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ def write_gradebook(
     The second row lists the points possible. A cell is empty if there is no grade yet, because
     nobody has marked the answer, the grader failed, or the student has not handed anything in.
     ``missing`` lists students who have handed in nothing, and ``unmatched`` lists those who are not
-    on the roster. If the assignment has a due date, three more columns give the points, the late
-    days and the penalty, and the total is the points minus the penalty.
+    on the roster. If the assignment has a due date, three more columns give the points earned, the
+    days late and the penalty. The total is then the points earned minus the penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -73,9 +73,10 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return a student's cells for the points before the penalty, the late days and the penalty.
+    """Return the cells of the gradebook that show how a student's late penalty comes about.
 
-    A value that is not known, such as the points if the grader failed, is None.
+    They are the points earned, the days late and the penalty. A cell is None if its value is not
+    known, for example because the grader failed.
     """
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
@@ -84,6 +85,6 @@ def _late(report: StudentReport) -> list[float | None]:
 def as_cell(text: str) -> str:
     """Put a text on one line of a CSV file, and keep spreadsheets from running it as a formula.
 
-    For example, a student called "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
+    For example, a student's name "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
     """
     return FORMULA.sub(r"\1\2'", clean_line(text))

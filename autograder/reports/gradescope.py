@@ -63,12 +63,12 @@ def write_gradescope(out: Path, report: StudentReport) -> Path:
 
 
 def as_text(results: GradescopeResults) -> str:
-    """Convert a submission's results to the JSON text that Gradescope reads."""
+    """Convert a student's results to JSON, the format in which Gradescope reads them."""
     return json.dumps(to_json(results), indent=1, allow_nan=False) + "\n"
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
-    """Convert a student's report to Gradescope's format, with one "test" for each exercise.
+    """Convert a student's report to the format of Gradescope, which calls each exercise a "test".
 
     If the grader failed, the submission gets no score, because neither zero nor full marks would be
     fair.
@@ -84,10 +84,9 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 
 
 def ungraded_results(reason: str) -> GradescopeResults:
-    """Build the results for a submission that could not be graded.
+    """Build the results for a submission that could not be graded, which have no score.
 
-    They have no score. Instead, Gradescope shows the student the reason and says that the
-    submission is not at fault.
+    Instead, Gradescope shows the student the reason and says that the submission is not at fault.
     """
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 

@@ -64,10 +64,9 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
 def read_rows(
     path: Path, chapters: list[Chapter], students: Iterable[str]
 ) -> tuple[str, list[Row]]:
-    """Read the rows of marks.csv with their line numbers, and find out how columns are separated.
+    """Read the marks in marks.csv with their line numbers, and the separator of the columns.
 
-    Return the separator and the rows. With these, a program can change a single mark and leave all
-    other lines of the file untouched.
+    With these, a program can change a single mark and leave all other lines of the file untouched.
 
     Raises:
         ValueError: A line is invalid, as in ``read_marks``.
@@ -105,9 +104,9 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Build the row of marks.csv that stores one student's mark.
+    """Build the row of marks.csv that stores the mark for one student's answer.
 
-    No cell of the row looks like a formula to a spreadsheet.
+    The name and the comment are written so that a spreadsheet does not take them for formulas.
     """
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
@@ -116,7 +115,7 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return the marks under the names by which the reports call the students.
+    """Relabel the marks in marks.csv with the names by which the reports call the students.
 
     A student may be entered in marks.csv under another name, such as the one on the roster.
     ``names`` maps every such name to the one in the reports.
@@ -167,7 +166,7 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
-    """Open marks.csv and check its header.
+    """Open marks.csv, the table of marks for written answers, and check its header.
 
     Return the column separator, and the rows with their first and last line numbers.
     """
@@ -189,9 +188,11 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Map each way of writing a student's name in marks.csv to the student.
+    """Map every form in which a student's name may appear in marks.csv to the student.
 
-    A form that fits two students is left out, unless it is exactly the name of one of them.
+    The form may differ from the name in its accents, or in an apostrophe that keeps a spreadsheet
+    from reading it as a formula. A form that fits two students is left out, unless it is exactly
+    the name of one of them.
     """
     forms: dict[str, set[str]] = {}
     for name in students:
@@ -202,8 +203,8 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Normalize the accented letters in a student's name, which Unicode can encode in two ways.
+    """Normalize the accented letters in a student's name, so that names can be compared.
 
-    After that, both encodings of the name compare equal.
+    Unicode has two encodings of such a letter, which look the same but compare different.
     """
     return unicodedata.normalize("NFC", name.strip())

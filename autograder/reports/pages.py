@@ -1,4 +1,7 @@
-"""Fill in the HTML templates of all pages, with text from students inserted as plain text."""
+"""Create the web pages that the autograder writes, from HTML templates.
+
+Whatever comes from a student is inserted as plain text, so it cannot change a page.
+"""
 
 from __future__ import annotations
 

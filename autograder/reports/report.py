@@ -75,11 +75,11 @@ class Late:
 
 @dataclass(frozen=True)
 class RunKey:
-    """The settings of the grader on which a student's report depends, besides the submission.
+    """The settings with which a submission was graded, such as the seed and the time limit.
 
-    If any of them changes, an earlier report cannot be reused and the submission is graded again.
-    ``points`` holds the points of each graded exercise, and ``extra`` lists the exercises that give
-    extra credit.
+    A report from an earlier run is reused only if all of these settings and the submission are
+    still the same. ``points`` holds the points of each graded exercise, and ``extra`` lists the
+    exercises that give extra credit.
     """
 
     seed: str
@@ -150,8 +150,8 @@ class StudentReport:
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
     """Count how many of an exercise's physics checks pass, and how many of its robust checks.
 
-    For each kind of which there are any, return its name, the number of checks that pass, and the
-    total number, as in ("physics", 3, 4).
+    For each kind of check that the exercise has, return the name of the kind, the number of checks
+    that pass, and the total number, as in ("physics", 3, 4).
     """
     found = []
     for name, robust in (("physics", False), ("robust", True)):

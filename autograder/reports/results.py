@@ -59,7 +59,7 @@ def read_results(out: Path) -> list[StudentReport]:
 
 
 def write_student(out: Path, report: StudentReport) -> None:
-    """Write a student's feedback page, the file for Gradescope, and finally the report.
+    """Write the files about one student: the feedback page, the Gradescope file and the report.
 
     The report is written last, so that its existence proves that the other files are complete.
     """
@@ -75,7 +75,7 @@ def write_class(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> list[Path]:
-    """Write the instructor's overview and the gradebook of a class.
+    """Write the files about a whole class for its instructor: an overview and the gradebook.
 
     ``missing`` lists the students on the roster who have not handed in anything. ``unmatched``
     lists those who have handed in something but are not on the roster. Return the paths of all

@@ -1,7 +1,7 @@
-"""Lay out the chart of an open exercise, which plots each student's error against the cost.
+"""Lay out a chart that plots the error of each student's solution against its cost.
 
-Both axes are logarithmic. This module only computes positions. The template scatter.svg does the
-drawing.
+Open exercises, which have more than one good answer, get such a chart. Both axes are logarithmic.
+This module only computes positions. The template scatter.svg does the drawing.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ class Dot:
 class Scatter:
     """The layout of an open exercise's chart: two axes, a dot for each student, and the front.
 
-    The front is the line through the best solutions, students' or ours. No solution that costs as
-    much as one of these, or less, has a smaller error. Each tick on an axis has a position and a
-    label.
+    The front is the line through the best solutions, students' or ours. A solution is on it if no
+    other one of the same or a lower cost has a smaller error. Each tick on an axis has a position
+    and a label.
     """
 
     exercise: ExerciseReport
@@ -81,10 +81,9 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the cost and error of the best solutions, sorted by cost.
+    """Find the best of several solutions from their costs and errors, and sort them by cost.
 
-    A solution is one of the best if it has a smaller error than every solution that costs the same
-    or less.
+    A solution is one of the best if every other one of the same or a lower cost has a larger error.
     """
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
@@ -96,8 +95,8 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """Turn the best solutions on a chart into the corners of the staircase that connects them.
 
-    It is a staircase because the smallest possible error stays the same from one solution's cost to
-    the next one's.
+    It is a staircase because the smallest error for a given cost stays the same until the cost
+    reaches that of the next solution.
     """
     corners = line[:1]
     for x, y in line[1:]:
@@ -106,9 +105,9 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Choose the ticks of a logarithmic axis: 1, 2 and 5 times powers of ten.
+    """Choose ticks for a chart's logarithmic axis, at 1, 2 and 5 times powers of ten.
 
-    If these would be more than nine, use powers of ten only.
+    If there would be more than nine ticks, use powers of ten only.
     """
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)

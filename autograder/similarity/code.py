@@ -23,7 +23,7 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """One token of a student's code, such as a name or an operator, normalized for the comparison.
+    """One token of a student's code, such as a name or an operator, ready to be compared.
 
     ``start`` and ``end`` are its positions in the student's file, as (line, column).
     """
@@ -86,10 +86,10 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the names that say nothing about a student's own style of coding.
+    """Yield names that students have not made up: Python's own, and those in one of our files.
 
-    These are Python's own names, and the public ones in ``text``, a file that no student wrote. All
-    other names in a student's code are the student's own choice.
+    ``text`` is the contents of that file. Any other name in a student's code is replaced for the
+    comparison, so renaming a variable does not hide a copy.
     """
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -100,10 +100,10 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Cut a student's file before the line at which it becomes too long to read quickly.
+    """Cut off a student's file where it gets so long that reading it would take too much time.
 
-    Return the remaining text and the number of that line. The number is 0 if the whole file is
-    short enough.
+    Return the remaining text and the number of the line at which it was cut. The number is 0 if the
+    whole file is short enough.
     """
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
@@ -134,9 +134,9 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens of a line that count when students' code is compared.
+    """Yield the tokens in a line of a student's code that are compared with other students' code.
 
-    ``line`` is a logical line. A docstring has no such tokens.
+    ``line`` is a logical line. A docstring is not compared, so it yields nothing.
     """
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
@@ -164,9 +164,9 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens after the colon of a def or class line.
+    """Return the body of a student's function or class if it is on the same line as def or class.
 
-    They are the function's body if it is on the same line. Otherwise the list is empty.
+    The body is a list of tokens, which is empty if the line ends after the colon.
     """
     open_brackets = 0
     for i, token in enumerate(line):

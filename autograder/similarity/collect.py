@@ -22,7 +22,7 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 
 @dataclass(frozen=True)
 class Ground:
-    """The code in these chapters that is worth comparing among students, and the code that is not.
+    """Which functions to compare between students, and which code to ignore in the comparison.
 
     Attributes:
         parts: The exercise of each function that students edit, such as Vector3.dot in
@@ -83,7 +83,7 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Extract the code that a student wrote from these files, and sort it by exercise.
+    """Extract the code that a student wrote from the submitted files, and sort it by exercise.
 
     Code that all students were given is left out, and so are exercises that are too short to
     compare. Return the code with notes on any problems, for the instructor.
@@ -120,8 +120,8 @@ def _reference_sizes(
 ) -> dict[tuple[str, str], int]:
     """Count the tokens in each function of our solution to a chapter.
 
-    If our solution to an exercise is short, all students' solutions must look alike, so that
-    exercise is not compared.
+    An exercise with a very short solution is not compared, because all students' solutions to it
+    must look alike.
     """
     sizes = {}
     for name in chapter.edited_files:

@@ -105,7 +105,7 @@ class Comparison:
 
     @property
     def outstanding(self) -> int:
-        """The number of pairs of students whose similarity stands out.
+        """The number of pairs of students whose code is unusually similar for their class.
 
         These pairs come first in the list of pairs.
         """
@@ -114,8 +114,7 @@ class Comparison:
     def shared(self, pair: Pair) -> list[Shared]:
         """Return the code that two students share in each exercise, starting with the most telling.
 
-        It is the more telling the more code they share, and the fewer other students have that
-        code.
+        Shared code counts for more if fewer other students have it.
         """
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
@@ -204,7 +203,7 @@ class Measure:
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """For each pair of students, compute how much more alike their code is than usual for the two.
+    """Compute by how much each pair's similarity exceeds what is usual for its two students.
 
     What is usual for a student is the median of the similarities to all other students.
     """
@@ -218,11 +217,11 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Compute how much the similarity of students' code varies over the class.
+    """Compute the median and the spread of ``values``, one for each pair of students in a class.
 
-    Return the median and a robust standard deviation, or None if the values are all the same. The
-    standard deviation is estimated from the upper half of the values, which has the longer tail. A
-    few students who have copied barely change it.
+    The spread is a robust standard deviation, estimated from the upper half of the values, which
+    has the longer tail. A few students who have copied barely change it. The result is None if the
+    values are all the same.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

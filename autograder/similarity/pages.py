@@ -41,7 +41,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A student's function as shown beside the other student's, split into pieces for highlighting.
+    """A student's function on the page of a pair, split into pieces to highlight shared code.
 
     ``line`` is the line of the student's file at which it starts.
     """
@@ -57,8 +57,8 @@ def write_pages(
 ) -> Path:
     """Write a page about each pair of students with similar code, and an index of these pages.
 
-    Return the path of the index. Only the first pairs of the comparison are listed, but all that
-    stand out.
+    The index lists the first 30 pairs, or all pairs that stand out if there are more of those.
+    Return the path of the index.
     """
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [

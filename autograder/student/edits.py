@@ -20,7 +20,7 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Return the exercises that the student has edited since the last call.
+        """Find the exercises that the student has edited since the last call.
 
         Each comes with the functions or data files that changed. Changes to layout or comments are
         ignored. If a module cannot be read at the moment, all of its functions count as edited,
@@ -72,5 +72,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Return whether a function is among the edited ones, or its whole module could not be read."""
+    """Return whether the student has edited a function, or made its whole module unreadable."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

@@ -94,9 +94,9 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Make a row for the screen from the beginning of what the student's code printed.
+    """Shorten what the student's code printed, to show it below the message of a failed check.
 
-    The result is a list with this row, or an empty list if the code printed nothing.
+    Return a row labeled "printed", in a list, or an empty list if the code printed nothing.
     """
     return _printed(few_lines(printed, lines, characters)) if printed else []
 

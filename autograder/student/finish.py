@@ -1,7 +1,8 @@
 """Show students what they have achieved at the end of a chapter, and which scenes they can play.
 
-A chapter is finished as soon as the physics of its exercises works. Robust checks, questions,
-projects and going-further exercises may still be open, and the screen lists them.
+The scenes are small games and demonstrations that run on the student's engine. A chapter is
+finished as soon as the physics of its exercises works. Robust checks, questions, projects and
+going-further exercises may still be open, and the screen lists them.
 """
 
 from __future__ import annotations
@@ -33,9 +34,9 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Print the closing screen of the chapter that the student has finished.
+    """Congratulate the student on a finished chapter, or name the scenes that can now be played.
 
-    Otherwise, print a line that names the scenes that the student can now play, if there are any.
+    Print nothing if there is neither.
     """
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
@@ -45,7 +46,7 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the closing screen of a finished chapter, or a line that names playable scenes.
+    """Compose the closing screen of a finished chapter, or a line that names playable scenes.
 
     Each line comes with its style. The screen is that of the last chapter that the student has
     finished, unless the student has already begun another one. In that case we only name the scenes
@@ -67,10 +68,10 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether the student's physics works in all exercises of a chapter.
+    """Return whether the student has finished a chapter, so that the closing screen can be shown.
 
-    Written exercises, projects and going-further exercises do not count, and neither do robust
-    checks.
+    The physics of each exercise must work, apart from projects and going-further exercises. Written
+    questions and robust checks may still be open.
     """
     working = {result.exercise.id for result in report.results if result.works}
     wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
@@ -125,7 +126,7 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 
 
 def _is_extra(exercise: Exercise) -> bool:
-    """Return whether students can finish the chapter without this exercise.
+    """Return whether students can finish a chapter without this exercise.
 
     That is true of projects and of going-further exercises, whose ids start with G.
     """

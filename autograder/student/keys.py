@@ -1,4 +1,4 @@
-"""Read single keys from the terminal, so that students need not press Enter after each command.
+"""Read single keys from the terminal, so that students need not press Enter after each one.
 
 This uses msvcrt on Windows, and termios everywhere else.
 """
@@ -16,7 +16,7 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether single keys can be read from the student, which requires a terminal."""
+    """Return whether the program can react to single keys, for which it must run in a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 

@@ -12,7 +12,7 @@ from autograder.manifest import ROOT, Chapter
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
-    """Return the files of a chapter that the student has edited, although they came complete.
+    """Return the files of a chapter that the student has edited but should have left alone.
 
     They are compared with the hashes in stubs.lock. A file that is missing from the chapter's
     folder or from stubs.lock does not count as changed.

@@ -1,4 +1,7 @@
-"""Lay out the page of the command watch so that it fits on the student's terminal."""
+"""Lay out the page of `watch`, the command that checks the student's code after every save.
+
+The page is shortened so that its heading and the list of keys fit on the terminal.
+"""
 
 from __future__ import annotations
 
@@ -16,9 +19,9 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """What the command watch shows the student, mainly a failed check and how to fix it.
+    """The page of the command `watch`, which shows the student a failed check and how to fix it.
 
-    There are lines above and below the explanation of the failed check, and a note. If the
+    ``top`` and ``bottom`` are the lines above and below the explanation of the failed check. If the
     explanation does not fit on the terminal, the page names ``whole``, the command that prints it
     in full.
     """
@@ -30,11 +33,11 @@ class Page:
     note: list[Line] = field(default_factory=list)
 
     def say(self, words: str, style: str = "") -> None:
-        """Add a line below the explanation of the failed check."""
+        """Add a line to the page, below the explanation of the failed check."""
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
-        """Print the page of the command watch: a failed check, the student's progress and the keys.
+        """Print the page of `watch` on the console, with a line of keys for the student at the end.
 
         On a terminal, clear the screen first and shorten the page until it fits.
         """
@@ -49,7 +52,7 @@ class Page:
             _print(console, words, style)
 
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
-        """Shorten the page of the command watch to ``width`` columns and ``height`` lines.
+        """Shorten the page of the command `watch` to ``width`` columns and ``height`` lines.
 
         If the explanation of the failed check is too long, lines are cut from its middle, so that
         the heading and the keys stay visible.

@@ -77,9 +77,9 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the name of a class or function as in the manifest, or "" for any other statement.
+    """Return the name of a function or class in a form that manifests use, such as mass.setter.
 
-    A property's setter has a name such as mass.setter.
+    For any other statement, the name is "".
     """
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)

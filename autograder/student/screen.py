@@ -41,7 +41,7 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """The results of a student's chapter, whose checks may have run once or twice.
+    """The results of checking a student's code for one chapter.
 
     ``results`` come from a run on the student's own earlier chapters. ``on_reference`` comes from a
     second run on ours, and is empty if that run was unnecessary or impossible. ``suspects`` are
@@ -134,7 +134,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that tells the student that all checks pass.
+    """Tell the student in one sentence that all checks pass.
 
     ``changed`` is true if the student has edited a file that should not be changed.
     """
@@ -147,7 +147,7 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Warn the student about each file that was edited but should stay as it came."""
+    """Warn the student about edited files that grading will replace with the originals."""
     return [
         f"You have edited {file}. It isn't handed in, and grading uses the original, so code that "
         "relies on your changes will fail there. Keep your own code in the files that the "

@@ -23,7 +23,7 @@ TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows 
 
 
 class Session:
-    """What the command watch remembers between two saves of the student's files.
+    """What the command `watch` remembers about a student between two saves.
 
     It knows which exercise the student is working on and, once that exercise is done, the next one.
     """
@@ -69,7 +69,7 @@ class Session:
             self.current, self.edited = (chapter, exercise), names
 
     def go_on(self) -> None:
-        """Move the student on to the next exercise, if there is one."""
+        """Make the next exercise the current one, as the student has asked by pressing Enter."""
         if self.next:
             self.current, self.edited = self.next, []
             self.show()
@@ -154,8 +154,9 @@ class Session:
     def find_next(self) -> None:
         """Find the next exercise that is not done yet, and offer it to the student.
 
-        When watch starts, we move on at once, because there is no other exercise to finish first.
-        We do the same if keys cannot be read, because then the student cannot press Enter.
+        The student accepts with Enter or by editing its code. When `watch` starts, we move on at
+        once, because there is no other exercise to finish first. We do the same if keys cannot be
+        read, because then the student cannot press Enter.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

@@ -1,4 +1,7 @@
-"""Check the student's current exercise after every save, and react to the keys that are pressed."""
+"""The command `watch`, which checks the student's current exercise after every save.
+
+It also reacts to keys that the student presses, such as h for a hint.
+"""
 
 from __future__ import annotations
 
@@ -24,10 +27,10 @@ TICK = 100  # milliseconds until we look again whether a key was pressed
 
 
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
-    """Show the state of the current exercise, and check it after every save until q is pressed.
+    """Show the state of the student's current exercise, and check it after every save.
 
     The current exercise is the one that the student edited last or, at the start, the first one
-    that is still open.
+    that is still open. The command ends when the student presses q.
 
     Raises:
         ValueError: The reference of a given chapter is not in this folder.
@@ -50,7 +53,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Runs a command of watch when the student presses the key for it, such as h for a hint."""
+    """Reacts to the keys that the student presses during `watch`, such as h for a hint."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -60,7 +63,7 @@ class Keyboard:
     def press(self, key: str) -> None:
         """Run the command for a key that the student has pressed, such as h for a hint.
 
-        Other keys do nothing. If watch has just asked whether to reset an exercise, the key is the
+        Other keys do nothing. If we have just asked whether to reset an exercise, the key is the
         answer.
         """
         try:
@@ -84,7 +87,7 @@ class Keyboard:
         self.session.draw()
 
     def say(self, words: str, style: str = "") -> None:
-        """Print a message to the student below the page of the command watch."""
+        """Print a message to the student below the page of the command `watch`."""
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
@@ -104,7 +107,7 @@ class Keyboard:
         self.asking = True
 
     def answer(self, key: str) -> None:
-        """Reset the current exercise if the student presses y."""
+        """Reset the current exercise to its stubs if the student has answered with y."""
         self.asking = False
         if key != "y" or not self.session.current:
             self.note("Nothing was reset.")

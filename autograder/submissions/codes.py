@@ -27,8 +27,8 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
 
     A code is computed from the student's id and from a secret in the key file, so every student
     keeps the same code for as long as that file exists. For a submission that belongs to no student
-    on the roster, the name of the submission takes the place of the id. Return the class with
-    codes.
+    on the roster, the name of the submission takes the place of the id. In the class that is
+    returned, reports call each student by the code.
 
     Raises:
         ValueError: The key file is damaged.
@@ -57,9 +57,9 @@ def key_path(roster: Path | None, out: Path) -> Path:
 
 
 def without_names(note: str) -> str:
-    """Remove the quoted parts of a note in an anonymous report.
+    """Replace the quoted parts of a note in an anonymous report.
 
-    They may identify the student, for example by the name of a folder.
+    A quoted part, such as the name of a folder, may identify the student.
     """
     return QUOTED.sub("one of them", note)
 
@@ -97,9 +97,9 @@ def _secret_in(path: Path) -> str:
 
 
 def _write_private(path: Path, text: str) -> None:
-    """Write the key file, which only its owner may read because it contains students' names.
+    """Write the key file atomically, and let only its owner read it.
 
-    The file is replaced atomically.
+    The file contains the names of the students behind the codes.
     """
     temporary = path.with_name(path.name + ".tmp")
     temporary.unlink(missing_ok=True)

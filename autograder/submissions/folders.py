@@ -105,7 +105,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 def refuse(reason: str) -> Callable[[int], bytes]:
     """Create a stand-in for ``Found.read`` for a submitted file that cannot be graded.
 
-    It always raises NotTakenError with this reason, which the student will read in the report.
+    It always raises NotTakenError with this reason.
     """
 
     def read(_: int) -> bytes:
@@ -136,7 +136,7 @@ def is_skipped(name: str) -> bool:
 
 
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
-    """Find the files to be graded in the folder that a submission has for a chapter.
+    """Find the files to be graded in a chapter's folder of a student's submission.
 
     Links are found too. They are rejected later, when the grader tries to read them.
     """

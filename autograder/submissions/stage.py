@@ -36,9 +36,9 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Copy a student's modules, and our own ones that no student edits, into the folder ``box``.
+    """Assemble the engine to be graded in the folder ``box``, from the student's files and ours.
 
-    Together they form the engine that is graded. The submission is a folder or a zip file, and may
+    Ours are the modules that no student edits. The submission is a folder or a zip file, and may
     contain anything. If something is wrong with it, the result says so. A missing file stays
     missing, because neither a stub nor our solution would be the student's work.
 
@@ -91,7 +91,7 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Choose which of a submission's folders for a chapter to grade, and return the files in it.
+    """Choose a chapter's folder if a submission has several, and return the files in it.
 
     We take the least deeply nested folder and, if several tie, the first by name. A note says so if
     there are several. A hand-out also has a folder with the original stubs, which counts only if

@@ -135,8 +135,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
     """Extract the students' files from the zip of a class into ``folder``.
 
-    Files that the grader never reads, such as pictures, are skipped. Return notes on rejected
-    files.
+    Only zips, Python files and Markdown files are extracted. Return notes on rejected files.
     """
     notes: list[str] = []
     sizes: Counter[str] = Counter()

@@ -203,7 +203,10 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Add up the points that a student can earn in these exercises, without extra credit."""
+    """Add up how many points a student can earn in these exercises, without extra credit.
+
+    A student with extra credit can end up with more.
+    """
     return round(sum(e.points for e in exercises if not e.extra), 2)
 
 

@@ -1,4 +1,7 @@
-"""Write gradebook.csv, a table of a class's grades: a row per student, a column per exercise."""
+"""Write gradebook.csv, the table of a class's grades.
+
+It has a row for each student and a column for each exercise, and opens in any spreadsheet.
+"""
 
 from __future__ import annotations
 

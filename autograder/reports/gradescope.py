@@ -1,4 +1,4 @@
-"""Convert a student's report to results.json, the file that Gradescope reads."""
+"""Write a student's grade as results.json, in the format that Gradescope reads."""
 
 from __future__ import annotations
 
@@ -53,9 +53,9 @@ class GradescopeResults:
 
 
 def write_gradescope(out: Path, report: StudentReport) -> Path:
-    """Write a student's grade for Gradescope to gradescope/<student>/results.json.
+    """Write results.json, the file from which Gradescope reads a student's grade.
 
-    Return the path of the file.
+    Return its path, which is gradescope/<student>/results.json in the folder ``out``.
     """
     path = out / "gradescope" / file_name(report.student) / "results.json"
     replace_file(path, as_text(gradescope_results(report)))

@@ -1,4 +1,7 @@
-"""Read marks.csv, in which instructors mark written answers, and add the marks to the reports."""
+"""Read the marks for students' written answers, and add them to the reports.
+
+No check can judge a written answer, so instructors enter the points and a comment in marks.csv.
+"""
 
 from __future__ import annotations
 
@@ -166,7 +169,7 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
-    """Open marks.csv, the table of marks for written answers, and check its header.
+    """Open marks.csv, in which instructors enter marks, and check its header.
 
     Return the column separator, and the rows with their first and last line numbers.
     """

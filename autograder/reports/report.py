@@ -138,7 +138,10 @@ class StudentReport:
 
     @property
     def penalty(self) -> float:
-        """The points that the student loses for handing in late, at most the points earned."""
+        """The points that the student loses for handing in late.
+
+        They are never more than the points earned, so that the total cannot be negative.
+        """
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 
     @property

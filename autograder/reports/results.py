@@ -1,4 +1,4 @@
-"""Store the reports on a graded class, and write the pages and gradebooks made from them."""
+"""Save the grades of a class, and write the files that show them to students and instructors."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def write_result(out: Path, report: StudentReport) -> Path:
 
 
 def keep_report(path: Path, report: StudentReport) -> None:
-    """Save a student's report in a JSON file.
+    """Save a student's report as a JSON file.
 
     The file is replaced atomically, so that nobody ever reads a half-written report.
     """

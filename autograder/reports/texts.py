@@ -1,4 +1,4 @@
-"""Prepare text for the reports: clean what students have written, and format points."""
+"""Prepare text for the grading reports: clean what students have written, and format points."""
 
 from __future__ import annotations
 
@@ -36,19 +36,25 @@ def _cleaned(value: Any) -> Any:
 
 
 def _clean_and_cut(text: str) -> str:
-    """Escape the unprintable characters in a text of a report, and cut it after 4000 characters."""
+    """Prepare a text that may come from a student for a report.
+
+    Unprintable characters are escaped, and only the first 4000 characters are kept.
+    """
     if len(text) > LONGEST:
         text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
     return clean(text)
 
 
 def number(value: float | None) -> str:
-    """Format points for a report, such as 18.27, 2.5 or 3. None becomes an empty string."""
+    """Format points for the reports, such as 18.27, 2.5 or 3. If they are unknown, return ""."""
     return "" if value is None else shown(value)
 
 
 def check_title(name: str) -> str:
-    """Turn the name of a check into words: test_clear_leaves_zero becomes "clear leaves zero"."""
+    """Turn the name of a check into a title for the reports.
+
+    For example, test_clear_leaves_zero becomes "clear leaves zero".
+    """
     return clean_line(name).removeprefix("test_").replace("_", " ")
 
 

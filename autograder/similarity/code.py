@@ -1,6 +1,6 @@
-"""Split the functions in a student's file into tokens, to compare them with other students' code.
+"""Split the functions in students' files into tokens, so that their code can be compared.
 
-The student's code is never compiled or run.
+The students' code is never compiled or run.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Token:
 class Function:
     """A function or method in a student's file, with the tokens of its body.
 
-    All code outside functions is stored as one function whose name is "".
+    All code of the file that is outside functions is stored as one function whose name is "".
     """
 
     name: str
@@ -179,7 +179,10 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line number in an error from Python's tokenizer, or 1 if the error has none."""
+    """Find the line of a student's file at which Python's tokenizer failed.
+
+    The line number is in the error. If the error has none, return 1.
+    """
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()
     return next((number for number in numbers if isinstance(number, int)), 1)

@@ -68,7 +68,10 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield the code that each student of a class wrote, with notes on any unreadable files."""
+    """Read the code that each student of a class wrote, one student at a time.
+
+    Yield the code of each student, with notes on any files that could not be read.
+    """
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)

@@ -48,7 +48,7 @@ class Part:
 class Work:
     """All the code that one student handed in, sorted by exercise.
 
-    Code outside all exercises is sorted by file.
+    Code that belongs to no exercise is sorted by file.
     """
 
     student: str
@@ -126,7 +126,11 @@ class Comparison:
 
 
 def compare(works: list[Work]) -> Comparison:
-    """Compare the code of every two students in a class, and rate how unusual the similarity is."""
+    """Compare the code of every two students in a class, and rate how unusual the similarity is.
+
+    With fewer than twelve students there are too few pairs for that rating, so the pairs are only
+    sorted by similarity.
+    """
     measure = Measure(works)
     pairs = [Pair(a, b, measure.similarity(a, b)) for a, b in combinations(works, 2)]
     if len(works) < FEWEST or (spread := _spread(_excesses(pairs))) is None:

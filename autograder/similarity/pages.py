@@ -148,7 +148,10 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Return the functions of one student that contain code shared with the other student."""
+    """Prepare those functions of one student that share code with the other student of a pair.
+
+    The page of the pair shows them with the shared code highlighted.
+    """
     sides = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")

@@ -1,4 +1,4 @@
-"""The command `similarity`, which shows the instructor whose code is unusually alike in a class."""
+"""The command `similarity`, which shows an instructor which students' code is unusually alike."""
 
 from __future__ import annotations
 

@@ -23,7 +23,10 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Hash all sequences of GRAM consecutive tokens in a student's function, in order."""
+    """Hash all sequences of GRAM consecutive tokens in the code of a student's function.
+
+    The hashes are in the order of the code.
+    """
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 

@@ -1,4 +1,7 @@
-"""Explain to a student why a check failed and what to do next, for the commands check and watch."""
+"""Explain to a student why a check has failed and what to do next.
+
+The commands check and watch show this explanation.
+"""
 
 from __future__ import annotations
 
@@ -80,7 +83,10 @@ def failure_of(
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Explain to the student the most urgent failed check of an exercise, and the next steps."""
+    """Explain to the student the failed check of an exercise that should be fixed first.
+
+    The next steps are printed below the explanation: which line to open, and how to get a hint.
+    """
     failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."

@@ -1,6 +1,6 @@
 """Show students what they have achieved at the end of a chapter, and which scenes they can play.
 
-The scenes are small games and demonstrations that run on the student's engine. A chapter is
+The scenes are interactive simulations in the lab that run on the student's engine. A chapter is
 finished as soon as the physics of its exercises works. Robust checks, questions, projects and
 going-further exercises may still be open, and the screen lists them.
 """
@@ -36,7 +36,7 @@ def print_finish(
 ) -> None:
     """Congratulate the student on a finished chapter, or name the scenes that can now be played.
 
-    Print nothing if there is neither.
+    Print nothing if no chapter is finished and no scene has become playable.
     """
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
@@ -148,7 +148,10 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """List what a student can still do in a finished chapter, such as answer questions."""
+    """List what a student can still do in a finished chapter.
+
+    This can be robust checks, unanswered questions, projects and going-further exercises.
+    """
     words = []
     robust = [
         (result.exercise, check)
@@ -188,7 +191,10 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return when the student last changed a file that affects the chapter's picture."""
+    """Return when the student last changed a file that affects the chapter's picture.
+
+    If the picture is older than that, it has to be drawn again.
+    """
     files = [
         file
         for file in engine.glob("ch??_*/*.*")
@@ -211,7 +217,7 @@ def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap a text of the closing screen, and put a label such as "Next" before its first line."""
+    """Wrap one entry of the closing screen, with a label such as "Next" before its first line."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

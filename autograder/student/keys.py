@@ -16,7 +16,7 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether the program can react to single keys, for which it must run in a terminal."""
+    """Return whether the program can react to single keys, which requires a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 

@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks on a student's code, and remembers the verdicts for as long as no file changes.
+    """Runs checks on a student's code, and remembers the verdicts until the student changes a file.
 
     ``run`` is a function with the same parameters as ``run_checks``.
     """

@@ -33,7 +33,7 @@ class Page:
     note: list[Line] = field(default_factory=list)
 
     def say(self, words: str, style: str = "") -> None:
-        """Add a line to the page, below the explanation of the failed check."""
+        """Add a line to the page of `watch`, below the explanation of the failed check."""
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:

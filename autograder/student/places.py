@@ -1,4 +1,7 @@
-"""Find the line in a student's file that a failed check is about, to be opened in an editor."""
+"""Find the line in a student's file that a failed check is about.
+
+The student can then open the file at that line in an editor.
+"""
 
 from __future__ import annotations
 
@@ -57,7 +60,7 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Return the name of the student's function that contains a line, as in vector.Vector3.dot."""
+    """Return the name of the student's function at a line of a file, such as vector.Vector3.dot."""
     tree = _read(_file(engine, chapter, file))
     for name, node in functions(tree).items() if tree else ():
         if node.lineno <= line <= (node.end_lineno or 0):

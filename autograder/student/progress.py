@@ -1,4 +1,4 @@
-"""Keep track of which exercises of a student work, and which one comes next."""
+"""Keep track of which exercises a student has finished, and which one comes next."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from autograder.student.screen import ProgressBar, Report, bar
 
 
 class Progress:
-    """Runs the checks for a student, and keeps the latest result of every exercise."""
+    """Runs the checks for a student, and remembers the latest result of every exercise.
+
+    From these results it works out which exercise comes next.
+    """
 
     def __init__(
         self, chapters: list[Chapter], folders: list[Path], given: list[Chapter], memory: Memory
@@ -83,10 +86,16 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether the student's code fails any physics check of an exercise."""
+    """Return whether an exercise has physics checks that the student's code does not pass yet.
+
+    A written exercise has no checks, so it never counts.
+    """
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether the student's code fails any check of an exercise, physics or robust."""
+    """Return whether an exercise has checks of any kind that the student's code does not pass yet.
+
+    They may be physics checks or robust checks. A written exercise never counts.
+    """
     return result.status not in ("passed", "waiting")

@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return the student's class with the missing methods ``names`` inserted from its stub."""
+    """Return the student's class with missing methods put back, which are copied from its stub."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]

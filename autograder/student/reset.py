@@ -102,6 +102,8 @@ def planned(
 ) -> list[Change]:
     """Find out what a reset would change in the student's files, without changing them.
 
+    The student can then be asked to confirm the reset.
+
     Raises:
         ValueError: The reset itself would raise this error.
     """
@@ -184,7 +186,7 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Shorten a path in a message to the student.
+    """Shorten the path of a student's file for a message.
 
     The path becomes relative to the working folder if it lies inside that folder.
     """

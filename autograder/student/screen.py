@@ -55,7 +55,7 @@ class Report:
 
 
 class ProgressBar:
-    """Shows the student how many checks have run, but only if the output is a terminal."""
+    """Shows the student how many checks have run so far, but only on a terminal."""
 
     title = ""
     _bar = None
@@ -147,7 +147,7 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Warn the student about edited files that grading will replace with the originals."""
+    """Warn the student about edited files that the grader will replace with the originals."""
     return [
         f"You have edited {file}. It isn't handed in, and grading uses the original, so code that "
         "relies on your changes will fail there. Keep your own code in the files that the "
@@ -221,7 +221,7 @@ def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def passing(checks: Sequence[Verdict]) -> str:
-    """Count how many checks of an exercise pass, as in "3/4", or return "" if it has none."""
+    """Count how many checks of an exercise pass, as in "3/4", or return "" if it has no checks."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
 
@@ -284,7 +284,7 @@ def _state(result: Result, answered: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return whether a check fails only because a function of this exercise is still a stub."""
+    """Return whether a check fails only because one of the exercise's functions is still a stub."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 

@@ -1,4 +1,7 @@
-"""Guide a student through the exercises: check the current one, and then move on to the next."""
+"""Guide a student through the exercises: check the current one, then move on to the next.
+
+The command `watch` uses this after every save.
+"""
 
 from __future__ import annotations
 
@@ -43,7 +46,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """Rerun the checks if the student has changed any file, and return whether that is so."""
+        """Rerun the checks if the student has changed a file, and return whether that was so."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -69,7 +72,10 @@ class Session:
             self.current, self.edited = (chapter, exercise), names
 
     def go_on(self) -> None:
-        """Make the next exercise the current one, as the student has asked by pressing Enter."""
+        """Make the next exercise the current one.
+
+        This is what the student asks for by pressing Enter when an exercise is done.
+        """
         if self.next:
             self.current, self.edited = self.next, []
             self.show()
@@ -134,7 +140,7 @@ class Session:
         page.say(self.progress.words(chapter))
 
     def say_done(self, result: Result, *, wait: bool) -> None:
-        """Tell the student that an exercise works, and which robust checks are still to do."""
+        """Tell the student that an exercise works, and how many of its robust checks are left."""
         exercise, count = result.exercise, len(result.checks)
         title = f"{exercise.id} {exercise.title}"
         left = sum(check.status != "passed" for check in result.robust)

@@ -82,7 +82,10 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a short message to the student at the end of the page, in place of the last one."""
+        """Show the student a short message, such as a hint, at the end of the page.
+
+        It replaces the previous message.
+        """
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()
 
@@ -107,7 +110,7 @@ class Keyboard:
         self.asking = True
 
     def answer(self, key: str) -> None:
-        """Reset the current exercise to its stubs if the student has answered with y."""
+        """Reset the current exercise to its stubs if the student has confirmed that with y."""
         self.asking = False
         if key != "y" or not self.session.current:
             self.note("Nothing was reset.")
@@ -117,13 +120,13 @@ class Keyboard:
         self.note(done)
 
     def list(self) -> None:
-        """Print the table of the current chapter, which shows the state of each exercise."""
+        """Show the student a table of the current chapter, with the state of each exercise."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         print_chapter(session.console, session.progress.report(chapter), session.engine)
 
     def check_all(self) -> None:
-        """Rerun the checks of all chapters, and print what `make check` would print."""
+        """Rerun all checks on the student's code, and print what `make check` would print."""
         session, progress = self.session, self.session.progress
         progress.memory.known.clear()
         reports = [progress.report(chapter) for chapter in progress.chapters]

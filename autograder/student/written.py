@@ -1,4 +1,4 @@
-"""Show a student a written exercise: the question and, once it is answered, our model answer."""
+"""Show a student the question of a written exercise and, once it is answered, the model answer."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Tell the student that all checks pass, and which questions are still unanswered."""
+    """Tell the student that all checks pass, and which written questions are still unanswered."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -78,7 +78,7 @@ def _is_open(question: Question) -> bool:
 
 
 def listed(words: list[str], last: str = "and") -> str:
-    """Join words into an English list, such as "a, b and c"."""
+    """Join words into a list for an English sentence, such as "a, b and c"."""
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 

@@ -1,4 +1,4 @@
-"""Find out who is in a class by matching the students on the roster with the submissions."""
+"""Find out who is in a class by matching the submissions with the students on the roster."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class ClassList:
 
     @property
     def submissions(self) -> list[Submission]:
-        """The submissions of the class, each under the name by which the reports call its student.
+        """The submissions of the class, each under the name that reports use for its student.
 
         They are sorted by that name.
         """
@@ -64,12 +64,12 @@ class ClassList:
 
     @property
     def missing(self) -> list[str]:
-        """The students on the roster who have not handed anything in."""
+        """The names of the students on the class's roster who have not handed anything in."""
         return [member.shown for member in self.members if not member.submission]
 
     @property
     def unmatched(self) -> list[str]:
-        """The names of the submissions that belong to no student on the roster."""
+        """The names of the submissions that belong to no student on the class's roster."""
         return [m.shown for m in self.members if self.has_roster and not m.student]
 
     @property

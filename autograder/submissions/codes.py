@@ -1,4 +1,7 @@
-"""Replace students' names with codes in the reports, and keep a key file that decodes them."""
+"""Replace students' names with codes, so that the reports on a class are anonymous.
+
+A key file says whose code is whose.
+"""
 
 from __future__ import annotations
 

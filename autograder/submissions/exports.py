@@ -1,4 +1,7 @@
-"""Parse the names that Canvas and Moodle give to downloaded submissions."""
+"""Parse the names that Canvas and Moodle give to submissions when an instructor downloads them.
+
+Such a name contains the student's name and a number.
+"""
 
 from __future__ import annotations
 

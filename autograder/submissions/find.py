@@ -36,12 +36,12 @@ class Submission:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All the names under which we know the student, starting with the one used in reports."""
+        """All names of the student who handed this in, starting with the one used in reports."""
         return (self.student, *self.aliases)
 
     @property
     def late(self) -> bool:
-        """Whether the platform marked the submission as late. Only Canvas does that."""
+        """Whether the platform marked the student's submission as late. Only Canvas does that."""
         return self.export is not None and self.export.late
 
 
@@ -126,11 +126,14 @@ def printable(text: str) -> str:
 
 
 def _order(submission: Submission) -> tuple[int, int]:
-    """Return a sort key that puts a student's later upload after an earlier one."""
+    """Return a sort key that puts a student's later upload after an earlier one.
+
+    Only the last upload is graded.
+    """
     return submission.export.order if submission.export else (0, 0)
 
 
 def _clean(name: str) -> str:
-    """Replace the characters in a student's name that some file system does not allow."""
+    """Replace all characters in a student's name that are special to some file system."""
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in name]
     return re.sub(r"^\.", "_", "".join(kept))

@@ -21,7 +21,10 @@ MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of o
 
 
 class NotTakenError(Exception):
-    """Raised when we reject a submitted file or a whole submission. Its text gives the reason."""
+    """Raised when we reject a submitted file or a whole submission.
+
+    Its text is a clause with the reason, such as "it is a symbolic link".
+    """
 
 
 @dataclass(frozen=True)
@@ -103,9 +106,9 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Create a stand-in for ``Found.read`` for a submitted file that cannot be graded.
+    """Create a function that stands in for reading a submitted file that cannot be graded.
 
-    It always raises NotTakenError with this reason.
+    It can be used as ``Found.read``, and always raises NotTakenError with this reason.
     """
 
     def read(_: int) -> bytes:
@@ -175,7 +178,11 @@ def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
 
 
 def _open(path: str, flags: int) -> int:
-    """Open a submitted file, but do not follow a link or wait for a pipe."""
+    """Open a submitted file without following a link or waiting for a pipe.
+
+    A link could lead to a file outside the submission, and a pipe could keep the grader waiting
+    forever.
+    """
     return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
 
 

@@ -1,4 +1,7 @@
-"""Read the roster of a class: a CSV file with the columns id, name, email and login."""
+"""Read the roster of a class, which lists its students.
+
+The roster is a CSV file with the columns id, name, email and login.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +32,10 @@ class Student:
 
     @property
     def keys(self) -> set[str]:
-        """The student's id, e-mail address and login, normalized for comparison."""
+        """The student's id, e-mail address and login, in a form that can be compared.
+
+        A submission that is named after one of these belongs to the student.
+        """
         return {key(text) for text in (self.id, self.email, self.login) if text}
 
     @property

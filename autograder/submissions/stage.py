@@ -71,7 +71,10 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
-    """Find the files of all chapters in a student's folder or zip, with notes on any problems."""
+    """Find the files of all chapters in a student's submission, with notes on any problems.
+
+    The submission may be a folder, a zip file, or a folder with zips in it.
+    """
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode

@@ -53,7 +53,10 @@ class Unpacked:
 
 @dataclass(frozen=True)
 class _File:
-    """A file in the zip of a class. The first of its ``parts`` names the submission it is from."""
+    """A file in the zip of a class, which contains the submissions of all students.
+
+    The first of its ``parts`` names the submission it is from.
+    """
 
     parts: list[str]
     entry: zipfile.ZipInfo

@@ -116,7 +116,10 @@ def search_zips_in(
 
 
 def path_in_zip(entry: zipfile.ZipInfo) -> str:
-    """Return the path of a file in a submitted zip, with forward slashes between its parts."""
+    """Return the path of a file in a submitted zip, with forward slashes between its parts.
+
+    This is needed because some Windows tools write backslashes into a zip.
+    """
     # Some Windows tools write backslashes, and other tools begin paths with a dot.
     return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
 

@@ -84,9 +84,10 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 
 
 def ungraded_results(reason: str) -> GradescopeResults:
-    """Build the results for a submission that could not be graded, which have no score.
+    """Build the results for a submission that could not be graded.
 
-    Instead, Gradescope shows the student the reason and says that the submission is not at fault.
+    They contain no score. Instead, Gradescope shows the student the reason and says that the
+    submission is not at fault.
     """
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 

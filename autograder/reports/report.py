@@ -62,10 +62,10 @@ class ExerciseReport:
 
 @dataclass(frozen=True)
 class Late:
-    """How late a student handed in, and how many points that costs under the course's late policy.
+    """How late a student handed in the work, and how many points that costs.
 
-    ``days`` is None if the delay is unknown. ``words`` explains the result to the student in full
-    sentences.
+    The late policy of the course determines the cost. ``days`` is None if the delay is unknown.
+    ``words`` explains the result to the student in full sentences.
     """
 
     days: int | None
@@ -138,7 +138,7 @@ class StudentReport:
 
     @property
     def penalty(self) -> float:
-        """The points that the student loses for handing in late.
+        """The points that the student loses because the work was handed in late.
 
         They are never more than the points earned, so that the total cannot be negative.
         """

@@ -1,4 +1,7 @@
-"""Save the grades of a class, and write the files that show them to students and instructors."""
+"""Save the grades of a class, and write the files that show them to students and instructors.
+
+These files are web pages, a gradebook and files for Gradescope.
+"""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ Point = Sequence[float]  # cost and error
 class Dot:
     """A dot on an exercise's chart, which shows the cost and the error of one student's solution.
 
-    ``x`` and ``y`` are its position in the picture.
+    ``x`` and ``y`` are its position in the picture, and ``best`` says whether it is on the front.
     """
 
     name: str

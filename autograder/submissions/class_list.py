@@ -93,8 +93,8 @@ class ClassList:
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
         """Return the same class with other names for the students in the reports.
 
-        The new name of each member is ``name(member)``. Anonymous grading uses this to put codes in
-        place of names.
+        The new name of each member is ``name(member)``. Anonymous grading uses this to replace
+        names with codes.
         """
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))

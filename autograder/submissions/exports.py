@@ -1,6 +1,6 @@
 """Parse the names that Canvas and Moodle give to submissions when an instructor downloads them.
 
-Such a name contains the student's name and a number.
+Such a name identifies the student and the upload.
 """
 
 from __future__ import annotations

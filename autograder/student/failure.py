@@ -85,7 +85,7 @@ def failure_of(
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
     """Explain to the student the failed check of an exercise that should be fixed first.
 
-    The next steps are printed below the explanation: which line to open, and how to get a hint.
+    The next steps follow the explanation, such as which line of code to open.
     """
     failure = failure_of(chapter, result, engine)
     if failure is None:

@@ -1,1 +1,1 @@
-"""Write the results of grading: reports, feedback pages, a gradebook, and files for Gradescope."""
+"""Write the results of grading: a page for each student, a gradebook, and files for Gradescope."""

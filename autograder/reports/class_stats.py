@@ -1,4 +1,7 @@
-"""Statistics of a graded class: the pass rate of each exercise, and the spread of the scores."""
+"""Compute the statistics of a graded class, such as the pass rate of each exercise.
+
+The instructor sees them on the overview page of the class, index.html.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +19,10 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ExerciseRate:
-    """How many students pass an exercise, and how many points they earn on average.
+    """How many students of a class pass an exercise, and how many points they earn on average.
 
-    ``counted`` is the number of students who have a score. Students have no score if the grader
-    failed on their submission, or as long as nobody has marked their answer.
+    ``counted`` is the number of students who have a score for the exercise. Students have no score
+    if the grader failed on their submission, or as long as nobody has marked their written answer.
     """
 
     exercise: Exercise
@@ -30,7 +33,10 @@ class ExerciseRate:
 
     @property
     def share(self) -> float | None:
-        """The fraction of the counted students who pass, or None for a written exercise."""
+        """The fraction of students who pass every check of the exercise, among those with a score.
+
+        It is None for a written exercise, which has no checks, and if no student has a score yet.
+        """
         if self.exercise.kind == "written" or not self.counted:
             return None
         return self.passed / self.counted
@@ -38,7 +44,11 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """A bin of the histogram: how many scores are at least ``low`` and below ``high`` percent."""
+    """A bar in the histogram of a class's scores.
+
+    ``count`` students have a score of at least ``low`` and less than ``high`` percent of the
+    points. The last bar includes full marks.
+    """
 
     low: int
     high: int
@@ -46,7 +56,10 @@ class Bin:
 
 
 def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[ExerciseRate]:
-    """Compute the pass rate of every exercise, in manifest order."""
+    """Compute the pass rate of each exercise from the reports on all students of a class.
+
+    The exercises are in the same order as in the chapters' manifests.
+    """
     results: dict[str, list[ExerciseReport]] = {}
     for report in reports:
         for exercise in report.exercises:
@@ -56,16 +69,20 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 
 
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
-    """Return the exercises with the lowest pass rates, hardest first.
+    """Find the five exercises with the lowest pass rates in a class, hardest first.
 
-    The list is empty if every student passes every exercise.
+    An exercise that every student passes is left out, so the list may be shorter or empty.
     """
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
-    """Sort the students' scores into bins of 10 percent. A full score goes into the last bin."""
+    """Count the students of a class by score, in bins of 10 percent, for a histogram.
+
+    A full score, or a higher one due to extra credit, goes into the last bin. Students without a
+    score are not counted.
+    """
     counts: Counter[int] = Counter()
     for report in reports:
         if report.score is not None and report.points:

@@ -1,7 +1,7 @@
-"""Write the web pages of a graded class: one per student, and an index for the instructor.
+"""Write the web pages of a graded class: one per student, and an overview for the instructor.
 
-The pages work offline and contain no scripts. Whatever comes from a student is inserted as plain
-text.
+The pages work offline and contain no scripts. Whatever comes from a student, such as a name or an
+error message, is inserted as plain text, so it cannot change the page.
 """
 
 from __future__ import annotations
@@ -48,9 +48,10 @@ TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first t
 
 @dataclass
 class LostChecks:
-    """Failed checks with the same message, which a student's page shows only once.
+    """Failed checks of an exercise that have the same message, which the student's page shows once.
 
-    The titles of hidden checks are left out.
+    For example, a module that cannot be imported makes many checks fail with the same message.
+    ``titles`` lists the checks by name, except for hidden ones, which are only counted.
     """
 
     status: Status
@@ -63,10 +64,11 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """An exercise as shown on a student's page, where only failed checks are described in full.
+    """A student's results in one exercise, as shown on the student's feedback page.
 
-    ``gains`` is true if the exercise earns more points with our solutions of the earlier chapters.
-    ``uneven`` is true if its physics checks, or its robust checks, do not all have the same weight.
+    Only failed checks are described in full there. ``gains`` is true if the exercise earns more
+    points when our solutions replace the student's earlier chapters. ``uneven`` is true if its
+    physics checks, or its robust checks, do not all have the same weight.
     """
 
     anchor: str
@@ -80,7 +82,11 @@ class ShownExercise(ExerciseReport):
 
 
 def write_feedback(out: Path, report: StudentReport) -> Path:
-    """Write feedback/<student>.html, the page for one student, and return its path."""
+    """Write a student's feedback page, feedback/<student>.html, and return its path.
+
+    The page shows the points for each exercise, the message of each failed check, and which
+    exercise the student should fix first.
+    """
     path = out / "feedback" / f"{file_name(report.student)}.html"
     report = clean_all(report)
     exercises = [_shown(i, e) for i, e in enumerate(report.exercises, start=1)]
@@ -110,7 +116,11 @@ def write_index(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write index.html, the instructor's overview of the whole class, and return its path."""
+    """Write index.html, the instructor's overview of a graded class, and return its path.
+
+    ``missing`` lists the students on the roster who have not handed in anything. ``unmatched``
+    lists those who have handed in something but are not on the roster.
+    """
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     clean = [clean_all(report) for report in reports]
@@ -163,7 +173,11 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 
 
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
-    """Return the exercise that the student should fix first: physics before robust checks."""
+    """Return the exercise that the student should fix first, or None if every exercise passes.
+
+    Exercises whose physics is wrong come before those in which only robust checks fail, such as
+    checks with bad arguments.
+    """
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
         works = all(passed == of for tier, passed, of in exercise.tiers if tier == "physics")
@@ -173,7 +187,11 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Return a chart for each open exercise that has data from at least one submission."""
+    """Lay out a chart for each open exercise, on which every student of the class is a dot.
+
+    The chart plots the error of each student's solution against its cost. An exercise gets no chart
+    if no student's solution could be measured.
+    """
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
@@ -185,12 +203,18 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Add up how many points these exercises are worth, without extra credit."""
+    """Add up how many points a student can earn in these exercises, without extra credit.
+
+    A student with extra credit can end up with more.
+    """
     return round(sum(e.points for e in exercises if not e.extra), 2)
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Group failed checks by message, since one unreadable file can make many of them fail."""
+    """Group an exercise's failed checks by message, so that the student reads each message once.
+
+    A single unreadable file can make many checks fail with the same message.
+    """
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

@@ -1,4 +1,7 @@
-"""Write gradebook.csv, with a row for each student and a column for each exercise."""
+"""Write gradebook.csv, the table of a class's grades.
+
+It has a row for each student and a column for each exercise, and opens in any spreadsheet.
+"""
 
 from __future__ import annotations
 
@@ -30,13 +33,13 @@ def write_gradebook(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write gradebook.csv and return its path. Its second row lists the points possible.
+    """Write gradebook.csv, the instructor's table of all grades, and return its path.
 
-    A cell is empty if there is no grade yet, because nobody has marked the answer, the grader
-    failed, or the student has not handed anything in. ``missing`` lists students who have handed in
-    nothing, and ``unmatched`` lists those who are not on the roster. With a due date, three more
-    columns give the points, the late days and the penalty, and the total is the points minus the
-    penalty.
+    The second row lists the points possible. A cell is empty if there is no grade yet, because
+    nobody has marked the answer, the grader failed, or the student has not handed anything in.
+    ``missing`` lists students who have handed in nothing, and ``unmatched`` lists those who are not
+    on the roster. If the assignment has a due date, three more columns give the points earned, the
+    days late and the penalty. The total is then the points earned minus the penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -73,11 +76,18 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the points before the penalty, the late days and the penalty, or None if unknown."""
+    """Return the cells of the gradebook that show how a student's late penalty comes about.
+
+    They are the points earned, the days late and the penalty. A cell is None if its value is not
+    known, for example because the grader failed.
+    """
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
 
 
 def as_cell(text: str) -> str:
-    """Put a text on one line, and make sure that no spreadsheet treats it as a formula."""
+    """Put a text on one line of a CSV file, and keep spreadsheets from running it as a formula.
+
+    For example, a student's name "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
+    """
     return FORMULA.sub(r"\1\2'", clean_line(text))

@@ -1,4 +1,4 @@
-"""Write the report on a student as results.json, the file that Gradescope reads."""
+"""Write a student's grade as results.json, in the format that Gradescope reads."""
 
 from __future__ import annotations
 
@@ -19,7 +19,11 @@ OURS = "grader error, please retry: this is not the submission's fault and does 
 
 @dataclass(frozen=True)
 class ExerciseResult:
-    """The result of one exercise, as one of the "tests" in results.json. The score is optional."""
+    """The result of one exercise, which Gradescope shows to the student as a "test".
+
+    The score is None if the grader failed on the exercise, or if a person still has to mark the
+    answer.
+    """
 
     number: str
     name: str
@@ -32,7 +36,10 @@ class ExerciseResult:
 
 @dataclass(frozen=True)
 class GradescopeResults:
-    """The contents of results.json, in which all text is plain and standard output is hidden."""
+    """The contents of results.json, the file from which Gradescope shows a student's grade.
+
+    All text in it is plain text. Students cannot see what the grader printed to standard output.
+    """
 
     output: str
     output_format: Literal["text"]
@@ -46,22 +53,25 @@ class GradescopeResults:
 
 
 def write_gradescope(out: Path, report: StudentReport) -> Path:
-    """Write gradescope/<student>/results.json, and return its path."""
+    """Write results.json, the file from which Gradescope reads a student's grade.
+
+    Return its path, which is gradescope/<student>/results.json in the folder ``out``.
+    """
     path = out / "gradescope" / file_name(report.student) / "results.json"
     replace_file(path, as_text(gradescope_results(report)))
     return path
 
 
 def as_text(results: GradescopeResults) -> str:
-    """Serialize the results as the JSON text that Gradescope reads."""
+    """Convert a student's results to JSON, the format in which Gradescope reads them."""
     return json.dumps(to_json(results), indent=1, allow_nan=False) + "\n"
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
-    """Convert a report to Gradescope's format, with one "test" for each exercise.
+    """Convert a student's report to the format of Gradescope, which calls each exercise a "test".
 
-    If the grader failed, the results contain no scores, because neither zero nor full marks would
-    be fair.
+    If the grader failed, the submission gets no score, because neither zero nor full marks would be
+    fair.
     """
     report = clean_all(report)
     failed = report.status != "graded" or report.score is None
@@ -74,7 +84,11 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 
 
 def ungraded_results(reason: str) -> GradescopeResults:
-    """Create the results that tell Gradescope why a submission could not be graded."""
+    """Build the results for a submission that could not be graded.
+
+    They contain no score. Instead, Gradescope shows the student the reason and says that the
+    submission is not at fault.
+    """
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
 
@@ -136,7 +150,10 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Return the text that a student reads about an exercise: mainly why its checks failed."""
+    """Describe the result of an exercise to the student, mainly why its checks failed.
+
+    Gradescope shows this text below the title of the exercise.
+    """
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
         return f"waiting for a person to mark it: up to {number(exercise.points)} points"

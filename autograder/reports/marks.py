@@ -1,4 +1,7 @@
-"""Read the marks for written answers from marks.csv, and add them to the reports."""
+"""Read the marks for students' written answers, and add them to the reports.
+
+No check can judge a written answer, so instructors enter the points and a comment in marks.csv.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +26,7 @@ GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 @dataclass(frozen=True)
 class Mark:
-    """The points that somebody gave for a written answer, with a comment for the student."""
+    """The points that a person gave for a student's written answer, and a comment on it."""
 
     points: float
     comment: str
@@ -34,7 +37,11 @@ Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 @dataclass(frozen=True)
 class Row:
-    """One mark in marks.csv, with the numbers of its first and last line, counted from 1."""
+    """A row of marks.csv, which holds the mark for one student's answer to one exercise.
+
+    ``first`` and ``last`` are the numbers of its first and last line, counted from 1. They differ
+    if the comment has several lines.
+    """
 
     student: str
     exercise: str
@@ -44,7 +51,7 @@ class Row:
 
 
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
-    """Read marks.csv, where instructors enter points and comments for written answers.
+    """Read marks.csv, where instructors enter points and comments for students' written answers.
 
     Its columns are student, exercise, points and comment. If the file does not exist, there are no
     marks. A European spreadsheet may separate the columns by semicolons and write numbers with a
@@ -60,7 +67,9 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
 def read_rows(
     path: Path, chapters: list[Chapter], students: Iterable[str]
 ) -> tuple[str, list[Row]]:
-    """Return the column separator and the rows of marks.csv.
+    """Read the marks in marks.csv with their line numbers, and the separator of the columns.
+
+    With these, a program can change a single mark and leave all other lines of the file untouched.
 
     Raises:
         ValueError: A line is invalid, as in ``read_marks``.
@@ -98,7 +107,10 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Create a row for marks.csv whose cells cannot be mistaken for spreadsheet formulas."""
+    """Build the row of marks.csv that stores the mark for one student's answer.
+
+    The name and the comment are written so that a spreadsheet does not take them for formulas.
+    """
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
     comment = clean(mark.comment).strip()
@@ -106,10 +118,13 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return the marks with each student's name changed to the one that the reports use.
+    """Relabel the marks in marks.csv with the names by which the reports call the students.
 
     A student may be entered in marks.csv under another name, such as the one on the roster.
     ``names`` maps every such name to the one in the reports.
+
+    Raises:
+        ValueError: A student has two marks for the same exercise, under different names.
     """
     found: Marks = {}
     for (student, exercise), mark in marks.items():
@@ -123,9 +138,10 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Return a copy of a report in which ``marks`` replace all earlier marks.
+    """Return a copy of a student's report that includes the marks for the written answers.
 
-    If a written exercise has no mark, the report says that its answer is still to be marked.
+    ``marks`` replace all earlier marks. If a written exercise has no mark, the report says that its
+    answer is still to be marked.
     """
     exercises = []
     given: list[float] = []
@@ -153,7 +169,10 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
-    """Return the separator of marks.csv, and its rows with their first and last line numbers."""
+    """Open marks.csv, in which instructors enter marks, and check its header.
+
+    Return the column separator, and the rows with their first and last line numbers.
+    """
     table = read_csv(path)
     if table.header != HEADER:
         wanted = ",".join(HEADER)
@@ -172,7 +191,12 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Map each spelling of a student's name to the student, unless two students share it."""
+    """Map every form in which a student's name may appear in marks.csv to the student.
+
+    The form may differ from the name in its accents, or in an apostrophe that keeps a spreadsheet
+    from reading it as a formula. A form that fits two students is left out, unless it is exactly
+    the name of one of them.
+    """
     forms: dict[str, set[str]] = {}
     for name in students:
         for form in (name, _key(name), _key(as_cell(name))):
@@ -182,5 +206,8 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Normalize accented letters, so that two encodings of the same name compare equal."""
+    """Normalize the accented letters in a student's name, so that names can be compared.
+
+    Unicode has two encodings of such a letter, which look the same but compare different.
+    """
     return unicodedata.normalize("NFC", name.strip())

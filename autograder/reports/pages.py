@@ -1,4 +1,7 @@
-"""Render the templates of all pages. Whatever comes from a student is inserted as plain text."""
+"""Create the web pages that the autograder writes, from HTML templates.
+
+Whatever comes from a student is inserted as plain text, so it cannot change a page.
+"""
 
 from __future__ import annotations
 
@@ -14,9 +17,10 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Fill in a template with these values, and return the resulting page.
+    """Fill in the template of a web page, such as student.html, and return the resulting page.
 
     The template is looked up in ``folder`` first, and then among those that all pages share.
+    ``values`` are the variables that it uses.
     """
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),

@@ -1,4 +1,4 @@
-"""The report on one student's submission, as stored in results/<student>.json."""
+"""The report on one student's submission, which the grader stores in results/<student>.json."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ReportStatus = Literal["graded", "error, retry"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """The result of one check in the report on a student."""
+    """The result of one check of a student's code, with a message for the student if it failed."""
 
     name: str
     status: Status
@@ -27,9 +27,10 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """The data for the chart of an open exercise: a student's solution and ours.
+    """The cost and error of a student's solution to an open exercise, and those of ours.
 
-    The chart plots each solution's error against its cost. ``axes`` names the two quantities.
+    An open exercise has more than one good answer, so a chart plots the error of each solution
+    against its cost. ``axes`` names the two quantities.
     """
 
     axes: list[str]
@@ -39,10 +40,10 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """The results of one exercise in the report on a student. An unknown score is None.
+    """A student's results in one exercise, as stored in the report. An unknown score is None.
 
-    ``score_on_given`` is the score when the earlier chapters come from our reference. An ``extra``
-    credit exercise does not add to the points possible.
+    ``score_on_given`` is the score when our solutions of the earlier chapters replace the
+    student's. An ``extra`` credit exercise does not add to the points possible.
     """
 
     chapter: int
@@ -61,9 +62,10 @@ class ExerciseReport:
 
 @dataclass(frozen=True)
 class Late:
-    """How late a submission is under the course's late policy, and how many points that costs.
+    """How late a student handed in the work, and how many points that costs.
 
-    ``days`` is None if that is unknown. ``words`` explains the result in full sentences.
+    The late policy of the course determines the cost. ``days`` is None if the delay is unknown.
+    ``words`` explains the result to the student in full sentences.
     """
 
     days: int | None
@@ -73,10 +75,11 @@ class Late:
 
 @dataclass(frozen=True)
 class RunKey:
-    """The conditions of grading: everything besides the submission that a report depends on.
+    """The settings with which a submission was graded, such as the seed and the time limit.
 
-    If any of them changes, the report is no longer valid. ``points`` holds the points of each
-    graded exercise, and ``extra`` lists the exercises that give extra credit.
+    A report from an earlier run is reused only if all of these settings and the submission are
+    still the same. ``points`` holds the points of each graded exercise, and ``extra`` lists the
+    exercises that give extra credit.
     """
 
     seed: str
@@ -93,16 +96,17 @@ class RunKey:
 
 @dataclass(frozen=True)
 class StudentReport:
-    """All results of one student.
+    """The report on one student: the results of all exercises, and the points.
 
     Attributes:
         score: The points from checks. It is None if the grader failed.
-        score_on_given: The points from checks, with the reference's earlier chapters.
+        score_on_given: The points from checks when our solutions replace the student's earlier
+            chapters.
         points: The points that the checks are worth.
         by_hand: The points that people gave for written answers.
-        waiting: The points that people can still give.
-        earlier: The numbers of the earlier chapters by the student that the graded ones use.
-        submission: A digest of the graded files.
+        waiting: The points for written answers that nobody has marked yet.
+        earlier: The numbers of the student's own earlier chapters that the graded ones use.
+        submission: A hash of the graded files.
         seconds: How long grading took.
         late: How late the submission is. It is None if the work has no due date.
     """
@@ -126,25 +130,31 @@ class StudentReport:
 
     @property
     def earned(self) -> float | None:
-        """The points earned from checks and from marks, or None if the grader failed."""
+        """The student's points from checks and marks, before any late penalty.
+
+        It is None if the grader failed.
+        """
         return None if self.score is None else self.score + (self.by_hand or 0)
 
     @property
     def penalty(self) -> float:
-        """The points lost to lateness, which never exceed the points earned."""
+        """The points that the student loses because the work was handed in late.
+
+        They are never more than the points earned, so that the total cannot be negative.
+        """
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 
     @property
     def total(self) -> float | None:
-        """The points earned minus the late penalty, or None if the grader failed."""
+        """The student's points after the late penalty, or None if the grader failed."""
         return None if self.earned is None else round(self.earned - self.penalty, 2)
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
-    """Count how many physics checks and how many robust checks pass.
+    """Count how many of an exercise's physics checks pass, and how many of its robust checks.
 
-    For each kind of which there are any, return its name, the number of checks that pass, and the
-    total number.
+    For each kind of check that the exercise has, return the name of the kind, the number of checks
+    that pass, and the total number, as in ("physics", 3, 4).
     """
     found = []
     for name, robust in (("physics", False), ("robust", True)):

@@ -1,4 +1,7 @@
-"""Store the results of a graded class, and write every file that presents them."""
+"""Save the grades of a class, and write the files that show them to students and instructors.
+
+These files are web pages, a gradebook and files for Gradescope.
+"""
 
 from __future__ import annotations
 
@@ -17,20 +20,23 @@ from autograder.submissions.find import file_name
 
 
 def write_result(out: Path, report: StudentReport) -> Path:
-    """Write results/<student>.json atomically, and return its path."""
+    """Save a student's report as results/<student>.json, and return the path of the file."""
     path = out / "results" / f"{file_name(report.student)}.json"
     keep_report(path, report)
     return path
 
 
 def keep_report(path: Path, report: StudentReport) -> None:
-    """Write a report to a JSON file atomically, so that nobody ever reads a half-written file."""
+    """Save a student's report as a JSON file.
+
+    The file is replaced atomically, so that nobody ever reads a half-written report.
+    """
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
 
 
 def read_result(path: Path) -> StudentReport | None:
-    """Read a report from a JSON file, or return None if there is no valid report in it."""
+    """Read a student's report from a JSON file, or return None if the file has no valid report."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
         return from_json(StudentReport, data)
@@ -39,7 +45,7 @@ def read_result(path: Path) -> StudentReport | None:
 
 
 def read_results(out: Path) -> list[StudentReport]:
-    """Return the reports on all students of a graded class, sorted by student.
+    """Read the reports on all students of a graded class, sorted by student.
 
     Raises:
         ValueError: There are no reports, or one of them cannot be read.
@@ -56,9 +62,9 @@ def read_results(out: Path) -> list[StudentReport]:
 
 
 def write_student(out: Path, report: StudentReport) -> None:
-    """Write the feedback page, the Gradescope file and the result of one student.
+    """Write the files about one student: the feedback page, the Gradescope file and the report.
 
-    The result is written last, so that its existence proves that the other files are complete.
+    The report is written last, so that its existence proves that the other files are complete.
     """
     write_feedback(out, report)
     write_gradescope(out, report)
@@ -72,10 +78,11 @@ def write_class(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> list[Path]:
-    """Write the class-wide reports, and return the paths to show to the instructor.
+    """Write the files about a whole class for its instructor: an overview and the gradebook.
 
     ``missing`` lists the students on the roster who have not handed in anything. ``unmatched``
-    lists those who have handed in something but are not on the roster.
+    lists those who have handed in something but are not on the roster. Return the paths of all
+    files and folders to show to the instructor.
     """
     index = write_index(out, chapters, reports, missing, unmatched)
     gradebook = write_gradebook(out, chapters, reports, missing, unmatched)

@@ -1,7 +1,7 @@
-"""Lay out the chart of an open exercise, which plots each submission's error against its cost.
+"""Lay out a chart that plots the error of each student's solution against its cost.
 
-Both axes are logarithmic. This module only computes positions; the template scatter.svg does the
-drawing.
+Open exercises, which have more than one good answer, get such a chart. Both axes are logarithmic.
+This module only computes positions. The template scatter.svg does the drawing.
 """
 
 from __future__ import annotations
@@ -19,7 +19,10 @@ Point = Sequence[float]  # cost and error
 
 @dataclass(frozen=True)
 class Dot:
-    """A dot on the chart for one student's solution: its cost, its error, and its position."""
+    """A dot on an exercise's chart, which shows the cost and the error of one student's solution.
+
+    ``x`` and ``y`` are its position in the picture, and ``best`` says whether it is on the front.
+    """
 
     name: str
     cost: float
@@ -31,10 +34,11 @@ class Dot:
 
 @dataclass(frozen=True)
 class Scatter:
-    """The layout of an open exercise's chart: two axes, a dot per solution, and the front.
+    """The layout of an open exercise's chart: two axes, a dot for each student, and the front.
 
-    The front is the line through the best solutions, students' or ours. Each tick on an axis has a
-    position and a label.
+    The front is the line through the best solutions, students' or ours. A solution is on it if no
+    other one of the same or a lower cost has a smaller error. Each tick on an axis has a position
+    and a label.
     """
 
     exercise: ExerciseReport
@@ -47,7 +51,10 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Lay out an exercise's chart. ``named`` lists each student's name with the cost and error."""
+    """Compute the positions of the axes, the students' dots and the front on an exercise's chart.
+
+    ``named`` lists each student's name with the cost and error of the student's solution.
+    """
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
@@ -74,7 +81,10 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the points that are more accurate than all cheaper ones, sorted by cost."""
+    """Find the best of several solutions from their costs and errors, and sort them by cost.
+
+    A solution is one of the best if every other one of the same or a lower cost has a larger error.
+    """
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
         if not kept or error < kept[-1][1]:
@@ -83,9 +93,10 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of the staircase that is drawn for the front.
+    """Turn the best solutions on a chart into the corners of the staircase that connects them.
 
-    It is a staircase because the best error stays the same from one cost to the next.
+    It is a staircase because the smallest error for a given cost stays the same until the cost
+    reaches that of the next solution.
     """
     corners = line[:1]
     for x, y in line[1:]:
@@ -94,7 +105,10 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Return axis ticks at 1, 2 and 5 times powers of ten, or fewer where that is too many."""
+    """Choose ticks for a chart's logarithmic axis, at 1, 2 and 5 times powers of ten.
+
+    If there would be more than nine ticks, use powers of ten only.
+    """
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]

@@ -1,4 +1,4 @@
-"""Prepare text for reports: clean what students have written, and format numbers."""
+"""Prepare text for the grading reports: clean what students have written, and format points."""
 
 from __future__ import annotations
 
@@ -16,7 +16,11 @@ LONGEST = 4000  # characters of a text in a report; the message of a check has o
 
 
 def clean_all(value: T) -> T:
-    """Return a copy of a report, or of a part of one, with all text cleaned and shortened."""
+    """Return a copy of a student's report, or of a part of it, in which every text is safe to show.
+
+    Texts may contain anything that a student wrote. Unprintable characters are escaped, and long
+    texts are cut off.
+    """
     return cast(T, _cleaned(value))
 
 
@@ -32,23 +36,32 @@ def _cleaned(value: Any) -> Any:
 
 
 def _clean_and_cut(text: str) -> str:
-    """Escape a text's unprintable characters, and shorten it to a length that suits a report."""
+    """Prepare a text that may come from a student for a report.
+
+    Unprintable characters are escaped, and only the first 4000 characters are kept.
+    """
     if len(text) > LONGEST:
         text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
     return clean(text)
 
 
 def number(value: float | None) -> str:
-    """Format points for people to read, such as 18.27, 2.5 or 3. None becomes an empty string."""
+    """Format points for the reports, such as 18.27, 2.5 or 3. If they are unknown, return ""."""
     return "" if value is None else shown(value)
 
 
 def check_title(name: str) -> str:
-    """Turn the name of a check into words: test_clear_leaves_zero becomes "clear leaves zero"."""
+    """Turn the name of a check into a title for the reports.
+
+    For example, test_clear_leaves_zero becomes "clear leaves zero".
+    """
     return clean_line(name).removeprefix("test_").replace("_", " ")
 
 
 def replace_file(path: Path, text: str) -> None:
-    """Write a text to a file atomically, so that nobody ever reads a half-written file."""
+    """Write a report or another text to a file.
+
+    The file is replaced atomically, so that nobody ever reads a half-written one.
+    """
     # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

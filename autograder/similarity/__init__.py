@@ -1,1 +1,1 @@
-"""Find pairs of submissions that are more alike than is usual for their class."""
+"""Find pairs of students whose code is more alike than is usual in their class."""

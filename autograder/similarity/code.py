@@ -1,4 +1,7 @@
-"""Read the functions in a student's file as tokens, without compiling or running any code."""
+"""Split the functions in students' files into tokens, so that their code can be compared.
+
+The students' code is never compiled or run.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """One token of a student's code, normalized for the comparison.
+    """One token of a student's code, such as a name or an operator, ready to be compared.
 
     ``start`` and ``end`` are its positions in the student's file, as (line, column).
     """
@@ -34,7 +37,7 @@ class Token:
 class Function:
     """A function or method in a student's file, with the tokens of its body.
 
-    All code outside functions is stored as one function whose name is "".
+    All code of the file that is outside functions is stored as one function whose name is "".
     """
 
     name: str
@@ -46,7 +49,7 @@ class Function:
 
 
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
-    """Return the functions in a student's file, and the line at which we had to stop reading.
+    """Split the functions in a student's file into tokens, and say at which line we had to stop.
 
     The line is 0 if the whole file is readable. A method has a name such as Particle.mass, and its
     setter is called Particle.mass.setter. Signatures, comments and docstrings are left out, because
@@ -83,7 +86,11 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield Python's own names, and the public names used in a file that no student wrote."""
+    """Yield names that students have not made up: Python's own, and those in one of our files.
+
+    ``text`` is the contents of that file. Any other name in a student's code is replaced for the
+    comparison, so renaming a variable does not hide a copy.
+    """
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.NAME and not (
@@ -93,9 +100,10 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Cut off a text before its first overlong line, and return that line's number.
+    """Cut off a student's file where it gets so long that reading it would take too much time.
 
-    The number is 0 if no line is too long.
+    Return the remaining text and the number of the line at which it was cut. The number is 0 if the
+    whole file is short enough.
     """
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
@@ -106,7 +114,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield each logical line of a file together with its indentation depth."""
+    """Yield each logical line of a student's file as tokens, with its depth of indentation."""
     depth, nested = 0, 0
     line: _Line = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -126,7 +134,10 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens of a logical line that are compared. A docstring has none."""
+    """Yield the tokens in a line of a student's code that are compared with other students' code.
+
+    ``line`` is a logical line. A docstring is not compared, so it yields nothing.
+    """
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
     for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
@@ -153,7 +164,10 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens after a signature's colon, which are a body on the same line."""
+    """Return the body of a student's function or class if it is on the same line as def or class.
+
+    The body is a list of tokens, which is empty if the line ends after the colon.
+    """
     open_brackets = 0
     for i, token in enumerate(line):
         if token.type == tokenize.OP:
@@ -165,7 +179,10 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line number in an error from the tokenizer, or 1 if it does not have one."""
+    """Find the line of a student's file at which Python's tokenizer failed.
+
+    The line number is in the error. If the error has none, return 1.
+    """
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()
     return next((number for number in numbers if isinstance(number, int)), 1)

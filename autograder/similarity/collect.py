@@ -1,6 +1,6 @@
-"""Extract the code to compare from the submissions of a class.
+"""Read the code that each student of a class wrote, so that it can be compared.
 
-The submissions are copied and checked just as they are for grading.
+The files are copied from the submissions and checked in the same way as for grading.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 
 @dataclass(frozen=True)
 class Ground:
-    """What the comparison must know about the chapters before it can compare any code.
+    """Which functions to compare between students, and which code to ignore in the comparison.
 
     Attributes:
         parts: The exercise of each function that students edit, such as Vector3.dot in
@@ -40,7 +40,11 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Collect the exercises, known names and given code that comparing these chapters requires."""
+    """Find out which code in these chapters to compare among students, and which to ignore.
+
+    We ignore code that was given to all students, and exercises that are so short that all
+    solutions look alike.
+    """
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
     given: set[int] = set()
@@ -64,7 +68,10 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield the code that each student has written, with notes on any unreadable files."""
+    """Read the code that each student of a class wrote, one student at a time.
+
+    Yield the code of each student, with notes on any files that could not be read.
+    """
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
@@ -79,9 +86,10 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Return the code in these files that a student wrote, with notes on any problems.
+    """Extract the code that a student wrote from the submitted files, and sort it by exercise.
 
-    Code that students were given is left out, and so are exercises that are too short to compare.
+    Code that all students were given is left out, and so are exercises that are too short to
+    compare. Return the code with notes on any problems, for the instructor.
     """
     parts: dict[str, Part] = {}
     notes = []
@@ -100,7 +108,10 @@ def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, 
 
 
 def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
-    """Yield the texts of our own files in these chapters: reference, stubs and given modules."""
+    """Yield the text of each Python file that we wrote for these chapters.
+
+    These are our solutions, the stubs, and the modules that students use without changing them.
+    """
     for folder in ("solutions", "chapters"):
         for name in chapters:
             for path in sorted((root / folder / name).glob("*.py")):
@@ -110,9 +121,10 @@ def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
 def _reference_sizes(
     chapter: Chapter, known: frozenset[str], root: Path
 ) -> dict[tuple[str, str], int]:
-    """Return the number of tokens in each function of our solution.
+    """Count the tokens in each function of our solution to a chapter.
 
-    These numbers show which exercises are too short to compare.
+    An exercise with a very short solution is not compared, because all students' solutions to it
+    must look alike.
     """
     sizes = {}
     for name in chapter.edited_files:

@@ -1,8 +1,9 @@
-"""Compare the code of a class pair by pair, and rate how unusual each pair's similarity is.
+"""Compare every two students' code in a class, and rate how unusual their similarity is.
 
-Code is compared by its fingerprints. The fewer students share a fingerprint in an exercise, the
-more it weighs, because it is less likely to be a coincidence. The similarity of a pair is an
-average over the exercises, weighted so that a long one cannot dominate the result.
+Code is compared by its fingerprints, which are hashes of short sequences of tokens. The fewer
+students share a fingerprint in an exercise, the more it weighs, because it is less likely to be a
+coincidence. The similarity of a pair is an average over the exercises, weighted so that a long one
+cannot dominate the result.
 
 Some students write code that resembles everybody's. To correct for that, we subtract how similar
 each of the two students usually is to the rest of the class. Dividing the result by its spread over
@@ -27,7 +28,7 @@ FALSE_ALARMS = 0.002  # pairs expected above the line by chance, if pairs vary a
 
 @dataclass(frozen=True)
 class Passage:
-    """One function as a student wrote it, with its tokens and the text of its file."""
+    """A function as a student wrote it, with its tokens and the text of the file it is in."""
 
     file: str
     name: str
@@ -45,7 +46,10 @@ class Part:
 
 @dataclass(frozen=True)
 class Work:
-    """All the code that one student handed in, divided into exercises and other parts."""
+    """All the code that one student handed in, sorted by exercise.
+
+    Code that belongs to no exercise is sorted by file.
+    """
 
     student: str
     parts: Mapping[str, Part]
@@ -55,7 +59,8 @@ class Work:
 class Pair:
     """Two students, and the similarity of their code on a scale from 0 to 1.
 
-    ``surprise`` says how unusual that similarity is in their class.
+    ``surprise`` says how unusual that similarity is in their class. It is None if the class is too
+    small to tell.
     """
 
     one: Work
@@ -66,9 +71,9 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """The code that two students have in common in one exercise or other part.
+    """The code that two students have in common in one exercise, or in one file outside exercises.
 
-    ``rarest`` is how many students in the class have the rarest piece of it.
+    ``rarest`` is the number of students in the class who have the rarest fingerprint in that code.
     """
 
     name: str
@@ -78,10 +83,10 @@ class Shared:
 
 
 class Comparison:
-    """All pairs of students in a class, the most surprising first.
+    """The result of comparing the code in a class: all pairs of students, most surprising first.
 
     A pair stands out if its surprise is at least ``line``. If the class is too small to compute
-    surprises, there is no line.
+    surprises, there is no line, and the most similar pair comes first.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -90,18 +95,27 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return whether two students' code is too similar to be a coincidence in this class."""
+        """Return whether two students' code is so much alike that the instructor should read both.
+
+        That is the case if their similarity is far above what is usual in this class.
+        """
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line
 
     @property
     def outstanding(self) -> int:
-        """The number of pairs that stand out, which come first in the list of pairs."""
+        """The number of pairs of students whose code is unusually similar for their class.
+
+        These pairs come first in the list of pairs.
+        """
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """Return the code that two students share, starting with the part with most rare code."""
+        """Return the code that two students share in each exercise, starting with the most telling.
+
+        Shared code counts for more if fewer other students have it.
+        """
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
@@ -112,7 +126,11 @@ class Comparison:
 
 
 def compare(works: list[Work]) -> Comparison:
-    """Compare every pair of students in a class, and rate how unusual their similarity is."""
+    """Compare the code of every two students in a class, and rate how unusual the similarity is.
+
+    With fewer than twelve students there are too few pairs for that rating, so the pairs are only
+    sorted by similarity.
+    """
     measure = Measure(works)
     pairs = [Pair(a, b, measure.similarity(a, b)) for a, b in combinations(works, 2)]
     if len(works) < FEWEST or (spread := _spread(_excesses(pairs))) is None:
@@ -129,7 +147,10 @@ def compare(works: list[Work]) -> Comparison:
 
 
 class Measure:
-    """Measures similarity, using the weights of this class's fingerprints and exercises."""
+    """Measures how similar two students' code is, on a scale from 0 to 1.
+
+    Code that few students of the class have written weighs more than code that many have.
+    """
 
     def __init__(self, works: list[Work]) -> None:
         self.students = len(works)
@@ -146,7 +167,7 @@ class Measure:
         self.usual = {name: statistics.median(values) for name, values in totals.items()}
 
     def similarity(self, one: Work, other: Work) -> float:
-        """Return two students' average similarity over all exercises, from 0 to 1.
+        """Compute the average similarity of two students' code over all exercises, from 0 to 1.
 
         An exercise for which only one of them has written code counts as a similarity of 0.
         """
@@ -158,11 +179,18 @@ class Measure:
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def size(self, name: str) -> float:
-        """Return a part's weight in the average: the square root of its typical size."""
+        """Return the weight of an exercise in the average similarity of two students.
+
+        It is the square root of the exercise's typical size, so that a long exercise cannot
+        dominate.
+        """
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
-        """Return how similar two students' code for one exercise or other part is, from 0 to 1."""
+        """Compute how similar two students' code for a single exercise is, from 0 to 1.
+
+        ``name`` can also stand for the code outside all exercises in one file.
+        """
         both = one.parts[name].fingerprints & other.parts[name].fingerprints
         # A student who has written less has less to share, and must not stand out for that.
         sizes = [max(self.own[w.student, name], self.usual[name]) for w in (one, other)]
@@ -170,15 +198,19 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Return the total weight of these fingerprints in one exercise or other part.
+        """Add up how much some fingerprints of an exercise count when students are compared.
 
-        A fingerprint weighs more if fewer students share it.
+        A fingerprint weighs more if fewer students share it, because it is less likely to be a
+        coincidence.
         """
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """Yield by how much the similarity of each pair exceeds what is usual for its two students."""
+    """Compute by how much each pair's similarity exceeds what is usual for its two students.
+
+    What is usual for a student is the median of the similarities to all other students.
+    """
     of: dict[str, list[float]] = {}
     for pair in pairs:
         for work in (pair.one, pair.other):
@@ -189,10 +221,11 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Return the median and a robust standard deviation, or None if the values are all the same.
+    """Compute the median and the spread of ``values``, one for each pair of students in a class.
 
-    The standard deviation is estimated from the upper half of the values, which has the longer
-    tail. A few students who have copied barely change it.
+    The spread is a robust standard deviation, estimated from the upper half of the values, which
+    has the longer tail. A few students who have copied barely change it. The result is None if the
+    values are all the same.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

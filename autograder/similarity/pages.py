@@ -1,6 +1,7 @@
-"""Write the pages of a comparison: an index of the pairs, and a page with each pair's code.
+"""Write the web pages about similar code in a class: an index, and a page per pair of students.
 
-Names and code are inserted as plain text, and the pages load nothing from other hosts.
+A pair's page shows the code of both students side by side. Names and code are inserted as plain
+text, and the pages load nothing from other hosts.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of a student's code, to be highlighted on the page if it is shared.
+    """A piece of a student's code, highlighted on the page if another student has it too.
 
     Shared code has the kind "rare" or "common", and all other code has the kind "".
     """
@@ -40,7 +41,10 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """One student's function, split into pieces, with the line number at which it starts."""
+    """A student's function on the page of a pair, split into pieces to highlight shared code.
+
+    ``line`` is the line of the student's file at which it starts.
+    """
 
     name: str
     file: str
@@ -51,7 +55,11 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write index.html and a page for each listed pair of students, and return the index's path."""
+    """Write a page about each pair of students with similar code, and an index of these pages.
+
+    The index lists the first 30 pairs, or all pairs that stand out if there are more of those.
+    Return the path of the index.
+    """
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
@@ -82,7 +90,7 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Split the lines of a function into pieces, so that the shared code can be highlighted.
+    """Split a student's function into pieces, so that its page can highlight the shared code.
 
     ``kinds`` maps the index of each shared token to "rare" or "common".
     """
@@ -140,7 +148,10 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Return the functions of a student that contain code shared with the other."""
+    """Prepare those functions of one student that share code with the other student of a pair.
+
+    The page of the pair shows them with the shared code highlighted.
+    """
     sides = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
@@ -153,6 +164,6 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Count the pairs of students by surprise, in bins of width 1."""
+    """Count the pairs of students by how surprising their similarity is, in bins of width 1."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

@@ -1,4 +1,4 @@
-"""The command `similarity`, which compares the submissions of a class and writes the pages."""
+"""The command `similarity`, which shows an instructor which students' code is unusually alike."""
 
 from __future__ import annotations
 
@@ -15,10 +15,12 @@ from autograder.wrapping import plain_console
 
 
 def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
-    """Compare the code of every two students in a class, and write the pages into ``out``.
+    """Compare the code of every two students in a class, and write pages about the similar pairs.
+
+    The submissions are in ``folder``, and the pages go into ``out``.
 
     Raises:
-        ValueError: There is nothing to compare.
+        ValueError: There is nothing to compare, or ``out`` is inside ``folder``.
         OSError: A file of the repository cannot be read, or a page cannot be written.
     """
     if out.resolve().is_relative_to(folder.resolve()):

@@ -1,8 +1,8 @@
-"""Compute fingerprints of code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
+"""Compute fingerprints of students' code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
 
 Every sequence of GRAM consecutive tokens is hashed, and the smallest of every WINDOW neighboring
-hashes is kept as a fingerprint. So if two texts have GRAM + WINDOW - 1 consecutive tokens in
-common, they share at least one fingerprint.
+hashes is kept as a fingerprint. So if two students' functions have GRAM + WINDOW - 1 consecutive
+tokens in common, they share at least one fingerprint.
 
 Renaming variables does not hide a copy, because within a sequence the student's own names are
 replaced with numbers, in order of appearance. Moving statements around does not help much either: a
@@ -23,19 +23,29 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Return the hashes of all sequences of GRAM consecutive tokens, in order."""
+    """Hash all sequences of GRAM consecutive tokens in the code of a student's function.
+
+    The hashes are in the order of the code.
+    """
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 
 def fingerprints(words: tuple[str, ...]) -> set[int]:
-    """Return the hashes that winnowing keeps as fingerprints."""
+    """Choose the hashes that represent a student's function when it is compared with others.
+
+    From every WINDOW neighboring hashes, winnowing keeps the smallest.
+    """
     found = hashes(words)
     windows = range(max(1, len(found) - WINDOW + 1)) if found else ()
     return {min(found[i : i + WINDOW]) for i in windows}
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Return the indices of the tokens that are part of a sequence whose hash is shared."""
+    """Find the tokens of a student's function that are part of code shared with another student.
+
+    Return their indices. A token is part of shared code if a sequence that contains it has one of
+    the ``shared`` hashes.
+    """
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
     return {i for start in starts for i in range(start, start + GRAM)}

@@ -1,1 +1,1 @@
-"""The commands that students use: check, watch, hint and reset."""
+"""The commands with which students work on their exercises: check, watch, hint and reset."""

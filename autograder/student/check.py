@@ -1,4 +1,4 @@
-"""Run the checks for a student, and separate the student's own failures from inherited ones."""
+"""Check a student's code, and find out which failures come from mistakes in earlier chapters."""
 
 from __future__ import annotations
 
@@ -32,12 +32,13 @@ def check(
     *,
     only: bool = False,
 ) -> bool:
-    """Check chapters or a single exercise, print the results, and return whether all checks pass.
+    """Check a student's code, print the results, and return whether all checks pass.
 
     With ``exercise``, only that exercise and its prerequisites are checked. With ``only``, nothing
-    but that exercise's physics checks is shown and counted, and all other checks run silently. The
-    ``given`` chapters come from the reference. A written exercise has no checks, so it is only
-    displayed. Unanswered questions do not affect the result.
+    but that exercise's physics checks is shown and counted, and all other checks run silently. For
+    the ``given`` chapters, the reference solution replaces the student's code. A written exercise
+    has no checks, so its question is displayed instead. Unanswered questions do not affect the
+    result.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -65,10 +66,10 @@ def report_on(
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
 ) -> Report:
-    """Check a chapter, or one exercise and its prerequisites, and return the report.
+    """Run the checks of a chapter, or of one exercise and its prerequisites, on a student's code.
 
-    ``run`` is the function that runs the checks. A check that fails only because of a mistake in an
-    earlier chapter is marked as inherited.
+    ``run`` is the function that runs the checks. In the report, a check that fails only because of
+    a mistake in an earlier chapter is marked as inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)

@@ -1,4 +1,4 @@
-"""Find out which functions a student has edited since the last look."""
+"""Detect which functions a student has just edited, so that `watch` can check their exercise."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from autograder.manifest import Chapter, Exercise
 
 
 class Edits:
-    """Remembers the student's functions and data files, in order to notice when they change."""
+    """Remembers a student's functions and data files, and notices which of them have changed."""
 
     def __init__(self, engine: Path, chapters: list[Chapter]) -> None:
         self.engine = engine
@@ -20,10 +20,11 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Return the exercises edited since the last call, with the functions or data that changed.
+        """Find the exercises that the student has edited since the last call.
 
-        Changes to layout or comments are ignored. If a module cannot be read at the moment, all of
-        its functions count as edited, because any of them may have changed.
+        Each comes with the functions or data files that changed. Changes to layout or comments are
+        ignored. If a module cannot be read at the moment, all of its functions count as edited,
+        because any of them may have changed.
         """
         edited = []
         for chapter in self.chapters:
@@ -35,7 +36,10 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return the parts of a file that changed since the last call, and remember the file."""
+        """Return which functions in one of the student's files changed since the last call.
+
+        A data file, such as drops.csv, counts as a whole. The file is remembered for the next call.
+        """
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()
@@ -55,9 +59,10 @@ class Edits:
 
 
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function in a module, or None if the module is unreadable or empty.
+    """Return the code of each function in a student's module, without comments and layout.
 
-    A module may be empty only briefly, because some editors truncate a file before writing to it.
+    The result is None if the module is unreadable or empty. A module may be empty only briefly,
+    because some editors truncate a file before writing to it.
     """
     try:
         found = functions(ast.parse(text))
@@ -67,5 +72,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Return whether a function was edited, or belongs to a module that could not be read."""
+    """Return whether the student has edited a function, or made its whole module unreadable."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

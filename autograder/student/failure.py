@@ -1,4 +1,7 @@
-"""Describe a failed check in full, with what to do next, for the commands check and watch."""
+"""Explain to a student why a check has failed and what to do next.
+
+The commands check and watch show this explanation.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +26,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check, with everything the student needs in order to fix it.
+    """The explanation of a failed check that a student sees, with everything needed to fix it.
 
     ``place`` is the line to open in an editor, and ``hints`` is the exercise whose hints may help.
     Both are empty if the student must first fix an earlier chapter.
@@ -44,10 +47,11 @@ def failure_of(
     title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
-    """Return the failed check of an exercise that the student should see first, or None.
+    """Choose the failed check of an exercise that the student should see first, and explain it.
 
     Checks of the functions in ``edited`` come first, because the student has just worked on them.
-    Next, a mistake in finished code comes before a function that is not written yet.
+    Next, a mistake in finished code comes before a function that is not written yet. The result is
+    None if no check has failed.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -79,7 +83,10 @@ def failure_of(
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Print the message of one failed check in full, followed by what to do next."""
+    """Explain to the student the failed check of an exercise that should be fixed first.
+
+    The next steps follow the explanation, such as which line of code to open.
+    """
     failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."
@@ -93,7 +100,10 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the beginning of the code's output, or [] if it printed nothing."""
+    """Shorten what the student's code printed, to show it below the message of a failed check.
+
+    Return a row labeled "printed", in a list, or an empty list if the code printed nothing.
+    """
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 
@@ -102,7 +112,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return whether a check calls one of the functions just edited, or fails inside one."""
+    """Return whether a check calls a function that the student has just edited, or fails in one."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -1,7 +1,8 @@
-"""Show what a student has achieved at the end of a chapter, and which scenes can be played.
+"""Show students what they have achieved at the end of a chapter, and which scenes they can play.
 
-A chapter is finished as soon as the physics of its exercises works. Robust checks, questions,
-projects and going-further exercises may still be open, and the screen lists them.
+The scenes are interactive simulations in the lab that run on the student's engine. A chapter is
+finished as soon as the physics of its exercises works. Robust checks, questions, projects and
+going-further exercises may still be open, and the screen lists them.
 """
 
 from __future__ import annotations
@@ -33,7 +34,10 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """If ``end_of`` returns any lines, print them after an empty line."""
+    """Congratulate the student on a finished chapter, or name the scenes that can now be played.
+
+    Print nothing if no chapter is finished and no scene has become playable.
+    """
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
         console.print(words, style=style, markup=False, soft_wrap=True)
@@ -42,11 +46,11 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the closing screen of a finished chapter, or a line that names playable scenes.
+    """Compose the closing screen of a finished chapter, or a line that names playable scenes.
 
-    Each line comes with its style. The screen is that of the last finished chapter, unless the
-    student has already begun another one. In that case we only name the scenes unlocked by
-    ``exercise`` or, if it is None, by the last exercise that works.
+    Each line comes with its style. The screen is that of the last chapter that the student has
+    finished, unless the student has already begun another one. In that case we only name the scenes
+    unlocked by ``exercise`` or, if it is None, by the last exercise that works.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
@@ -64,14 +68,22 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether the physics of a chapter works, not counting projects and extra exercises."""
+    """Return whether the student has finished a chapter, so that the closing screen can be shown.
+
+    The physics of each exercise must work, apart from projects and going-further exercises. Written
+    questions and robust checks may still be open.
+    """
     working = {result.exercise.id for result in report.results if result.works}
     wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
     return all(exercise.id in working for exercise in wanted)
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the closing screen of a chapter, which has at most 20 lines of 80 columns."""
+    """Compose the screen that congratulates a student on a finished chapter.
+
+    It names the picture to look at, the scenes to play, the tasks still open and the next chapter.
+    It has at most 20 lines of 80 columns.
+    """
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
@@ -93,10 +105,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return a sentence that names the scenes that become playable with this exercise.
+    """Name the scenes that the student can play now that an exercise works, in one sentence.
 
-    It is empty if this exercise or an earlier one does not work yet, or if an earlier chapter has
-    failures, because the scenes would not work either.
+    The sentence is empty if this exercise or an earlier one does not work yet, or if an earlier
+    chapter has failures, because the scenes would not work either.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -114,12 +126,18 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 
 
 def _is_extra(exercise: Exercise) -> bool:
-    """Return whether a chapter can be finished without this exercise, such as a project."""
+    """Return whether students can finish a chapter without this exercise.
+
+    That is true of projects and of going-further exercises, whose ids start with G.
+    """
     return exercise.kind == "project" or exercise.id.startswith("G")
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return whether any function of the exercise is still a stub or its file is missing."""
+    """Return whether the student has not yet written a function of this exercise.
+
+    If the file of a function is missing, the function counts as not written.
+    """
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
         paths = [folder / chapter.name / file for folder in engine]
@@ -130,7 +148,10 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """Return the work that is still open to the student in a finished chapter."""
+    """List what a student can still do in a finished chapter.
+
+    This can be robust checks, unanswered questions, projects and going-further exercises.
+    """
     words = []
     robust = [
         (result.exercise, check)
@@ -153,7 +174,11 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 
 
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
-    """Return the path of the chapter's picture if it is up to date, or the command to draw it."""
+    """Tell the student where to find the chapter's picture, or which command draws it.
+
+    An existing picture counts only if the student's own engine drew it after the last change to the
+    code.
+    """
     folder = ROOT / "build" / "plots" / chapter.name
     file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH
     if file.is_file() and drawn_with.is_file():
@@ -166,7 +191,10 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return the time of the last change to any file that affects the chapter's picture."""
+    """Return when the student last changed a file that affects the chapter's picture.
+
+    If the picture is older than that, it has to be drawn again.
+    """
     files = [
         file
         for file in engine.glob("ch??_*/*.*")
@@ -180,13 +208,16 @@ def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
-    """Return the make variables that select this engine and these given chapters."""
+    """Return the make variables that select the student's engine and the given chapters.
+
+    For example, GIVEN=2,3 takes chapters 2 and 3 from the reference solution.
+    """
     numbers = ",".join(str(chapter.number) for chapter in given)
     return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap a text into lines, and put a label before the first line."""
+    """Wrap one entry of the closing screen, with a label such as "Next" before its first line."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

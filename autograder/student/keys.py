@@ -1,4 +1,4 @@
-"""Read single keys from the terminal, with no need to press Enter.
+"""Read single keys from the terminal, so that students need not press Enter after each one.
 
 This uses msvcrt on Windows, and termios everywhere else.
 """
@@ -16,13 +16,16 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether single keys can be read, which requires a terminal."""
+    """Return whether the program can react to single keys, which requires a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Until the context ends, deliver each key immediately and without echoing it."""
+    """Make the terminal deliver each key as soon as the student presses it, without echoing it.
+
+    When the context ends, the terminal returns to its previous mode.
+    """
     if not available() or sys.platform == "win32":
         yield
         return
@@ -39,10 +42,10 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys pressed since the last call, ignoring special keys such as the arrow keys.
+    """Return the keys that the student has pressed since the last call, without waiting for one.
 
-    The function never waits for a key. If the terminal has been closed, it returns END. Call it
-    only if ``available`` returns True.
+    Special keys, such as the arrow keys, are ignored. If the terminal has been closed, the result
+    ends with END. Call this function only if ``available`` returns True.
     """
     keys = ""
     if sys.platform == "win32":

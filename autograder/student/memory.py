@@ -1,4 +1,4 @@
-"""Remember verdicts for as long as the student's files stay the same, to save time.
+"""Remember the verdicts on checks, so that `watch` reruns them only after the student edits a file.
 
 The verdicts are kept only in memory, because students could edit a file that stores them.
 """
@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks, and remembers their verdicts for as long as no file changes.
+    """Runs checks on a student's code, and remembers the verdicts until the student changes a file.
 
     ``run`` is a function with the same parameters as ``run_checks``.
     """
@@ -33,7 +33,10 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the verdicts of ``run_checks``, running the checks only if a file has changed."""
+        """Return the verdicts on a chapter, running its checks only if a file has changed.
+
+        With ``exercises``, return only the verdicts on these exercises and their prerequisites.
+        """
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
         for ids in (with_needs(chapter, None), wanted):
@@ -48,7 +51,10 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Compute a hash of all the files on which the checks of a chapter depend."""
+    """Compute a hash of all the student's files on which the checks of a chapter depend.
+
+    As long as the hash stays the same, there is no need to run these checks again.
+    """
     state = hashlib.sha256()
     for number, folder in enumerate(engine):
         for file in sorted(folder.glob("ch??_*/*.*")):

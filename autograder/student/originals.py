@@ -1,4 +1,4 @@
-"""Find out whether a student has edited a file that should stay as is, such as cloth.py.
+"""Find out whether a student has edited a file that should stay as it is, such as cloth.py.
 
 The grader uses our own copy of such a file, so the student's changes would have no effect there.
 """
@@ -12,7 +12,7 @@ from autograder.manifest import ROOT, Chapter
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
-    """Return the complete files of a chapter that the student has changed by mistake.
+    """Return the files of a chapter that the student has edited but should have left alone.
 
     They are compared with the hashes in stubs.lock. A file that is missing from the chapter's
     folder or from stubs.lock does not count as changed.

@@ -1,4 +1,7 @@
-"""Lay out the page of the command watch, so that its heading and keys fit on the terminal."""
+"""Lay out the page of `watch`, the command that checks the student's code after every save.
+
+The page is shortened so that its heading and the list of keys fit on the terminal.
+"""
 
 from __future__ import annotations
 
@@ -16,10 +19,11 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """What the watch page shows: lines at the top, a failure, lines at the bottom, and a note.
+    """The page of the command `watch`, which shows the student a failed check and how to fix it.
 
-    If the explanation of the failure does not fit on the terminal, the page names ``whole``, the
-    command that prints it in full.
+    ``top`` and ``bottom`` are the lines above and below the explanation of the failed check. If the
+    explanation does not fit on the terminal, the page names ``whole``, the command that prints it
+    in full.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -29,11 +33,11 @@ class Page:
     note: list[Line] = field(default_factory=list)
 
     def say(self, words: str, style: str = "") -> None:
-        """Add a line at the bottom of the page."""
+        """Add a line to the page of `watch`, below the explanation of the failed check."""
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
-        """Print the page on the console.
+        """Print the page of `watch` on the console, with a line of keys for the student at the end.
 
         On a terminal, clear the screen first and shorten the page until it fits.
         """
@@ -48,9 +52,10 @@ class Page:
             _print(console, words, style)
 
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
-        """Fit the page into ``width`` columns and ``height`` lines.
+        """Shorten the page of the command `watch` to ``width`` columns and ``height`` lines.
 
-        If the explanation of the failure is too long, lines are cut from its middle.
+        If the explanation of the failed check is too long, lines are cut from its middle, so that
+        the heading and the keys stay visible.
         """
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
@@ -75,7 +80,7 @@ class Page:
         return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
 
     def _below(self) -> list[Line]:
-        """Return the lines below the failure: the next steps, the progress and the note."""
+        """Return the lines below the failed check: what to do next, the progress and the note."""
         steps: list[Line] = []
         if self.failure is not None:
             first, *others = self.failure.steps
@@ -84,7 +89,6 @@ class Page:
 
 
 def _wrapped(lines: list[Line], width: int) -> list[Line]:
-    """Wrap lines to the width of the terminal."""
     return [(part, style) for words, style in lines for part in wrapped(words, width) or [""]]
 
 

@@ -1,4 +1,7 @@
-"""Find the line in a student's file that a failed check is about, for an editor to open."""
+"""Find the line in a student's file that a failed check is about.
+
+The student can then open the file at that line in an editor.
+"""
 
 from __future__ import annotations
 
@@ -15,11 +18,12 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # a chapter's folder has such a name
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Return the line to open in an editor: the one in the message or else the called function.
+    """Find the line of code that the student should open to fix a failed check.
 
-    A line in a function of another exercise is passed over, because it may be correct, and so is a
-    line in a complete file, which students must not edit. If the check is about data that the
-    student entered, return the data file.
+    It is the line named in the check's message or, without one, the start of the function that the
+    check calls. A line in a function of another exercise is passed over, because it may be correct,
+    and so is a line in a complete file, which students must not edit. If the check is about data
+    that the student entered, return the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -40,7 +44,7 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
 
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
-    """Return where a function that students edit is defined, as path:line.
+    """Find the line at which one of the student's functions is defined, as path:line.
 
     ``name`` is the function's name in the manifest. If its file is missing or unreadable, return
     only the path. A path inside the working folder is given relative to it.
@@ -56,7 +60,7 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Return the manifest's name of the function whose body contains a line."""
+    """Return the name of the student's function at a line of a file, such as vector.Vector3.dot."""
     tree = _read(_file(engine, chapter, file))
     for name, node in functions(tree).items() if tree else ():
         if node.lineno <= line <= (node.end_lineno or 0):
@@ -65,7 +69,7 @@ def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | No
 
 
 def _read(file: Path) -> ast.Module | None:
-    """Return the syntax tree of a Python file, or None if it is missing or unreadable."""
+    """Parse a student's Python file, or return None if it is missing or unreadable."""
     try:
         return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors add a BOM
     except (OSError, SyntaxError, ValueError):
@@ -73,7 +77,7 @@ def _read(file: Path) -> ast.Module | None:
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:
-    """Return the path of a chapter's file in the engine.
+    """Return the path of a file in the student's engine, such as chapters/ch02_vectors/vector.py.
 
     The path is relative to the working folder if it lies inside that folder.
     """

@@ -1,4 +1,4 @@
-"""Keep track of a student's progress: which exercises work, and which comes next."""
+"""Keep track of which exercises a student has finished, and which one comes next."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from autograder.student.screen import ProgressBar, Report, bar
 
 
 class Progress:
-    """Runs checks, and keeps the latest result of every exercise."""
+    """Runs the checks for a student, and remembers the latest result of every exercise.
+
+    From these results it works out which exercise comes next.
+    """
 
     def __init__(
         self, chapters: list[Chapter], folders: list[Path], given: list[Chapter], memory: Memory
@@ -26,7 +29,7 @@ class Progress:
         self.last: dict[tuple[str, str], Result] = {}
 
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> Report:
-        """Check a chapter, store the results, and return the report.
+        """Check the student's code for a chapter, remember the results, and return the report.
 
         With ``exercise``, check only that exercise and its prerequisites.
         """
@@ -37,7 +40,7 @@ class Progress:
         return report
 
     def next_open(self) -> tuple[Chapter, Exercise] | None:
-        """Return the exercise to work on next, or None if everything is done.
+        """Find the exercise that the student should work on next, or return None if all are done.
 
         Within a chapter, the physics of all exercises comes before the robust checks.
         """
@@ -51,17 +54,24 @@ class Progress:
         return None
 
     def works(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Return whether the physics checks of an exercise all passed the last time they ran."""
+        """Return whether the student's code passed an exercise's physics checks at the last run."""
         result = self.last.get((chapter.name, exercise.id))
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Return whether all physics checks of a chapter passed the last time they ran."""
+        """Return whether the student's code passed all physics checks of a chapter at the last run.
+
+        Optional exercises count only if a required exercise builds on them.
+        """
         wanted = asked_for(chapter)
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Say how much of a chapter is done: its physics or, once that is complete, all checks."""
+        """Say how far the student is in a chapter, as in "3 of 8 exercises work".
+
+        An exercise works if its physics checks pass. Once all of them work, count those whose
+        robust checks pass as well.
+        """
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
         of = len(wanted)
@@ -76,10 +86,16 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether an exercise still has a physics check that does not pass."""
+    """Return whether an exercise has physics checks that the student's code does not pass yet.
+
+    A written exercise has no checks, so it never counts.
+    """
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether an exercise still has a check, physics or robust, that does not pass."""
+    """Return whether an exercise has checks of any kind that the student's code does not pass yet.
+
+    They may be physics checks or robust checks. A written exercise never counts.
+    """
     return result.status not in ("passed", "waiting")

@@ -1,4 +1,4 @@
-"""Restore functions that a student has deleted, in their original positions."""
+"""Restore functions that a student has deleted, each in its original position in the file."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from autograder.definitions import functions
 
 
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
-    """Insert the stubs of deleted functions, such as Vector3.dot, and return the new module.
+    """Insert the stubs of deleted functions, such as Vector3.dot, into a student's module.
 
-    If the student has deleted a whole class, all of it is restored.
+    Return the new module. If the student has deleted a whole class, all of it is restored.
 
     Raises:
         ValueError: The stub does not define one of the names.
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return a class to which the missing members ``names`` have been added from its stub."""
+    """Return the student's class with missing methods put back, which are copied from its stub."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -57,7 +57,11 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert a definition in stub order: after its nearest predecessor, or before its successor."""
+    """Insert a function or class into a student's code, in the order of the stub.
+
+    It goes after the nearest function that precedes it in the stub and still exists in the
+    student's code. If there is none, it goes before the nearest one that follows it in the stub.
+    """
     names = [_name(other) for other in body]
     at = [*order].index(node)
     for other in reversed(order[:at]):
@@ -73,7 +77,10 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the manifest's name of a class or function, or "" for any other statement."""
+    """Return the name of a function or class in a form that manifests use, such as mass.setter.
+
+    For any other statement, the name is "".
+    """
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)
     if isinstance(node, cst.FunctionDef):

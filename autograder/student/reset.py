@@ -1,4 +1,4 @@
-"""Restore the stub of an exercise, but keep a copy of the student's file.
+"""Let a student start an exercise over by restoring its stub, and keep a copy of the old file.
 
 The stub is made from the student's own file and the manifest, so that all other functions stay as
 they are. A function that the student has deleted comes from the reference or, in a hand-out, from
@@ -26,7 +26,7 @@ COPIES = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """What a reset will change in one file.
+    """What resetting an exercise will change in one of the student's files.
 
     If ``gone`` is true, the functions in ``names`` are missing because the student deleted them.
     """
@@ -46,10 +46,11 @@ def reset(
     *,
     whole: bool = False,
 ) -> str:
-    """Restore the stubs of an exercise, and return a text that lists the changes and the copies.
+    """Let the student start an exercise over by restoring the stubs of its functions.
 
     Only the functions of this exercise change. If the student deleted any of them, the reset brings
-    those back and leaves the others alone. With ``whole``, it restores entire files.
+    those back and leaves the others alone. With ``whole``, it restores entire files. Return a text
+    that lists the changes, and the copies that were made of the student's files.
 
     Raises:
         ValueError: A file cannot be read or lacks a function. Nothing is changed.
@@ -74,7 +75,9 @@ def reset(
 
 
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
-    """Return the question to which the student must say yes before a reset.
+    """Ask the student to confirm that the code for an exercise should be replaced with its stub.
+
+    Return the question, which names the functions, their files, and the folder with the copies.
 
     Raises:
         ValueError: The reset itself would raise this error.
@@ -97,7 +100,9 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Return the changes that a reset would make to the student's files, without making them.
+    """Find out what a reset would change in the student's files, without changing them.
+
+    The student can then be asked to confirm the reset.
 
     Raises:
         ValueError: The reset itself would raise this error.
@@ -118,7 +123,10 @@ def planned(
 
 
 def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Return the change to one file. If any functions were deleted, only those are restored."""
+    """Plan the change that resets an exercise in one of the student's files.
+
+    If the student has deleted any functions of the exercise, only those are restored.
+    """
     try:
         before = file.read_bytes()
         tree, module = ast.parse(before), cst.parse_module(before)
@@ -163,7 +171,10 @@ def _whole_stub(chapter: Chapter, file: str) -> bytes:
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:
-    """Save a copy of a student's file under a number that is not in use, and return its path."""
+    """Save a copy of a student's file before it is reset, and return the path of the copy.
+
+    The copies of vector.py are numbered: vector-1.py, vector-2.py and so on.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     for number in count(1):
         copy = folder / f"{file.stem}-{number}{file.suffix}"
@@ -175,5 +186,8 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Return a path relative to the working folder if it lies inside that folder."""
+    """Shorten the path of a student's file for a message.
+
+    The path becomes relative to the working folder if it lies inside that folder.
+    """
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

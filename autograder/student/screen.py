@@ -1,4 +1,4 @@
-"""What a student sees: the state of every exercise, one failure in full, and what to do next.
+"""Print what a student sees after a check: the results, one failure in full, and what to do next.
 
 rich is imported only when there is something to print. By then the checks are already running in
 their own process, so the student does not have to wait for the import.
@@ -41,7 +41,7 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """The results of a chapter's checks, which may have run once or twice.
+    """The results of checking a student's code for one chapter.
 
     ``results`` come from a run on the student's own earlier chapters. ``on_reference`` comes from a
     second run on ours, and is empty if that run was unnecessary or impossible. ``suspects`` are
@@ -55,7 +55,7 @@ class Report:
 
 
 class ProgressBar:
-    """Shows how many checks have run, but only if the output is a terminal."""
+    """Shows the student how many checks have run so far, but only on a terminal."""
 
     title = ""
     _bar = None
@@ -88,10 +88,10 @@ def print_report(
     engine: list[Path],
     given: list[Chapter],
 ) -> bool:
-    """Print the results and the first failure in full, and return whether all checks pass.
+    """Print the results of a student's exercises, and explain the first failure in full.
 
     Unanswered questions are listed, but they do not affect the result, because no check can judge
-    an answer.
+    an answer. Return whether all checks pass.
     """
     for report in reports:
         print_chapter(console, report, engine)
@@ -111,7 +111,7 @@ def print_report(
 
 
 def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapter, Result] | None:
-    """Return the result that the student should work on first, or None if all checks pass."""
+    """Find the exercise that the student should fix first, or return None if all checks pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if not exercise:
@@ -134,7 +134,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that tells the student that all checks pass.
+    """Tell the student in one sentence that all checks pass.
 
     ``changed`` is true if the student has edited a file that should not be changed.
     """
@@ -147,7 +147,7 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a warning about each file that the student has edited but should leave as is."""
+    """Warn the student about edited files that the grader will replace with the originals."""
     return [
         f"You have edited {file}. It isn't handed in, and grading uses the original, so code that "
         "relies on your changes will fail there. Keep your own code in the files that the "
@@ -157,7 +157,7 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print a chapter's table and points, and warn about files that will not be handed in."""
+    """Print a table of a chapter's exercises and points, and warn about files not handed in."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
@@ -201,7 +201,10 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return the points of an exercise as shown in the table, or why it has none."""
+    """Return the student's points for an exercise, as in "2/3", for a cell of the table.
+
+    The cell of an optional exercise says "optional", or "needed" if a required one builds on it.
+    """
     exercise = result.exercise
     if exercise.optional:
         return "needed" if exercise.id in asked_for(chapter) else "optional"
@@ -210,7 +213,7 @@ def points_of(chapter: Chapter, result: Result) -> str:
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a warning about modules in a chapter's folder that belong to no exercise."""
+    """Warn the student about modules that belong to no exercise and so are not handed in."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     extra = [name for name in files if name not in known]
@@ -218,13 +221,13 @@ def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def passing(checks: Sequence[Verdict]) -> str:
-    """Return how many of these checks pass, as in 3/4, or "" if there are none."""
+    """Count how many checks of an exercise pass, as in "3/4", or return "" if it has no checks."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
 
 
 def bar(part: float, whole: float) -> str:
-    """Return a text-only progress bar, with ``part`` of ``whole`` filled in."""
+    """Draw a progress bar in plain text, with ``part`` of ``whole`` filled with number signs."""
     filled = min(BAR, int(BAR * part / whole)) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
@@ -232,14 +235,14 @@ def bar(part: float, whole: float) -> str:
 def print_inherited(
     console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
 ) -> None:
-    """Print how many checks fail because of an earlier chapter, and what to do about it."""
+    """Tell the student how many checks fail because of earlier chapters, and what to do next."""
     for note in inherited_notes(report, exercise, engine):
         print_wrapped(console, note, STYLES["inherited"])
         console.print()
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
-    """Return notes on earlier chapters that cause, or may cause, failures in this chapter."""
+    """Explain which earlier chapters cause, or may cause, a student's failures in this chapter."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
@@ -263,7 +266,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Put the numbers of some chapters into words, such as "chapter 2" or "chapters 2-5"."""
+    """Name some chapters in a message to the student, as in "chapter 2" or "chapters 2-5"."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
@@ -281,12 +284,12 @@ def _state(result: Result, answered: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return whether a check fails only because a function of this exercise is still a stub."""
+    """Return whether a check fails only because one of the exercise's functions is still a stub."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 
 def states_of(report: Report, engine: list[Path]) -> list[str]:
-    """Return the state of each exercise in one or two words, such as "half written"."""
+    """Describe the state of each of a student's exercises in a few words, as in "half written"."""
     questions = questions_of(report.chapter, engine)
     answered = {question.exercise.id for question in questions if question.answered}
     return [_state(result, answered) for result in report.results]

@@ -1,4 +1,7 @@
-"""Follow a student through the exercises: find the current one, check it, find the next."""
+"""Guide a student through the exercises: check the current one, then move on to the next.
+
+The command `watch` uses this after every save.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +26,7 @@ TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows 
 
 
 class Session:
-    """The state of the command watch between two saves.
+    """What the command `watch` remembers about a student between two saves.
 
     It knows which exercise the student is working on and, once that exercise is done, the next one.
     """
@@ -43,7 +46,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """If any files have changed, rerun the checks. Return whether any files have changed."""
+        """Rerun the checks if the student has changed a file, and return whether that was so."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -69,13 +72,19 @@ class Session:
             self.current, self.edited = (chapter, exercise), names
 
     def go_on(self) -> None:
-        """Make the next exercise the current one, if there is a next one."""
+        """Make the next exercise the current one.
+
+        This is what the student asks for by pressing Enter when an exercise is done.
+        """
         if self.next:
             self.current, self.edited = self.next, []
             self.show()
 
     def show(self) -> None:
-        """Check the current exercise and show its state, or find the next one if there is none."""
+        """Check the exercise that the student is working on, and show whether it works.
+
+        If the exercise is done, or the student has not begun one, find the next one.
+        """
         self.next = None
         self.page = Page()
         try:
@@ -86,11 +95,10 @@ class Session:
         self.draw()
 
     def draw(self) -> None:
-        """Print the page on the console."""
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check an exercise, show its state, and return whether it is done.
+        """Check the student's current exercise, show the result, and return whether it is done.
 
         An exercise is done as soon as its physics passes. Robust checks wait until the physics of
         the whole chapter passes. The prerequisites are checked too: if the physics of one no longer
@@ -114,7 +122,10 @@ class Session:
         return True
 
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
-        """Show a failed check of an exercise, and how many of its physics or robust checks pass."""
+        """Show the student a failed check of an exercise, and how many of its checks pass.
+
+        ``tier`` contains either the physics checks or the robust checks, and ``kind`` says which.
+        """
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):
             page.top += [(note, STYLES["inherited"]), ("", "")]
@@ -129,7 +140,7 @@ class Session:
         page.say(self.progress.words(chapter))
 
     def say_done(self, result: Result, *, wait: bool) -> None:
-        """Show that the physics of an exercise passes, and which robust checks are still to do."""
+        """Tell the student that an exercise works, and how many of its robust checks are left."""
         exercise, count = result.exercise, len(result.checks)
         title = f"{exercise.id} {exercise.title}"
         left = sum(check.status != "passed" for check in result.robust)
@@ -147,10 +158,11 @@ class Session:
         self.page.top += [(words, "bold green"), ("", "")]
 
     def find_next(self) -> None:
-        """Find the next open exercise, and show the student how to move on to it.
+        """Find the next exercise that is not done yet, and offer it to the student.
 
-        When watch starts, we move on at once, because there is no other exercise to finish first.
-        We do the same if keys cannot be read, because then the student cannot press Enter.
+        The student accepts with Enter or by editing its code. When `watch` starts, we move on at
+        once, because there is no other exercise to finish first. We do the same if keys cannot be
+        read, because then the student cannot press Enter.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:
@@ -171,7 +183,7 @@ class Session:
             self.is_done(*self.next)
 
     def say_end(self) -> None:
-        """Show that a chapter is finished, or which scenes the exercise has made playable."""
+        """Tell the student that a chapter is finished, or which scenes can now be played."""
         chapter, exercise = self.current or (self.progress.chapters[-1], None)
         report = self.progress.report(chapter)
         self.page.top += end_of([report], exercise, self.engine, self.progress.given)

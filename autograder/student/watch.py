@@ -1,4 +1,7 @@
-"""Check the student's current exercise after every save, and react to key presses."""
+"""The command `watch`, which checks the student's current exercise after every save.
+
+It also reacts to keys that the student presses, such as h for a hint.
+"""
 
 from __future__ import annotations
 
@@ -24,10 +27,10 @@ TICK = 100  # milliseconds until we look again whether a key was pressed
 
 
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
-    """Show the state of the current exercise, and check it after every save until q is pressed.
+    """Show the state of the student's current exercise, and check it after every save.
 
     The current exercise is the one that the student edited last or, at the start, the first one
-    that is still open.
+    that is still open. The command ends when the student presses q.
 
     Raises:
         ValueError: The reference of a given chapter is not in this folder.
@@ -50,7 +53,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Runs a command when the student presses the key for it."""
+    """Reacts to the keys that the student presses during `watch`, such as h for a hint."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -58,7 +61,11 @@ class Keyboard:
         self.asking = False  # whether we have asked if the current exercise should be reset
 
     def press(self, key: str) -> None:
-        """Run the command for a key, such as h for a hint. Other keys do nothing."""
+        """Run the command for a key that the student has pressed, such as h for a hint.
+
+        Other keys do nothing. If we have just asked whether to reset an exercise, the key is the
+        answer.
+        """
         try:
             if self.asking:
                 self.answer(key)
@@ -75,16 +82,19 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a note on the page, replacing the previous one."""
+        """Show the student a short message, such as a hint, at the end of the page.
+
+        It replaces the previous message.
+        """
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()
 
     def say(self, words: str, style: str = "") -> None:
-        """Print a text below the page."""
+        """Print a message to the student below the page of the command `watch`."""
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the exercise's next hint. After the last one, show that one again."""
+        """Show the student the next hint for the current exercise, or the last hint once more."""
         if not self.session.current:
             return
         exercise = self.session.current[1]
@@ -93,14 +103,14 @@ class Keyboard:
         self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
 
     def ask(self) -> None:
-        """Ask the student whether to reset the current exercise to its stubs."""
+        """Ask the student whether to replace the code for the current exercise with its stubs."""
         if not self.session.current:
             return
         self.note(f"{question(*self.session.current, self.session.engine[0])} (y or n)", "bold")
         self.asking = True
 
     def answer(self, key: str) -> None:
-        """Reset the current exercise if the student has answered yes."""
+        """Reset the current exercise to its stubs if the student has confirmed that with y."""
         self.asking = False
         if key != "y" or not self.session.current:
             self.note("Nothing was reset.")
@@ -110,20 +120,23 @@ class Keyboard:
         self.note(done)
 
     def list(self) -> None:
-        """Print the table of the current chapter."""
+        """Show the student a table of the current chapter, with the state of each exercise."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         print_chapter(session.console, session.progress.report(chapter), session.engine)
 
     def check_all(self) -> None:
-        """Rerun all checks, and print what `make check` would print."""
+        """Rerun all checks on the student's code, and print what `make check` would print."""
         session, progress = self.session, self.session.progress
         progress.memory.known.clear()
         reports = [progress.report(chapter) for chapter in progress.chapters]
         print_report(session.console, reports, None, session.engine, progress.given)
 
     def plot(self) -> None:
-        """Draw a chapter's plots to files in a separate process, without opening a window."""
+        """Draw the plots of the current chapter to files, using the student's engine.
+
+        A separate process draws them, without opening a window.
+        """
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         self.say(f"Drawing chapter {chapter.number} ...")

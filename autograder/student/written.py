@@ -1,4 +1,4 @@
-"""Show a written exercise: the question and, once it is answered, the model answer too."""
+"""Show a student the question of a written exercise and, once it is answered, the model answer."""
 
 from __future__ import annotations
 
@@ -49,7 +49,10 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Say which questions are unanswered and where to answer them, or return "" if none are."""
+    """List the questions that the student has not answered, with the files for the answers.
+
+    The list is one line of text, or "" if every question has an answer.
+    """
     groups = [
         open_ones
         for chapter in chapters
@@ -63,7 +66,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return the sentence that says that all checks pass, plus any questions still unanswered."""
+    """Tell the student that all checks pass, and which written questions are still unanswered."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -75,7 +78,7 @@ def _is_open(question: Question) -> bool:
 
 
 def listed(words: list[str], last: str = "and") -> str:
-    """Join words into an English list, such as "a, b and c"."""
+    """Join words into a list for an English sentence, such as "a, b and c"."""
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
@@ -84,10 +87,11 @@ def _ids(questions: list[Question]) -> list[str]:
 
 
 def flowing(text: str) -> str:
-    """Join the lines of each paragraph and list item, so that the text fits any screen width.
+    """Join the lines of each paragraph of an answer, so that the text fits any screen width.
 
-    Markdown's block quote markers (>) are removed. Indented lines, such as formulas, are left as
-    they are, and so is any text that contains code blocks.
+    Lines of a list item are joined as well. Markdown's block quote markers (>) are removed.
+    Indented lines, such as formulas, are left as they are, and so is any text that contains code
+    blocks.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

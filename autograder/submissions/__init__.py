@@ -1,1 +1,4 @@
-"""Find the submissions of a class, inspect them without trusting them, and copy what is graded."""
+"""Find the submissions of a class, and copy the files to be graded.
+
+Students may hand in anything, so no submission is trusted.
+"""

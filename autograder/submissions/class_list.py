@@ -1,4 +1,4 @@
-"""Find out who is in a class by matching the students on the roster with the submissions."""
+"""Find out who is in a class by matching the submissions with the students on the roster."""
 
 from __future__ import annotations
 
@@ -30,7 +30,10 @@ class Member:
 
     @property
     def aliases(self) -> tuple[str, ...]:
-        """All names of this student, both on the submission and on the roster."""
+        """All names of this student, both on the submission and on the roster.
+
+        They include the student's id, e-mail address and login.
+        """
         who = self.student
         known = (who.name, who.id, who.email, who.login) if who else ()
         return tuple(name for name in (self.folder, *known) if name)
@@ -38,14 +41,20 @@ class Member:
 
 @dataclass(frozen=True)
 class ClassList:
-    """The members of a class. Without a roster, these are the students who handed something in."""
+    """All students of a class, from the roster and from the submissions.
+
+    Without a roster, these are the students who handed something in.
+    """
 
     members: list[Member]
     has_roster: bool = False
 
     @property
     def submissions(self) -> list[Submission]:
-        """The submissions of the class, named and sorted by the names used in reports."""
+        """The submissions of the class, each under the name that reports use for its student.
+
+        They are sorted by that name.
+        """
         renamed = [
             replace(member.submission, student=member.shown, aliases=member.aliases)
             for member in self.members
@@ -55,19 +64,20 @@ class ClassList:
 
     @property
     def missing(self) -> list[str]:
-        """The students on the roster who have not handed anything in."""
+        """The names of the students on the class's roster who have not handed anything in."""
         return [member.shown for member in self.members if not member.submission]
 
     @property
     def unmatched(self) -> list[str]:
-        """The submissions whose names match no student on the roster."""
+        """The names of the submissions that belong to no student on the class's roster."""
         return [m.shown for m in self.members if self.has_roster and not m.student]
 
     @property
     def names(self) -> dict[str, str]:
-        """A map from every unambiguous name of a student to the name used in reports.
+        """A map from each name of a student, such as an id or a login, to the name used in reports.
 
-        Students who have not handed anything in are left out.
+        Names that two students share are left out, and so are students who have not handed anything
+        in.
         """
         claims = defaultdict(set)
         for member in self.members:
@@ -81,7 +91,11 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return the class with each member's name in the reports changed to ``name(member)``."""
+        """Return the same class with other names for the students in the reports.
+
+        The new name of each member is ``name(member)``. Anonymous grading uses this to replace
+        names with codes.
+        """
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))
 
@@ -89,7 +103,7 @@ class ClassList:
 def match(
     submissions: list[Submission], roster: list[Student] | None, path: Path | None
 ) -> ClassList:
-    """Match each submission with a student on the roster, and return the class.
+    """Match each submission with a student on the roster, and return the members of the class.
 
     Submissions without a student are part of the class as well, and so are students without a
     submission.
@@ -136,7 +150,10 @@ def match(
 
 
 def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
-    """Return the students on the roster who match a submission. There should be at most one."""
+    """Find the students on the roster whose id or name matches a submission.
+
+    There should be at most one. If there are more, ``match`` reports an error.
+    """
     export = submission.export
     identity = submission.student
     if export:  # Moodle's number identifies a participant in one assignment, not a student

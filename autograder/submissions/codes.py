@@ -1,4 +1,7 @@
-"""Replace students' names with codes, and keep a key file that says whose code is whose."""
+"""Replace students' names with codes, so that the reports on a class are anonymous.
+
+A key file says whose code is whose.
+"""
 
 from __future__ import annotations
 
@@ -23,11 +26,12 @@ QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
-    """Return the class with codes instead of names, and write the key file that decodes them.
+    """Give each student of a class a code instead of a name, and write a key file to decode it.
 
     A code is computed from the student's id and from a secret in the key file, so every student
     keeps the same code for as long as that file exists. For a submission that belongs to no student
-    on the roster, the name of the submission takes the place of the id.
+    on the roster, the name of the submission takes the place of the id. In the class that is
+    returned, reports call each student by the code.
 
     Raises:
         ValueError: The key file is damaged.
@@ -47,18 +51,27 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
 
 
 def key_path(roster: Path | None, out: Path) -> Path:
-    """Return the path of the key file: next to the roster or, without one, next to the reports."""
+    """Return the path of the key file, which says whose code is whose.
+
+    It is next to the roster or, without a roster, next to the folder of the reports.
+    """
     beside = (roster or out).resolve()
     return beside.with_name(f"{beside.stem if roster else beside.name}-key.csv")
 
 
 def without_names(note: str) -> str:
-    """Remove the quoted parts of a note, such as a folder's name that may identify a student."""
+    """Replace the quoted parts of a note in an anonymous report.
+
+    A quoted part, such as the name of a folder, may identify the student.
+    """
     return QUOTED.sub("one of them", note)
 
 
 def refuse_names(out: Path) -> None:
-    """Raise ValueError if a folder already has reports in which students are named."""
+    """Raise ValueError if a folder already has reports in which students are named.
+
+    Anonymous reports must not be added to such a folder.
+    """
     for kind in ("results", "feedback", "gradescope"):
         for path in [*(out / kind).glob("*"), *(out / "earlier" / kind).glob("*")]:
             name = path.name if path.is_dir() else path.stem
@@ -87,7 +100,10 @@ def _secret_in(path: Path) -> str:
 
 
 def _write_private(path: Path, text: str) -> None:
-    """Write a file atomically, and make it readable only by its owner."""
+    """Write the key file atomically, and let only its owner read it.
+
+    The file contains the names of the students behind the codes.
+    """
     temporary = path.with_name(path.name + ".tmp")
     temporary.unlink(missing_ok=True)
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL

@@ -1,4 +1,7 @@
-"""Read a CSV file written by a person or a spreadsheet, keeping track of line numbers."""
+"""Read a CSV file written by a person or a spreadsheet, such as a roster or marks.csv.
+
+The line number of each row is kept, so that an error message can name the line.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file, with its separator, its first line, and its column names in lower case."""
+    """A CSV file such as a roster, with its separator and its column names in lower case."""
 
     path: Path
     text: str
@@ -20,11 +23,11 @@ class Table:
     header: list[str]
 
     def rows(self, longest: str) -> Iterator[tuple[int, int, list[str]]]:
-        """Yield the rows below the header, each with its first and last line in the file.
+        """Yield the rows of a CSV file below its header, each with its first and last line number.
 
         Blank rows are skipped, and cells missing at the end of a row are empty. If a row has too
         many cells, somebody has probably forgotten to quote a cell that contains a separator.
-        ``longest`` names the likeliest culprit for the error message.
+        ``longest`` names the likeliest culprit for the error message, such as "comment".
 
         Raises:
             ValueError: A row is too long, or a quote is never closed. The message names the line.
@@ -52,7 +55,9 @@ class Table:
 
 
 def read_csv(path: Path) -> Table:
-    """Read a CSV file separated by commas or, as is common in Europe, by semicolons.
+    """Read a CSV file, such as a roster, whose cells are separated by commas or semicolons.
+
+    Spreadsheets in many European countries write semicolons.
 
     Raises:
         ValueError: The file is not UTF-8. The message names the line.

@@ -1,4 +1,7 @@
-"""Parse the names that Canvas and Moodle give to downloaded submissions."""
+"""Parse the names that Canvas and Moodle give to submissions when an instructor downloads them.
+
+Such a name identifies the student and the upload.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ RESUBMITTED = re.compile(r"-([0-9]+)$")
 
 @dataclass(frozen=True)
 class Exported:
-    """What the name of a submission tells us about it.
+    """The student and the upload that the name of a downloaded submission stands for.
 
     For Canvas, ``name`` is the last name and the first name without a space in between, and
     ``number`` is the user id. For Moodle, ``name`` is the full name, and ``number`` identifies the
@@ -38,14 +41,14 @@ class Exported:
 
     @property
     def student(self) -> str:
-        """The name that we grade the student under if there is no roster."""
+        """The name under which we grade the student if there is no roster, such as doejane_1234."""
         return f"{self.name}_{self.number}"
 
 
 def read_export(name: str) -> Exported | None:
-    """Parse a submission's name, or return None if it does not come from Canvas or Moodle.
+    """Parse the name that Canvas or Moodle has given to a submission, without .zip at its end.
 
-    ``name`` must not end in .zip.
+    The result is None if the name does not come from one of these platforms.
     """
     if found := MOODLE.fullmatch(name):
         order = 0, _resubmission(found["file"] or "")
@@ -61,6 +64,9 @@ def read_export(name: str) -> Exported | None:
 
 
 def _resubmission(file: str) -> int:
-    """Return the number that a platform appends to later uploads, as in work-2.zip, or else 0."""
+    """Return the number that a platform appends to later uploads, such as 2 for work-2.zip.
+
+    A student's first upload has no number, and the result is 0.
+    """
     found = RESUBMITTED.search(file)
     return int(found[1]) if found else 0

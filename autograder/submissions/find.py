@@ -1,4 +1,4 @@
-"""Find the submissions of a class, and choose file names for the reports on them."""
+"""Find the submissions of a class, and choose file names for the reports on the students."""
 
 from __future__ import annotations
 
@@ -36,17 +36,17 @@ class Submission:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All the names under which we know the student."""
+        """All names of the student who handed this in, starting with the one used in reports."""
         return (self.student, *self.aliases)
 
     @property
     def late(self) -> bool:
-        """Whether the platform marked the submission as late. Only Canvas does that."""
+        """Whether the platform marked the student's submission as late. Only Canvas does that."""
         return self.export is not None and self.export.late
 
 
 def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions in the folder of a class, with notes on everything else in it.
+    """Find the students' submissions in the folder of a class, with notes on everything else in it.
 
     A submission is a folder or a .zip file. It is named after its student, or has a name from
     Canvas or Moodle. If a student uploaded several files there, we take the last one. Links are
@@ -103,7 +103,7 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 
 
 def file_name(student: str) -> str:
-    """Return a safe file name, without a suffix, for the files about a student.
+    """Turn a student's name into a safe name for the report files on the student, without a suffix.
 
     A short and harmless student name is used as is. Otherwise we replace whatever is unsafe,
     truncate the name, and append a hash of the original, so that no two students share a file.
@@ -118,7 +118,7 @@ def file_name(student: str) -> str:
 
 
 def printable(text: str) -> str:
-    """Escape the unprintable characters in a text.
+    """Escape the unprintable characters in a text, such as the name of a submitted file.
 
     Backslashes are doubled, so that no two texts look the same.
     """
@@ -126,11 +126,14 @@ def printable(text: str) -> str:
 
 
 def _order(submission: Submission) -> tuple[int, int]:
-    """Return a sort key that is larger for a later upload of the same student."""
+    """Return a sort key that puts a student's later upload after an earlier one.
+
+    Only the last upload is graded.
+    """
     return submission.export.order if submission.export else (0, 0)
 
 
 def _clean(name: str) -> str:
-    """Replace all characters that are special in some file system."""
+    """Replace all characters in a student's name that are special to some file system."""
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in name]
     return re.sub(r"^\.", "_", "".join(kept))

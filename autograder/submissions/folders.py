@@ -1,4 +1,7 @@
-"""Search an untrusted folder, and read files from it without following links."""
+"""Find a student's files in a submitted folder, and read them without following links.
+
+The folder may contain anything, so nothing in it is trusted.
+"""
 
 from __future__ import annotations
 
@@ -18,12 +21,15 @@ MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of o
 
 
 class NotTakenError(Exception):
-    """Raised when we reject a file or a whole submission. Its text is a clause with the reason."""
+    """Raised when we reject a submitted file or a whole submission.
+
+    Its text is a clause with the reason, such as "it is a symbolic link".
+    """
 
 
 @dataclass(frozen=True)
 class Found:
-    """A chapter's file that was found in a submission.
+    """A file to be graded that was found in a student's submission.
 
     ``place`` lists the folders on the path to the file, ending with the chapter's own. ``read``
     takes the maximum size to accept, and returns the contents or raises NotTakenError. A
@@ -40,7 +46,7 @@ class Found:
 def search_folder(
     submission: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files to be graded in a student's folder, with notes on any problems.
+    """Find the files to be graded in a student's submitted folder, with notes on any problems.
 
     Raises:
         NotTakenError: The submission's folder cannot be read at all.
@@ -77,7 +83,7 @@ def search_folder(
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Return the contents of a file, provided that it is a regular file and not too large.
+    """Read a submitted file, provided that it is a regular file and not larger than ``largest``.
 
     ``what`` names the file in error messages, as the subject of the sentence.
 
@@ -100,7 +106,10 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Return a stand-in for ``Found.read`` that always raises NotTakenError with this reason."""
+    """Create a function that stands in for reading a submitted file that cannot be graded.
+
+    It can be used as ``Found.read``, and always raises NotTakenError with this reason.
+    """
 
     def read(_: int) -> bytes:
         raise NotTakenError(reason)
@@ -109,22 +118,31 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 
 
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
-    """Return entries that reject each of the wanted files in a folder that cannot be read."""
+    """Reject all files that a chapter's folder in a submission should contain, for the same reason.
+
+    This is used if the folder cannot be read.
+    """
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 
 def too_large(what: str, largest: int) -> NotTakenError:
-    """Return the NotTakenError for a file or zip that is larger than ``largest`` bytes."""
+    """Create the error for a submitted file or zip that is larger than ``largest`` bytes."""
     return NotTakenError(f"{what} is larger than {largest:,} bytes")
 
 
 def is_skipped(name: str) -> bool:
-    """Return whether a folder is hidden or was created by an operating system for its own use."""
+    """Return whether to skip a folder in a submission, because it is hidden or made by a program.
+
+    Examples of the latter are __MACOSX and __pycache__.
+    """
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
 
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
-    """Return the wanted files that are in a chapter's folder, even if they turn out to be links."""
+    """Find the files to be graded in a chapter's folder of a student's submission.
+
+    Links are found too. They are rejected later, when the grader tries to read them.
+    """
     found: list[Found] = []
     try:
         mode = _mode(folder)
@@ -141,7 +159,7 @@ def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) 
 
 
 def _mode(path: Path) -> int:
-    """Return the mode bits of a file or folder, or 0 if it does not exist."""
+    """Return the mode bits of a submitted file or folder, or 0 if it does not exist."""
     try:
         return path.lstat().st_mode
     except (FileNotFoundError, NotADirectoryError):
@@ -149,7 +167,10 @@ def _mode(path: Path) -> int:
 
 
 def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """Return the folders among the first ``most`` entries, and the number of entries examined."""
+    """List the folders in a submitted folder, looking at no more than ``most`` of its entries.
+
+    Return their names, and the number of entries examined.
+    """
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
         names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
@@ -157,7 +178,11 @@ def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
 
 
 def _open(path: str, flags: int) -> int:
-    """Open a file, but do not follow a link or wait for a pipe."""
+    """Open a submitted file without following a link or waiting for a pipe.
+
+    A link could lead to a file outside the submission, and a pipe could keep the grader waiting
+    forever.
+    """
     return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -173,7 +198,10 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Return why a file cannot be read, or raise the error again if the machine is to blame."""
+    """Say why a submitted file cannot be read, unless the reason is an error of our own machine.
+
+    Such an error says nothing about the submission, so it is raised again.
+    """
     if error.errno in OURS:
         raise error
     return error.strerror or type(error).__name__

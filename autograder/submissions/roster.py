@@ -1,4 +1,7 @@
-"""Read the roster of a class: a CSV file with the columns id, name, email and login."""
+"""Read the roster of a class, which lists its students.
+
+The roster is a CSV file with the columns id, name, email and login.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,10 @@ UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a st
 
 @dataclass(frozen=True)
 class Student:
-    """A student on the roster. The ``email`` and the ``login`` may be empty."""
+    """A student on the roster of a class, with the line of the file that lists the student.
+
+    The ``email`` and the ``login`` may be empty.
+    """
 
     id: str
     name: str
@@ -26,12 +32,15 @@ class Student:
 
     @property
     def keys(self) -> set[str]:
-        """The student's id, e-mail address and login, normalized for comparison."""
+        """The student's id, e-mail address and login, in a form that can be compared.
+
+        A submission that is named after one of these belongs to the student.
+        """
         return {key(text) for text in (self.id, self.email, self.login) if text}
 
     @property
     def names(self) -> set[str]:
-        """The spellings of the student's name that a folder or a platform may use.
+        """The ways in which a folder or a platform may write the student's name.
 
         Canvas puts the last name first. A roster may do so too, as in "Doe, Jane".
         """
@@ -41,9 +50,10 @@ class Student:
 
 
 def read_roster(path: Path) -> list[Student]:
-    """Return the students on a roster, in file order.
+    """Read the list of students from the roster of a class, which is a CSV file.
 
-    The roster may have other columns too, in any order, separated by commas or semicolons.
+    The roster may have other columns too, in any order, separated by commas or semicolons. The
+    students are returned in file order.
 
     Raises:
         ValueError: The roster contains a mistake. The message names the line.
@@ -85,21 +95,28 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def key(text: str) -> str:
-    """Normalize an id, e-mail address or login, so that it can be compared."""
+    """Normalize a student's id, e-mail address or login for comparison.
+
+    Upper and lower case compare equal, and so do two encodings of the same accented letter.
+    """
     return unicodedata.normalize("NFC", text.strip()).casefold()
 
 
 def letters(name: str) -> str:
-    """Reduce a name to its letters and digits, in lower case, for comparison.
+    """Reduce a student's name to its letters and digits, in lower case, for comparison.
 
-    Platforms drop all other characters from the names of their files.
+    Platforms drop all other characters from the names of the files that students upload.
     """
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(character for character in text if character.isalnum())
 
 
 def _places(table: Table) -> dict[str, int]:
-    """Return the index of every column that a roster must have."""
+    """Find the position of every required column in the header of a roster.
+
+    Raises:
+        ValueError: A column is missing, or appears twice.
+    """
     for name in COLUMNS:
         if (count := table.header.count(name)) != 1:
             problem = f"there are {count} columns {name!r}" if count else f"no column {name!r}"

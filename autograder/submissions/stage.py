@@ -1,4 +1,4 @@
-"""Copy the files to be graded from a submission into a new folder.
+"""Copy the files to be graded from a student's submission into a new folder.
 
 No other file of the submission is ever imported.
 """
@@ -22,7 +22,7 @@ LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten
 
 @dataclass(frozen=True)
 class Staged:
-    """The outcome of copying a submission: which files were rejected, and why.
+    """The result of copying the files to be graded from a submission: which were rejected, and why.
 
     ``missing`` maps the rejected modules, such as ch02_vectors.vector, to the reasons. ``notes``
     are for the instructor, and quote nothing but names from the student. ``digest`` depends on
@@ -36,11 +36,11 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Fill the folder ``box`` with an engine: the student's own files, and the ones nobody edits.
+    """Assemble the engine to be graded in the folder ``box``, from the student's files and ours.
 
-    The submission is a folder or a zip file, and may contain anything. If something is wrong with
-    it, the result says so. A missing file stays missing, because neither a stub nor our solution
-    would be the student's work.
+    Ours are the modules that no student edits. The submission is a folder or a zip file, and may
+    contain anything. If something is wrong with it, the result says so. A missing file stays
+    missing, because neither a stub nor our solution would be the student's work.
 
     Raises:
         OSError: The box cannot be written, or a file of the repository cannot be read.
@@ -71,7 +71,10 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
-    """Find the files of all chapters in a submission of any kind, with notes on any problems."""
+    """Find the files of all chapters in a student's submission, with notes on any problems.
+
+    The submission may be a folder, a zip file, or a folder with zips in it.
+    """
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode
@@ -91,10 +94,11 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Return a chapter's files from the best of its folders, with a note if there are several.
+    """Choose a chapter's folder if a submission has several, and return the files in it.
 
-    We take the least deeply nested folder and, if several tie, the first by name. A hand-out also
-    has a folder with the original stubs, which counts only if there is no other.
+    We take the least deeply nested folder and, if several tie, the first by name. A note says so if
+    there are several. A hand-out also has a folder with the original stubs, which counts only if
+    there is no other.
     """
     mine = [file for file in found if file.place[-1] == chapter.name]
     places = sorted(
@@ -112,7 +116,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 
 def _text(content: bytes) -> bytes:
-    """Return the contents of a submitted file unchanged, provided that it is a text file.
+    """Make sure that a submitted file is a text file, and return its contents unchanged.
 
     Raises:
         NotTakenError: The contents are not text.

@@ -1,6 +1,7 @@
-"""Unpack the zip of a whole class, as created by Canvas or Moodle, into a folder beside it.
+"""Unpack the zip with all submissions of a class, as downloaded from Canvas or Moodle.
 
-Everything in that zip was uploaded by students, so none of it is trusted.
+The new folder is beside the zip. Everything in the zip was uploaded by students, so none of it is
+trusted.
 """
 
 from __future__ import annotations
@@ -40,7 +41,10 @@ NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EI
 
 @dataclass(frozen=True)
 class Unpacked:
-    """What came out of a class's zip: its digest, its contents, and notes on what was left out."""
+    """What the zip of a class contained: the names of the submissions, and notes on skipped files.
+
+    ``zip`` is a hash of the zip, which shows whether it has changed since it was unpacked.
+    """
 
     zip: str
     names: list[str]
@@ -49,14 +53,17 @@ class Unpacked:
 
 @dataclass(frozen=True)
 class _File:
-    """A file in a class's zip. The first of its ``parts`` names the submission it belongs to."""
+    """A file in the zip of a class, which contains the submissions of all students.
+
+    The first of its ``parts`` names the submission it is from.
+    """
 
     parts: list[str]
     entry: zipfile.ZipInfo
 
 
 def class_folder(path: Path) -> Path:
-    """Return the folder of a class, first unpacking it if it is a zip.
+    """Return the folder with the submissions of a class, first unpacking it if it is a zip.
 
     The new folder has the same name as the zip. If the zip has changed since the last time, it is
     unpacked again, but marks.csv in the folder is kept.
@@ -81,7 +88,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Delete the files from an earlier version of this zip, and write those from the new one."""
+    """Replace the submissions from an earlier version of a class's zip with those from this one."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:
@@ -109,7 +116,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
 
 
 def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
-    """Return the files in the zip that should be written, with notes on those left out."""
+    """Decide which files in the zip of a class to write to disk, with notes on those left out."""
     if len(file.infolist()) > MOST_FILES:
         raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")
     files: list[_File] = []
@@ -129,7 +136,10 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
-    """Extract the files that can be graded into ``folder``, and return notes on rejected files."""
+    """Extract the students' files from the zip of a class into ``folder``.
+
+    Only zips, Python files and Markdown files are extracted. Return notes on rejected files.
+    """
     notes: list[str] = []
     sizes: Counter[str] = Counter()
     for one in files:

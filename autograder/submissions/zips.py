@@ -1,4 +1,7 @@
-"""Find and read files in an untrusted zip, without ever extracting it to disk."""
+"""Find and read a student's files in a submitted zip, without ever extracting it to disk.
+
+The zip may contain anything, so it is not trusted.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +48,7 @@ UNREADABLE = (
 
 
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
-    """Find the files to be graded in a student's zip, with notes on any problems.
+    """Find the files to be graded in a student's submitted zip, with notes on any problems.
 
     Raises:
         NotTakenError: The zip as a whole is rejected.
@@ -86,7 +89,10 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files to be graded in the zips in a folder, as if they had been unpacked there."""
+    """Find the files to be graded in the zips that a student has put into the submitted folder.
+
+    They count as if they had been unpacked there. Return the files, with notes on any problems.
+    """
     with os.scandir(folder) as entries:
         names = [
             entry.name
@@ -110,13 +116,16 @@ def search_zips_in(
 
 
 def path_in_zip(entry: zipfile.ZipInfo) -> str:
-    """Return the path of an entry in a zip, with forward slashes between its parts."""
+    """Return the path of a file in a submitted zip, with forward slashes between its parts.
+
+    This is needed because some Windows tools write backslashes into a zip.
+    """
     # Some Windows tools write backslashes, and other tools begin paths with a dot.
     return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path in a zip could lead outside the zip, or is not a plain path.
+    """Return whether a path in a submitted zip could lead outside the zip, or is not a plain path.
 
     Such a path is absolute, or one of its parts is empty or made of dots.
     """
@@ -124,7 +133,7 @@ def is_unsafe(name: str) -> bool:
 
 
 def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
-    """Return the contents of a file in the zip.
+    """Read a file from a submitted zip into memory, and return its contents.
 
     Raises:
         NotTakenError: It is not a regular file, is too large, or cannot be read.

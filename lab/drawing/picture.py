@@ -1,4 +1,4 @@
-"""Draw a scene with matplotlib from the items recorded by its pen."""
+"""Draw a scene with matplotlib, from the shapes that its pen has recorded."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Picture:
         self.drawn: list[Any] = []
 
     def draw(self) -> None:
-        """Draw the current state of the scene."""
+        """Redraw the figure to show the current state of the scene."""
         for artist in self.drawn:
             artist.remove()
         pen = Pen()

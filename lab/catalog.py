@@ -84,7 +84,7 @@ def _listed(tree: ast.Module) -> list[str]:
 
 
 def _title(node: ast.ClassDef) -> str:
-    """Find the title of a scene in the source of its class, or use the class name if it has none."""
+    """Find the title of a scene in the source of its class, or use the class name instead."""
     for line in node.body:
         if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
             return str(ast.literal_eval(line.value))

@@ -115,7 +115,7 @@ class Host:
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Check and store the value of a parameter, or return a message that says why it is wrong."""
+        """Check and store the value of a parameter, or return a message that rejects it."""
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:

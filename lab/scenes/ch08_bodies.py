@@ -1,4 +1,4 @@
-"""Scenes of chapter 8: a tilting platform, and a blob that can tear."""
+"""Interactive scenes of chapter 8: a platform that tilts on a pivot, and a blob that can tear."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up
 
 
 def lower_end(scene: Platform) -> int:
-    """Return which end of the platform sinks: 0 for left, 1 for right, or 2 for neither."""
+    """Predict which end of the platform sinks: 0 for left, 1 for right, or 2 for neither."""
     ends = tilting_platform.LEFT + tilting_platform.RIGHT
     torque = 2.0 * tilting_platform.MASS * ends + scene.mass * scene.x
     return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
 
 
 class Platform(WorldScene):
-    """A weighted platform that tilts on a pivot (mini-project 8.1).
+    """A scene of a platform that tilts on a pivot under a weight (mini-project 8.1).
 
     The reader can move the weight and free the pivot.
     """
@@ -113,7 +113,7 @@ class Platform(WorldScene):
 
 
 class Blob(WorldScene):
-    """A blob of particles, held together by bonds that break and heal.
+    """A scene of a blob of particles that are held together by bonds, which break and heal.
 
     The reader can push the blob around, and use cables to keep it together.
     """
@@ -148,7 +148,7 @@ class Blob(WorldScene):
         self.pushed -= duration
 
     def middle(self) -> Vector3:
-        """Return the mean position of the blob's particles."""
+        """Compute the mean position of the blob's particles."""
         places = [particle.position for particle in self.blob.particles]
         return sum(places[1:], places[0]) / len(places)
 
@@ -176,7 +176,7 @@ class Blob(WorldScene):
         self.contacts.draw(pen, 2.0)
 
     def holding(self) -> int:
-        """Return how many bonds are intact."""
+        """Count the bonds of the blob that are intact."""
         return sum(bond.holds for bond in self.blob.bonds)
 
     def chart(self) -> dict[str, float]:

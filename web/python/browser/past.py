@@ -55,7 +55,7 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether the reports come from checks running now rather than from an earlier web worker."""
+        """Whether the reports come from checks running now rather than from an earlier worker."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
@@ -83,7 +83,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Replay the reports of a process that an earlier worker ran, as if they had just arrived."""
+        """Replay the reports of an earlier worker's process as if they had just arrived."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds

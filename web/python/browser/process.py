@@ -68,7 +68,7 @@ class InBrowser(InProcess):
         code.change(self.engine, self.graded)
 
     def after_collection(self) -> None:
-        """Do nothing. A browser cannot fork, so there are no copies of this process to prepare for."""
+        """Do nothing, because a browser never makes copies of this process."""
 
     def start_clock(self) -> None:
         """Start the watchdog, which interrupts the student's code when a check takes too long."""

@@ -66,7 +66,7 @@ class Link:
         self.given.close()
 
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
-        """Build the engine from the student's files and the reference's modules for some chapters."""
+        """Build the scene's engine from the student's files and the given reference chapters."""
         if self.loaded == (files, numbers):
             return
         self.loaded = None
@@ -83,7 +83,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Import from this scene's engine under the limits for student code, until the context ends."""
+        """Use this scene's engine under the limits for student code until the context ends."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

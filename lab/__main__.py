@@ -61,7 +61,7 @@ def main() -> int:
 
 
 def _serve(options: argparse.Namespace) -> int:
-    """Serve the lab's web page until the user presses Ctrl-C, and open it in a browser."""
+    """Open the lab's web page in a browser, and serve it until the user presses Ctrl-C."""
     from lab.server import Lab, serve  # only this command needs a server
 
     find_engine(options.engine)

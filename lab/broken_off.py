@@ -1,4 +1,4 @@
-"""Explain to a student why the process that runs their engine stopped without an answer."""
+"""Explain to a student why the process that runs their engine stopped answering."""
 
 from __future__ import annotations
 

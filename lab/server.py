@@ -99,7 +99,7 @@ class EngineSocket(WebSocketHandler):
             raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
-        """Return whether the page that opens the socket belongs to the lab. Other pages may not."""
+        """Accept a WebSocket request from a browser only if it comes from the lab's own page."""
         return is_own_page(self.request, origin)
 
     def open(self) -> None:

@@ -14,7 +14,7 @@ PACKAGES = WEB / "node_modules"
 
 
 def missing() -> str:
-    """Say what must be installed to run Node.js, or return an empty string if it can run."""
+    """Say what must be installed before Node.js can run, or return "" if nothing is missing."""
     node = shutil.which("node")
     if node is None or shutil.which("npm") is None:
         what = "node" if node is None else "npm"

@@ -112,7 +112,7 @@ def _stage_library(folder: Path) -> None:
 
 
 def _state_of_library() -> str:
-    """Hash everything that affects the compiled standard library, to recognize an unchanged one."""
+    """Hash everything that the compiled standard library depends on, to detect changes."""
     state = hashlib.sha256(LEFT_OUT.encode())
     for file in (PACKAGES / "pyodide" / "python_stdlib.zip", WEB / "builder" / "compile.py"):
         state.update(file.read_bytes())

@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the paths of the types of shot, and plot how much of its energy each shot keeps."""
+    """Draw the path of each type of shot, and plot how much of its energy the shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )

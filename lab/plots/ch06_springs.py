@@ -251,7 +251,7 @@ PLOTS = (
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Compute the force of a generator on a particle, along one axis.
+    """Compute the force that a force generator exerts on a particle, along one axis.
 
     ``place`` is the particle's position on that axis.
     """

@@ -152,8 +152,8 @@ def resting_jitter() -> Picture:
 def restitution_of_materials() -> Picture:
     """Plot the coefficient of restitution of several balls, computed from measured bounce heights.
 
-    The coefficient is the square root of rebound height over drop height. A second set of marks
-    leaves the root out, which is the usual mistake in exercise 7.1.
+    The coefficient is the square root of bounce height over drop height. A second set of marks
+    leaves the root out, as the formula in our copy of exercise 7.1 does.
     """
     path, drops = _drops()
     table = table_of_drops(drops)
@@ -229,12 +229,12 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that fit in a picture, since a faulty engine may let the ball fly away."""
+    """Return the ball heights that fit in a picture, since a faulty engine may let the ball fly away."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
 def _highest(run: Track) -> float:
-    """Find the greatest height of a ball that still fits in a picture."""
+    """Find the greatest height of a ball, ignoring heights that are too large for a picture."""
     return max((height for height in run.values[1:] if abs(height) < 1e3), default=math.nan)
 
 

@@ -1,4 +1,4 @@
-"""Plots of chapter 7: how far a pile of spheres stays unresolved, and how far stacks sink.
+"""Plots of chapter 7: errors that the contact resolver leaves in a pile, and how far stacks sink.
 
 Each title quotes a number measured from the picture, so a bug in the student's engine shows up
 there. Curves for exercises that are not written yet are left out.
@@ -61,7 +61,10 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Plot how far stacks of 3 and 10 spheres sink and overlap, by iterations per contact."""
+    """Plot how far stacks of 3 and 10 spheres sink, and how far the spheres overlap.
+
+    Both depend on how many iterations per contact the resolver may make.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)
     found = written(

@@ -28,7 +28,7 @@ KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """Plot how much too long a rope of rods is over time, for each method of simulating it.
+    """Plot how a simulated rope of rods stretches over time, for each simulation method.
 
     The rope is released at 30 degrees from straight down.
     """
@@ -159,7 +159,10 @@ def pendulum_energy() -> Picture:
 def _hanging(
     link: Link, count: int, iterations: int | None, substeps: int
 ) -> Callable[[], tuple[float, str]]:
-    """Return a function that simulates a hanging chain for 2 s and measures its worst rod."""
+    """Return a function that simulates a hanging chain for 2 s.
+
+    The function returns the largest error of a rod's length, in m, and the text of any exception.
+    """
 
     def scene() -> tuple[float, str]:
         resolve = by_resolver(iterations, HeapResolver)

@@ -69,7 +69,10 @@ def energy_of_platform() -> Picture:
 
 
 def variable_frames() -> Picture:
-    """Plot a blob and a rope bridge in even frames, and in uneven ones with two spikes of 0.5 s."""
+    """Plot how a blob and a rope bridge react to uneven frames, two of which last 0.5 s.
+
+    Even frames and FixedStep are shown for comparison.
+    """
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
     rows: list[Sequence[object]] = []

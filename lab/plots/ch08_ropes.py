@@ -89,9 +89,10 @@ def mass_ratios() -> Picture:
 
 
 def hanging_rope() -> Picture:
-    """Plot how much too far a rope between two nails sags, against the work done by each method.
+    """Plot how accurately each method simulates the sag of a rope between two nails.
 
-    The work is the number of contacts resolved or rods solved.
+    The error of the sag is plotted against the work, which is the number of contacts resolved or
+    rods solved.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
@@ -166,9 +167,9 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Find the largest value of a run after the time ``since``, in s.
+    """Find the largest value that a simulation recorded after the time ``since``, in s.
 
-    If the engine failed, return infinity.
+    If the engine failed with an exception, return infinity.
     """
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
@@ -177,7 +178,10 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Wrap a scene so that an error in the engine becomes a note, and the scene returns None."""
+    """Wrap the simulation of a rope so that an exception does not prevent the whole plot.
+
+    The exception becomes a note in the picture, and the simulation returns None.
+    """
 
     def run() -> Hanging | None:
         hung: list[Hanging] = []

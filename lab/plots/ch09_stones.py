@@ -21,7 +21,8 @@ SMALL = LABEL | {"fontsize": 9}
 def balance_lines() -> Picture:
     """Draw a box of the student's stones with its balance lines and center of mass (exercise 9.7).
 
-    A second panel shows the mass on either side of each line.
+    The box would balance on each of these lines. A second panel shows the mass on either side of
+    each line.
     """
     masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
     stones = read_stones(own_stones())

@@ -37,7 +37,7 @@ class Projection(Scene):
         self.a, self.b = Vector3(1.5, 2.5), Vector3(3.5, 0.5)
 
     def step(self, duration: float) -> None:
-        """Do nothing, because the vectors move only when the reader drags them."""
+        """Do nothing, because the vectors move only when the reader drags or rotates them."""
 
     def shadow(self) -> Vector3:
         """Project the vector a onto the vector b with the student's Vector3."""
@@ -104,7 +104,7 @@ class CrossProduct(Scene):
         self.a, self.b = Vector3(0.5, 0.0, 1.8), Vector3(2.0, 0.0, 0.3)
 
     def step(self, duration: float) -> None:
-        """Do nothing, because the vectors move only when the reader drags them."""
+        """Do nothing, because the vectors move only when the reader drags or rotates them."""
 
     def draw(self, pen: Pen) -> None:
         zero, product = Vector3(), self.a.cross(self.b)

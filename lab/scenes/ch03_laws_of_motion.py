@@ -80,7 +80,7 @@ class FrameRates(Scene):
             pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
 
     def off(self, i: int) -> float:
-        """Compute how far ball ``i`` is from its exact position, in m."""
+        """Measure how far ball ``i`` of the throw is from its exact position, in m."""
         x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
         return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
 
@@ -149,7 +149,7 @@ class DampingForms(Scene):
             self.speeds[1] = damp_per_second(self.speeds[1], Vector3(), self.kept, h)
 
     def slid(self) -> float:
-        """Compute how far the exactly damped puck has slid so far, in m."""
+        """Compute how far the third puck has slid by the exact solution, in m."""
         k = -math.log(self.kept)
         return self.SPEED * -math.expm1(-k * self.steps / self.rate) / k
 

@@ -227,7 +227,11 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """Throw once at 60 steps per second, twice at 10, and then twice at 60 with damping."""
+        """Make the scripted player throw five times.
+
+        The first throw uses 60 steps per second, the next two use 10, and the last two use 60 again
+        with damping.
+        """
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)

@@ -141,7 +141,7 @@ class Ballistics(Scene):
             self.range.fire(self.name, self.azimuth, self.elevation)
 
     def click(self, x: float, y: float) -> None:
-        """Aim at the clicked point, in the side view or the view from above, and fire."""
+        """Fire at the clicked point, in the view from the side or in the view from above."""
         if x <= MUZZLE[2]:
             return
         if y > 0.5 * MIDDLE:

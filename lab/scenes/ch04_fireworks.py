@@ -99,7 +99,10 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Click on each rocket just before it bursts. Let the display die out in the last 3 s."""
+        """Make the scripted player click on each rocket just before it bursts.
+
+        The player stops clicking in the last 3 s, so that the display dies out.
+        """
         if time > self.seconds - 3.0:
             return
         if not self.plays:
@@ -122,7 +125,7 @@ SCENES = (Fireworks,)
 
 
 def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel:
-    """Create a Catherine wheel that throws sparks of the type WHEEL_SPARK."""
+    """Create a Catherine wheel, which throws sparks of the type WHEEL_SPARK."""
     return CatherineWheel(
         show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
     )

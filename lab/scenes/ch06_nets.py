@@ -102,7 +102,7 @@ class SpringBridge(Stepped):
             self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
-        """Walk to the right end of the bridge and back."""
+        """Make the scripted player walk to the right end of the bridge and back."""
         frame = round(60.0 * time)
         if frame % 6 == 0:
             self.press("right" if frame < 240 else "left")
@@ -152,7 +152,7 @@ class Cloth(Stepped):
         knot.position.x, knot.position.y = x, min(y, 0.8)
 
     def play(self, time: float) -> None:
-        """Pull one corner of the cloth aside and up, and then move it back."""
+        """Make the scripted player pull one corner of the cloth aside and up, and then move it back."""
         if 3.0 < time < 5.0:
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:
@@ -163,5 +163,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Return the picture coordinates of ``place``, viewed from the side and slightly from above."""
+    """Project a 3D point onto the picture, as seen from the side and slightly from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 6: a ball on a spring, whose time steps may be too long."""
+"""An interactive scene of chapter 6: a ball on a spring, with time steps that may be too long."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Predict whether each swing of the ball will be wider than the last (1) or not (0).
+    """Predict whether the ball will swing wider and wider, from the stability limits of chapter 6.
 
-    The prediction uses the stability limits of chapter 6.
+    Returns:
+        1 if the swings will grow, 0 otherwise.
     """
     number = scene.stiffness / scene.rate**2 / scene.mass
     limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}

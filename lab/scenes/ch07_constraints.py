@@ -23,11 +23,11 @@ RATES = [30, 60, 120, 240, 480]
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is the acceleration of each particle."""
+    """Add no forces. Gravity is already the acceleration of each particle."""
 
 
 def rises(scene: Bounce) -> int:
-    """Compare the last bounces with the first: 0 if as high within 2 %, 1 if higher, 2 if lower."""
+    """Judge the height of the last bounces: 0 if unchanged within 2 %, 1 if higher, 2 if lower."""
     share = max(y for _, y in scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 

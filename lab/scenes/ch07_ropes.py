@@ -20,7 +20,7 @@ COLORS = ("red", "blue", "green")
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is the acceleration of each particle."""
+    """Add no forces. Gravity is already the acceleration of each particle."""
 
 
 class Ropes(Scene):

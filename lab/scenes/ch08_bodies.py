@@ -104,7 +104,7 @@ class Platform(WorldScene):
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
     def play(self, time: float) -> None:
-        """Let the platform tip, move the weight to the right end and back, and free the pivot."""
+        """Make the scripted player move the weight to the right end and back, and free the pivot."""
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")
         orders |= dict.fromkeys(range(580, 650, 5), "right")
@@ -198,7 +198,7 @@ class Blob(WorldScene):
             self.pushed = self.MOMENT
 
     def play(self, time: float) -> None:
-        """Push the blob upward, downward and to both sides."""
+        """Make the scripted player push the blob upward, downward and to both sides."""
         orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
         if key := orders.get(round(60.0 * time) % 360):
             self.press(key)

@@ -90,7 +90,10 @@ class Bridge(WorldScene):
         self.bridge.pace = paces.get(key, self.bridge.pace)
 
     def play(self, time: float) -> None:
-        """Walk the ball to the left, to the right with some late frames, and off the bridge."""
+        """Make the scripted player walk the ball across the bridge, and finally off it.
+
+        From 4 s on, some of the frames are late.
+        """
         frame = round(60.0 * time)
         if frame == 240:
             self.values["frames"] = "every 60th late"
@@ -101,7 +104,7 @@ class Bridge(WorldScene):
 class BallGame(Scene):
     """A game of bouncing a ball from plank to plank of a rope bridge (project 8.1).
 
-    The player loses a ball when it falls off the bridge.
+    The player loses a ball whenever it falls to the ground.
     """
 
     chapter = 8
@@ -154,7 +157,10 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Win one game by steering to the next unvisited row of planks, and then lose one."""
+        """Make the scripted player win one game and lose the next.
+
+        The player wins by always steering to the next unvisited row of planks.
+        """
         frame = round(60.0 * time)
         if frame == 424:
             self.press("n")

@@ -83,7 +83,7 @@ class Wheel(WorldScene):
         return words + "."
 
     def play(self, time: float) -> None:
-        """Drive the rim of the wheel harder, and then brake it."""
+        """Make the scripted player drive the rim of the wheel harder, and then brake it."""
         self.values["force"] = 1.0 if time < 1.0 else 5.0 if time < 4.0 else -3.0
 
 
@@ -183,7 +183,7 @@ class Cube(WorldScene):
 
 
 def tilted(place: Vector3) -> tuple[float, float]:
-    """Return the picture coordinates of ``place``, viewed toward a corner and from above."""
+    """Project a 3D point onto the picture, as seen from above, toward a corner of the ground."""
     across, away = 0.87 * place.x - 0.5 * place.z, 0.5 * place.x + 0.87 * place.z
     return across, 0.94 * place.y + 0.34 * away
 

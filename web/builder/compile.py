@@ -49,7 +49,7 @@ def compiled(source: bytes, place: str, optimize: int) -> bytes:
 def zipped(files: dict[str, bytes], method: int) -> bytes:
     """Pack files into a zip archive.
 
-    The archive has a fixed time stamp, so building an unchanged site twice gives identical bytes.
+    Every file gets the same time stamp, so building an unchanged site twice gives identical bytes.
     """
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w") as archive:

@@ -55,7 +55,7 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether the reports come from checks running now rather than from an earlier worker."""
+        """Whether checks are running now, rather than being replayed from an earlier web worker."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:

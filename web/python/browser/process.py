@@ -1,7 +1,7 @@
 """Run checks as if in a new process, although a browser cannot start one.
 
 When a real process ends, its imported modules, its sys.path and its working folder disappear with
-it. Here, they are restored at the end of each run.
+it. Here, each run ends by removing the modules and restoring sys.path and the working folder.
 """
 
 from __future__ import annotations
@@ -132,7 +132,7 @@ def as_a_process() -> Iterator[None]:
 
 
 def forget_modules() -> None:
-    """Remove the student's modules and the checks from sys.modules, so they are imported again."""
+    """Remove the student's modules and the checks, so that the next run imports them again."""
     shared = str(ROOT / "tests")
     for name, module in list(sys.modules.items()):
         file = getattr(module, "__file__", None) or ""

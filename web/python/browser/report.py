@@ -49,7 +49,7 @@ def report_to_page(
 
 
 def report_of_written(chapter: Chapter, exercise: Exercise, engine: list[Path]) -> dict[str, Any]:
-    """Return the report on a written exercise, which has no automatic checks, for the page."""
+    """Build the page's report on a written exercise, which has no automatic checks."""
     report = Report(chapter, [result_of(exercise, [])], [], [])
     question = next(one for one in questions_of(chapter, engine) if one.exercise == exercise)
     told = report_to_page(report, exercise, engine, [])

@@ -66,7 +66,10 @@ class Link:
         self.given.close()
 
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
-        """Build the scene's engine from the student's files and the given reference chapters."""
+        """Build the scene's engine from the student's files.
+
+        Chapters that the student has skipped come from the reference.
+        """
         if self.loaded == (files, numbers):
             return
         self.loaded = None

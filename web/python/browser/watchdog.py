@@ -33,7 +33,7 @@ class Watchdog:
         signal.signal(signal.SIGALRM, self.hear)
 
     def start(self, seconds: float) -> None:
-        """Start the clock. When it runs out, the worker sends the signal."""
+        """Start the clock. When it runs out, the web worker sends the signal SIGALRM."""
         start_clock(seconds)
 
     def stop(self) -> None:

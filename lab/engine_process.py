@@ -63,7 +63,7 @@ class EngineProcess:
             yield json.dumps({"kind": "stopped", "why": TOO_MUCH})
 
     async def end(self) -> None:
-        """Kill the process if it is running."""
+        """Kill the process that runs the engine, if there is one."""
         process, self.process = self.process, None
         if process is not None:
             with contextlib.suppress(ProcessLookupError):

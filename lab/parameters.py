@@ -1,4 +1,4 @@
-"""Define the numbers and options of an interactive scene that the reader can change."""
+"""Define the parameters of a scene, which are the numbers and options that the reader can change."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ class Slider(Parameter):
 
 
 class Choice(Parameter):
-    """A parameter for which the reader chooses one of several numbers or strings."""
+    """A parameter for which the reader chooses one of several options, such as an integrator."""
 
     def __init__(
         self,

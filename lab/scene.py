@@ -91,11 +91,11 @@ class Scene:
         return None
 
     def say(self) -> str:
-        """Describe the current state in words, for readers who cannot see the picture."""
+        """Describe the current state of the scene in words, for readers who cannot see the picture."""
         return ""
 
     def facts(self) -> str:
-        """Say in one line what the parameters mean, such as "k h^2 / m = 0.028, stable below 4"."""
+        """Say in one line what the parameters imply, such as "k h^2 / m = 0.028, stable below 4"."""
         return ""
 
     def press(self, key: str) -> None:
@@ -108,9 +108,9 @@ class Scene:
         """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Make the moves that a player would make at ``time``, in s, such as aiming and firing.
+        """Make the moves of a scripted player at ``time``, in s, such as aiming and firing.
 
-        Recordings and tests have no player, so they call this before each frame.
+        Recordings and tests call this before each frame, because they have no human player.
         """
 
     def advance(self, duration: float = FRAME) -> None:

@@ -1,4 +1,4 @@
-"""A base class for scenes that run a ParticleWorld, which moves particles and resolves contacts.
+"""A base class for scenes that simulate a ParticleWorld, with its particles and contacts.
 
 The reader can change the step rate and the iteration limit while the scene runs.
 """
@@ -54,7 +54,7 @@ class WorldScene(Scene):
 
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
-    """Draw a world's cables, black where they are taut and gray where they are slack."""
+    """Draw the cables of a particle world, black where they are taut and gray where they are slack."""
     anchors: list[tuple[float, float]] = []
     taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
     slack: list[tuple[tuple[float, float], tuple[float, float]]] = []

@@ -43,7 +43,10 @@ def main() -> None:
 
 
 def scenes_of_students() -> list[Entry]:
-    """List the scenes that students can run on their own engine."""
+    """List the scenes that students can run on their own engine.
+
+    The scene that replays the accuracy study is not one of them, because it shows the reference.
+    """
     return [e for e in entries() if e.module.rpartition(".")[2] != Path(CHARTS).stem]
 
 

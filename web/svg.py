@@ -18,7 +18,10 @@ HIDDEN = ("force", "contact")  # arrows that a page shows only on request
 
 
 class View:
-    """Converts a scene's coordinates (in its own units, +y up) to pixels, as the page does."""
+    """Converts the coordinates of a scene to pixels, as the page does.
+
+    A scene uses its own units with +y up.
+    """
 
     def __init__(self, view: tuple[float, float, float, float]) -> None:
         left, right, bottom, top = view

@@ -33,7 +33,7 @@ TURNS = 24  # corners of a spring
 
 
 class Picture:
-    """A matplotlib figure of a scene, which can be redrawn after every step."""
+    """A matplotlib figure of an interactive scene, which can be redrawn after every step."""
 
     def __init__(self, scene: Scene, figure: Figure, *, arrows: bool = True) -> None:
         self.scene = scene

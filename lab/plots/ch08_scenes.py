@@ -246,7 +246,7 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Find the throw of a trebuchet that releases at this angle, or return None if it never does."""
+    """Find the throw of a trebuchet that releases at this angle, or None if it never does."""
     return next((release for release in found if release.angle <= angle), None)
 
 

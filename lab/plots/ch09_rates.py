@@ -156,7 +156,7 @@ def gimbal_lock() -> Picture:
 
 
 def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
-    """Plot each method's final error in degrees against the length of the time step."""
+    """Plot the error in angle of each integration method against the length of the time step."""
     found = written({way: partial(_ends, way, notes) for way in WAYS})
     steps = [1.0 / rate for rate in RATES]
     for way, errors in found.items():

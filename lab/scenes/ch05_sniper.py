@@ -123,7 +123,10 @@ class Sniper(Scene):
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
-        """Make the scripted player shoot at each target in turn, correcting for gravity and wind."""
+        """Make the scripted player shoot at each target in turn.
+
+        The aim takes gravity and the wind into account.
+        """
         if self.waited < 1.0 or self.range.is_over():
             return
         target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]

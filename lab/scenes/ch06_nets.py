@@ -152,7 +152,7 @@ class Cloth(Stepped):
         knot.position.x, knot.position.y = x, min(y, 0.8)
 
     def play(self, time: float) -> None:
-        """Make the scripted player pull one corner of the cloth aside and up, and then move it back."""
+        """Make the scripted player pull a corner of the cloth aside and up, and move it back."""
         if 3.0 < time < 5.0:
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:

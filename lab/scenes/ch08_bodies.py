@@ -104,7 +104,10 @@ class Platform(WorldScene):
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
     def play(self, time: float) -> None:
-        """Make the scripted player move the weight to the right end and back, and free the pivot."""
+        """Make the scripted player move the weight to and fro, and free the pivot.
+
+        Before that, the platform has time to tip.
+        """
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")
         orders |= dict.fromkeys(range(580, 650, 5), "right")

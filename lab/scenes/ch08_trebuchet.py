@@ -60,7 +60,10 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the projectile's path and the energies, and check whether it has landed."""
+        """Record the path of the trebuchet's projectile and the energies after a time step.
+
+        Once the projectile has landed, note where.
+        """
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))

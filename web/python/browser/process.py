@@ -60,7 +60,10 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """Imports the student's modules in a browser, where there is no separate process to kill."""
+    """Imports the student's modules in a browser, where there is no separate process to kill.
+
+    A watchdog stops code that runs for too long.
+    """
 
     def surround(self) -> None:
         """Set up the same environment and limits for the student's code as in the grader."""

@@ -1,4 +1,4 @@
-"""Define the parameters of a scene, which are the numbers and options that the reader can change."""
+"""Define the parameters of a scene: numbers and options that the reader can change."""
 
 from __future__ import annotations
 

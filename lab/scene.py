@@ -91,11 +91,11 @@ class Scene:
         return None
 
     def say(self) -> str:
-        """Describe the current state of the scene in words, for readers who cannot see the picture."""
+        """Describe the scene's current state in words, for readers who cannot see the picture."""
         return ""
 
     def facts(self) -> str:
-        """Say in one line what the parameters imply, such as "k h^2 / m = 0.028, stable below 4"."""
+        """Say in one line what the parameters mean, such as "k h^2 / m = 0.028, stable below 4"."""
         return ""
 
     def press(self, key: str) -> None:

@@ -54,7 +54,7 @@ class WorldScene(Scene):
 
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
-    """Draw the cables of a particle world, black where they are taut and gray where they are slack."""
+    """Draw the cables of a particle world, black where they are taut and gray where slack."""
     anchors: list[tuple[float, float]] = []
     taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
     slack: list[tuple[tuple[float, float], tuple[float, float]]] = []

@@ -62,7 +62,7 @@ def compile_once() -> None:
 class InBrowser(InProcess):
     """Imports the student's modules in a browser, where there is no separate process to kill.
 
-    A watchdog stops code that runs for too long.
+    A watchdog reports code that runs for too long.
     """
 
     def surround(self) -> None:

@@ -1,1 +1,1 @@
-"""Run interactive scenes on a student's engine: in a browser, in a window, or as a recording."""
+"""Run interactive physics scenes on a student's engine: in a browser, a window or a recording."""

@@ -1,4 +1,4 @@
-"""Serve the lab's page, play a scene in a window, or record one to files."""
+"""Open the interactive scenes in a browser, play one in a window, or record one to files."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from studies.reason import reason, shown
 
 
 def main() -> int:
-    """Run the given command and return its exit status."""
+    """Run the command ``serve``, ``play`` or ``record``, and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m lab", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     serve = commands.add_parser("serve", help="serve the page on this machine")
@@ -61,7 +61,7 @@ def main() -> int:
 
 
 def _serve(options: argparse.Namespace) -> int:
-    """Serve the lab's page until the user presses Ctrl-C."""
+    """Open the lab's web page in a browser, and serve it until the user presses Ctrl-C."""
     from lab.server import Lab, serve  # only this command needs a server
 
     find_engine(options.engine)
@@ -83,7 +83,8 @@ def _serve(options: argparse.Namespace) -> int:
 def _play(options: argparse.Namespace) -> int:
     """Play a scene in a window.
 
-    Record it to files instead if the options ask for that, or if there is no display.
+    With the command ``record``, or on a computer without a display, record the scene to files
+    instead.
     """
     find(options.scene)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
@@ -116,15 +117,15 @@ def _play(options: argparse.Namespace) -> int:
 
 
 def settings_of(options: argparse.Namespace) -> dict[str, str]:
-    """Return the scene parameters given on the command line, by name."""
+    """Read the scene's parameters from options such as ``--set mass=2``, as a dict of strings."""
     return dict(setting.partition("=")[::2] for setting in options.set)
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Return the query string of the page to open first.
+    """Build the query string that tells the lab's page which scene to open first.
 
-    It names ``scene`` or, failing that, the first scene of ``chapter``, along with the values in
-    ``settings``.
+    An example is "scene=one-spring&mass=2". If no scene is given, the first scene of ``chapter`` is
+    opened. The parameter values in ``settings`` follow the name of the scene.
 
     Raises:
         ValueError: The scene does not exist, or the chapter has no scenes.

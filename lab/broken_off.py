@@ -1,4 +1,4 @@
-"""Tell a student why their engine stopped before it answered a message from the page."""
+"""Explain to a student why the process that runs their engine stopped answering."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def why_it_broke_off(stack: str, engine: list[Path]) -> str:
-    """Explain why the process running a student's engine stopped.
+    """Explain to a student why the process that runs their engine stopped during a scene.
 
-    ``stack`` is the stack trace that the process writes when it runs out of time. If ``stack`` is
-    empty, the process ended on its own.
+    ``stack`` is the stack trace that the process writes when it runs out of time. It shows where an
+    endless loop is. If ``stack`` is empty, the process ended on its own.
     """
     if stack:
         return str(explain_hang(stack, TIME_LIMIT, engine))

@@ -1,4 +1,7 @@
-"""Find the lab's scenes, which each module in lab/scenes/ lists in a tuple called SCENES."""
+"""Find the interactive scenes of the lab.
+
+Each module in lab/scenes/ lists its scene classes in a tuple called SCENES.
+"""
 
 from __future__ import annotations
 
@@ -15,9 +18,10 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """A scene that the lab can open, and the module that defines it.
+    """An entry in the lab's list of scenes, with the module and the class that define the scene.
 
-    Entries are read from the source of the scene modules, so no engine has to be imported.
+    The lab reads the entries from the source code of the scene modules. It can therefore list the
+    scenes without importing an engine.
     """
 
     name: str
@@ -29,7 +33,7 @@ class Entry:
 
 @cache  # the scenes are part of the program, so they do not change while it runs
 def entries() -> tuple[Entry, ...]:
-    """Return the entries of all scenes, by chapter and then in the order of their modules."""
+    """List all scenes of the lab, ordered by chapter and then as their modules list them."""
     found = []
     for file in sorted(FOLDER.glob("ch??_*.py")):
         tree = ast.parse(file.read_text(encoding="utf-8"))
@@ -48,7 +52,7 @@ def entries() -> tuple[Entry, ...]:
 
 
 def find(name: str) -> Entry:
-    """Return the entry of the scene with this name.
+    """Look up a scene of the lab by its name, such as "one-spring".
 
     Raises:
         ValueError: The scene does not exist. The message lists all scenes.
@@ -62,14 +66,17 @@ def find(name: str) -> Entry:
 
 
 def load(name: str) -> type[Scene]:
-    """Import a scene, along with the chapters of the engine that it uses, and return its class."""
+    """Import a scene by its name, such as "one-spring", and return its class.
+
+    This also imports the chapters of the engine that the scene uses.
+    """
     entry = find(name)
     scene: type[Scene] = getattr(importlib.import_module(entry.module), entry.kind)
     return scene
 
 
 def _listed(tree: ast.Module) -> list[str]:
-    """Return the class names listed in a module's SCENES."""
+    """Find the class names in a module's SCENES tuple, without importing the module."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "SCENES":
             return [ast.unparse(name) for name in node.value.elts]  # type: ignore[attr-defined]
@@ -77,7 +84,7 @@ def _listed(tree: ast.Module) -> list[str]:
 
 
 def _title(node: ast.ClassDef) -> str:
-    """Return the title of a scene class, or the name of the class if it has no title."""
+    """Find the title of a scene in the source of its class, or use the class name instead."""
     for line in node.body:
         if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
             return str(ast.literal_eval(line.value))

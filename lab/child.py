@@ -1,7 +1,8 @@
-"""Run a student's engine in a process of its own, which talks to the lab's server in JSON.
+"""Run a student's engine in a separate process that exchanges messages with the lab's server.
 
-Each line is one message. If an answer takes longer than TIME_LIMIT, the process writes a stack
-trace to the file given by ``--stack`` and exits.
+Each line is one message in JSON. If the engine takes longer than TIME_LIMIT to answer, the process
+writes a stack trace to the file given by ``--stack`` and exits. The server reads that file to tell
+the student where the engine got stuck.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from studies.reason import reason
 
 
 def main() -> None:
-    """Answer messages from standard input until the server closes it."""
+    """Answer the server's messages from standard input until the server closes it."""
     parser = argparse.ArgumentParser(prog="python -m lab.child", description=__doc__)
     add_engine_options(parser)
     parser.add_argument("--stack", type=Path, required=True)
@@ -46,9 +47,9 @@ def main() -> None:
 
 
 def answered(host: Host, line: bytes) -> list[str]:
-    """Return the answers to one message as lines of JSON.
+    """Answer one message from the lab's server, and return the answers as lines of JSON.
 
-    If the line is not a valid message, the only answer is an error that says so.
+    If the line is not valid JSON, the only answer is an error message that says so.
     """
     try:
         message = json.loads(line)
@@ -61,7 +62,7 @@ def answered(host: Host, line: bytes) -> list[str]:
 
 
 def as_json(answer: Message) -> str:
-    """Format ``answer`` as one line of JSON.
+    """Format an answer to the lab's page as one line of JSON.
 
     Raises:
         ValueError: The answer contains NaN or an infinite number, which JSON does not allow.

@@ -1,4 +1,4 @@
-"""Start the processes that run students' code, send them messages, and stop them."""
+"""Start and stop the processes that run a student's engine for the lab's page, and talk to them."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
-    """The process that runs a student's engine for one open page.
+    """The process that runs an engine for one open page of the lab.
 
-    It starts when the first message arrives.
+    The process starts when the page sends its first message. It can be killed without stopping the
+    server if the student's code never ends.
     """
 
     def __init__(self, engine: str, given: str = "") -> None:
@@ -34,10 +35,10 @@ class EngineProcess:
         self.stack = Path(self.folder.name) / "stack.txt"
 
     async def ask(self, message: str) -> AsyncIterator[str]:
-        """Send a message to the process, and yield its answers as lines of JSON.
+        """Send a message from the page to the process, and yield its answers as lines of JSON.
 
         A process that takes too long is killed. If that happens, or if the process exits early, the
-        last answer explains what went wrong.
+        last answer explains to the student what went wrong.
         """
         limit = TIME_LIMIT + GRACE
         if self.process is None:
@@ -62,7 +63,7 @@ class EngineProcess:
             yield json.dumps({"kind": "stopped", "why": TOO_MUCH})
 
     async def end(self) -> None:
-        """End the process immediately if it is running."""
+        """Kill the process that runs the engine, if there is one."""
         process, self.process = self.process, None
         if process is not None:
             with contextlib.suppress(ProcessLookupError):
@@ -77,7 +78,7 @@ class EngineProcess:
                     await process.wait()
 
     async def close(self) -> None:
-        """End the process and remove its files."""
+        """Kill the process and delete its temporary folder."""
         await self.end()
         self.folder.cleanup()
 
@@ -95,13 +96,13 @@ class EngineProcess:
         )
 
     def _why(self) -> str:
-        """Explain why the process has stopped."""
+        """Explain to the student why the process that ran their engine has stopped."""
         stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
         return why_it_broke_off(stack, [ROOT / self.engine])
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
-    """Record an animation of a scene in a separate process, and return the GIF.
+    """Record an animation of a scene in a separate process, and return the contents of the GIF.
 
     Raises:
         ValueError: The recording failed. The message is the last line that the process printed.

@@ -1,8 +1,8 @@
-"""Run one scene on an engine, controlled by messages from a page.
+"""Run one interactive scene, controlled by messages from a web page.
 
-The host knows nothing about pages, sockets or processes, so the local server and the course's site
-can share it. A message is a dict with a ``kind``. It holds only numbers, strings, lists and dicts,
-so that it can be sent as JSON.
+The host knows nothing about web pages, sockets or processes, so the lab's local server and the
+course's website can share it. A message is a dict with a ``kind``. It holds only numbers, strings,
+lists and dicts, so that it can be sent as JSON.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """Runs a scene and answers messages about it.
+    """Runs one scene and answers messages about it, such as a key that the reader has pressed.
 
     ``explain`` turns an exception raised by the student's code into an explanation.
     """
@@ -35,7 +35,11 @@ class Host:
         self.cost = 0.0  # microseconds per frame, a running mean
 
     def receive(self, message: Message) -> list[Message]:
-        """Act on a message, and return the answers. Even an invalid message gets one."""
+        """Carry out one message from the page, and return the messages that answer it.
+
+        If the message is invalid or the student's code raises an exception, the scene stops and the
+        answer explains why.
+        """
         try:
             return self._answer(message)
         except (Exception, SystemExit) as error:
@@ -73,9 +77,10 @@ class Host:
         return [self._frame()]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Build the scene with this name, and return its description and its first frame.
+        """Build the scene called ``name``, and return its description and its first frame.
 
-        If the value of a parameter is invalid, report that and use the default instead.
+        ``peer`` selects another method of running the scene, such as "exact" or "pymunk". If the
+        value of a parameter is invalid, an answer reports that and the default is used instead.
         """
         self.scene = None
         kind = load(name)
@@ -96,10 +101,10 @@ class Host:
         return [self._frame()]
 
     def _set(self, name: str, value: object) -> list[Message]:
-        """Set a parameter of the scene to a new value.
+        """Set a parameter of the scene to the value that the reader has chosen.
 
         If the parameter is live, the scene keeps running with the new value. Otherwise the scene is
-        rebuilt.
+        rebuilt and starts over.
         """
         assert self.kind is not None, "a scene must be loaded first"
         if refused := self._keep(name, value):
@@ -110,7 +115,7 @@ class Host:
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Store the value of a parameter, or return a message saying why it is invalid."""
+        """Check and store the value of a parameter, or return a message that rejects it."""
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:
@@ -131,7 +136,11 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Describe the scene's current state, with everything that the page shows."""
+        """Collect everything that the page shows for the current frame, such as drawing and chart.
+
+        Raises:
+            ArithmeticError: The scene has exploded, so a number is far too large or not finite.
+        """
         scene = self.scene
         assert scene is not None
         pen = Pen()
@@ -169,7 +178,7 @@ class Host:
 
 
 def _numbers(items: list[list[Any]]) -> list[float]:
-    """Return all coordinates and sizes of the drawn items."""
+    """Collect the coordinates and sizes of the drawn items, to detect a scene that has exploded."""
     found: list[float] = []
     for item in items:
         for value in item:

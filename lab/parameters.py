@@ -1,4 +1,4 @@
-"""Define a scene's parameters: the numbers and options that the reader can change."""
+"""Define the parameters of a scene: numbers and options that the reader can change."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any
 
 
 class Parameter:
-    """A value of a scene that the reader can change, defined as an attribute of the scene's class.
+    """A value that the reader can change, such as the stiffness of a spring.
 
-    On an instance, the attribute is the current value, so ``self.stiffness`` is a number. A
-    ``live`` parameter can change while the scene runs. Changing any other parameter rebuilds the
-    scene.
+    A parameter is defined as an attribute of the scene's class. On a scene, the attribute is the
+    current value, so ``self.stiffness`` is a number. A ``live`` parameter can change while the
+    scene runs. Changing any other parameter rebuilds the scene.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -29,11 +29,15 @@ class Parameter:
         return self if scene is None else scene.values[self.name]
 
     def checked(self, value: object) -> Any:
-        """Convert ``value`` to the right type, or raise ValueError if it is not allowed."""
+        """Convert a value from the page or the command line to the type of this parameter.
+
+        Raises:
+            ValueError: The parameter does not allow this value.
+        """
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
-        """Return the data from which a page creates the control for this parameter."""
+        """Return the data from which the page creates a control for this parameter."""
         return {
             "name": self.name,
             "label": self.label,
@@ -68,7 +72,11 @@ class Slider(Parameter):
         self.log = log
 
     def checked(self, value: object) -> float:
-        """Convert ``value`` to a float, or raise ValueError if it is out of range."""
+        """Convert the new value of the slider to a float.
+
+        Raises:
+            ValueError: The value is not a finite number, or it is out of range.
+        """
         if isinstance(value, str):
             try:
                 value = float(value)
@@ -82,13 +90,13 @@ class Slider(Parameter):
         return float(value)
 
     def described(self) -> dict[str, Any]:
-        """Return what a page needs to create the slider."""
+        """Return the data from which the page creates the slider."""
         own = {"kind": "slider", "low": self.low, "high": self.high}
         return super().described() | own | {"step": self.step, "log": self.log}
 
 
 class Choice(Parameter):
-    """A choice between several options, which are numbers or strings."""
+    """A parameter for which the reader chooses one of several options, such as an integrator."""
 
     def __init__(
         self,
@@ -103,7 +111,7 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Return the option with this name.
+        """Find the option that a value from the page or the command line stands for.
 
         Hyphens may stand for spaces, and case does not matter, so that options are easy to type on
         a command line.
@@ -118,11 +126,11 @@ class Choice(Parameter):
         raise ValueError(f"{self.name} must be one of {options}, got {value!r}")
 
     def described(self) -> dict[str, Any]:
-        """Return what a page needs to create the list of options."""
+        """Return the data from which the page creates the list of options."""
         return super().described() | {"kind": "choice", "options": self.options}
 
 
 def _plain(name: object) -> str:
-    """Convert an option's name to the form that people type on a command line."""
+    """Convert an option to the form that people type: "Runge-Kutta 4" becomes "runge-kutta-4"."""
     text = f"{name:g}" if isinstance(name, float) else str(name)
     return text.lower().replace(" ", "-")

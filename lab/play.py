@@ -1,6 +1,7 @@
 """Play a scene in a window, or record a scripted run of it to files.
 
-The files are an animation, an overview made of stills, and a table of the charted values.
+A recording consists of an animation, an overview made of still pictures, and a table of the values
+in the scene's chart.
 """
 
 from __future__ import annotations
@@ -31,8 +32,9 @@ SIZE = (8.0, 5.0)  # inches
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:
     """Record a scripted run of ``scene`` to files in ``folder``, and return their paths.
 
-    The files are an animation, an overview and a table. Files left over from an earlier recording
-    are deleted first, so a scene that fails leaves none behind.
+    The files are an animated GIF, a PNG overview of still pictures, and a CSV table of the values
+    in the scene's chart. Files of an earlier recording are deleted first, so that none of them
+    remain if the scene fails.
     """
     name = name_of(type(scene))
     folder.mkdir(parents=True, exist_ok=True)
@@ -113,21 +115,21 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the CSV table: the time, the charted values and, if known, the error."""
+    """Return a row of the recording's table: the time, the charted values and any known error."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}
 
 
 def _image_of(figure: Figure) -> Any:
-    """Return the current picture of a figure as an image array."""
+    """Render a matplotlib figure and return its pixels as an array."""
     canvas: Any = figure.canvas
     canvas.draw()
     return numpy.array(canvas.buffer_rgba())
 
 
 def _sheet_of(tiles: list[Any]) -> Figure:
-    """Arrange still pictures in a grid, for the overview."""
+    """Arrange still pictures of a recording in a grid, so that they can be seen at a glance."""
     columns = 3
     rows = -(-len(tiles) // columns)
     sheet, places = pyplot.subplots(rows, columns, figsize=(12, 2.6 * rows), layout="constrained")

@@ -1,4 +1,4 @@
-"""The base class of all scenes in the lab."""
+"""The base class of the lab's interactive scenes, such as a ball on a spring or a rope bridge."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FRAME = 1.0 / 60.0  # s per frame
 
 @dataclass(frozen=True)
 class Question:
-    """A prediction that the reader makes before the scene runs.
+    """A question that asks the reader to predict what a scene will do before it runs.
 
     ``answer`` returns the index of the correct option for the current parameters. Once the scene
     has run for ``seconds``, ``why`` explains what happened.
@@ -29,11 +29,12 @@ class Question:
 
 
 class Scene:
-    """The base class of all scenes. Lengths are in meters unless a scene says otherwise.
+    """The base class of the lab's interactive scenes.
 
-    A subclass sets the class attributes, defines parameters, and overrides ``build``, ``step``,
-    ``draw`` and whichever other methods it needs. ``peers`` maps names such as "exact" or "pymunk"
-    to subclasses that run the same scene by another method.
+    Lengths are in meters unless a scene says otherwise. A subclass sets the class attributes,
+    defines parameters, and overrides ``build``, ``step``, ``draw`` and whichever other methods it
+    needs. ``peers`` maps names such as "exact" or "pymunk" to subclasses that run the same scene by
+    another method.
     """
 
     chapter: ClassVar[int]
@@ -50,7 +51,7 @@ class Scene:
     cost: float | None = None  # microseconds per frame, if the scene measures it itself
 
     def __init__(self, **values: object) -> None:
-        """Build the scene with these parameter values, and with defaults for all others.
+        """Build the scene with the given parameter values, and with defaults for all others.
 
         Raises:
             ValueError: A parameter does not exist, or its value is not allowed.
@@ -66,7 +67,7 @@ class Scene:
         self.build()
 
     def build(self) -> None:
-        """Create the scene's objects in their state at time 0."""
+        """Create the scene's objects, such as particles and springs, in their state at time 0."""
         raise NotImplementedError
 
     def step(self, duration: float) -> None:
@@ -74,7 +75,7 @@ class Scene:
         raise NotImplementedError
 
     def draw(self, pen: Pen) -> None:
-        """Draw the current state of the scene."""
+        """Draw the current state of the scene with ``pen``."""
         raise NotImplementedError
 
     def chart(self) -> dict[str, float]:
@@ -82,34 +83,34 @@ class Scene:
         return {}
 
     def state(self) -> list[float]:
-        """Return the coordinates that ``error`` compares with the exact ones."""
+        """Return the simulated coordinates, which ``error`` compares with the exact ones."""
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact coordinates at ``time``, or None if there is no exact solution."""
+        """Return the exact values of ``state`` at ``time``, or None if no exact solution exists."""
         return None
 
     def say(self) -> str:
-        """Describe the current state in words, for readers who cannot see the picture."""
+        """Describe the scene's current state in words, for readers who cannot see the picture."""
         return ""
 
     def facts(self) -> str:
-        """Return a line about the parameters, such as "k h^2 / m = 0.028, stable below 4"."""
+        """Say in one line what the parameters mean, such as "k h^2 / m = 0.028, stable below 4"."""
         return ""
 
     def press(self, key: str) -> None:
         """Respond to a key that the reader has pressed."""
 
     def click(self, x: float, y: float) -> None:
-        """Respond to a click on the point (x, y)."""
+        """Respond to a mouse click at the point (x, y) of the scene."""
 
     def drag(self, name: str, x: float, y: float) -> None:
         """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Make the moves that a player would make at ``time``, in s, such as aiming and firing.
+        """Make the moves of a scripted player at ``time``, in s, such as aiming and firing.
 
-        Recordings and tests have no player, so they call this before each frame.
+        Recordings and tests call this before each frame, because they have no human player.
         """
 
     def advance(self, duration: float = FRAME) -> None:
@@ -118,7 +119,7 @@ class Scene:
         self.time += duration
 
     def error(self) -> float | None:
-        """Return the largest deviation of a coordinate from its exact value.
+        """Compute the largest difference between a simulated coordinate and its exact value.
 
         If the scene has no exact solution, return None.
         """
@@ -130,7 +131,7 @@ class Scene:
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
-    """Return a scene's parameters by name, with those of its base classes last."""
+    """Collect the parameters of a scene class by name, with those of its base classes last."""
     found: dict[str, Parameter] = {}
     for kind in scene.__mro__:
         for name, value in vars(kind).items():
@@ -140,13 +141,13 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return a scene's name as it appears in addresses and commands: OneSpring is one-spring."""
+    """Return the name of a scene in addresses and commands, such as one-spring for OneSpring."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 
 
 def described(scene: type[Scene]) -> dict[str, Any]:
-    """Return the data that a page needs to show a scene before it runs."""
+    """Return the data that the page needs to show a scene and its controls before it runs."""
     question = scene.predict
     return {
         "name": name_of(scene),

@@ -1,4 +1,4 @@
-"""Run the lab's web server, which serves the page and gives each open page an engine of its own."""
+"""Serve the lab's web page, and run a separate engine process for each page that is open."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ REFERENCE = "solutions"
 
 
 class Lab(Site):
-    """The data shared by all requests: the available engines and the open pages' sockets."""
+    """The lab's local website, with the engines it offers and the connections to all open pages."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         super().__init__()
@@ -34,7 +34,7 @@ class Lab(Site):
         self.sockets: set[EngineSocket] = set()
 
     def application(self) -> Application:
-        """Create the tornado application that handles all requests."""
+        """Create the tornado application that passes each request to its handler."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [
@@ -55,7 +55,7 @@ class Lab(Site):
 
 
 class Scenes(Handler):
-    """Serves the list of scenes and engines, without importing any engine."""
+    """Serves the list of scenes and engines for the page's menus, without importing any engine."""
 
     site: Lab
 
@@ -65,7 +65,7 @@ class Scenes(Handler):
 
 
 class Recording(Handler):
-    """Serves an animation of a scene, with the parameters given in the query."""
+    """Serves an animation of a scene, recorded with the parameters given in the query."""
 
     site: Lab
 
@@ -85,7 +85,7 @@ class Recording(Handler):
 
 
 class EngineSocket(WebSocketHandler):
-    """The connection to one open page, which has its own engine process."""
+    """The WebSocket connection to one open page, which has its own engine process."""
 
     def initialize(self, lab: Lab) -> None:
         self.lab = lab
@@ -99,7 +99,7 @@ class EngineSocket(WebSocketHandler):
             raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
-        """Return whether the lab's own page asked for the socket. Other pages may not open one."""
+        """Accept a WebSocket request from a browser only if it comes from the lab's own page."""
         return is_own_page(self.request, origin)
 
     def open(self) -> None:
@@ -122,9 +122,9 @@ class EngineSocket(WebSocketHandler):
                 pass
 
     async def saved(self, files: list[str]) -> None:
-        """Stop the old engine, and tell the page which files have changed.
+        """Stop the engine process, and tell the page which files the student has saved.
 
-        The page then reloads its scene, which starts a new engine.
+        The page then reloads its scene, which starts a process with the new files.
         """
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
@@ -139,9 +139,9 @@ class EngineSocket(WebSocketHandler):
 
 
 async def serve(lab: Lab, port: int, ready: Any) -> None:
-    """Serve until the user presses Ctrl-C.
+    """Serve the lab's page until the user presses Ctrl-C.
 
-    ``ready`` is called once with the address, as soon as the server accepts connections.
+    ``ready`` is called once with the page's address, as soon as the server accepts connections.
     """
     lab.listen(lab.application(), port)
     ready(lab.address)

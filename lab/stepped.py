@@ -1,4 +1,4 @@
-"""A base class for scenes that let the reader choose the integrator and the step rate."""
+"""A base class for scenes in which the reader chooses the integrator and the step rate."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
 class Stepped(Scene):
-    """A scene whose particles move under the forces in a registry.
+    """A scene whose particles move under the forces in a registry, by an integrator of chapter 6.
 
     The ``build`` method of a subclass must create ``particles`` and ``registry``.
     """
@@ -34,10 +34,10 @@ class Stepped(Scene):
     owed = 0.0  # s that have passed but have not been simulated yet
 
     def step(self, duration: float) -> None:
-        """Advance the scene by a frame of ``duration`` s at the chosen step rate.
+        """Advance the scene by a frame of ``duration`` s, at the step rate that the reader chose.
 
-        Whole steps rarely fill a frame exactly, so the leftover time carries over to the next
-        frame.
+        A frame is not always a whole number of steps. The time that is left over is added to the
+        next frame.
         """
         length = 1.0 / self.rate
         self.owed += duration

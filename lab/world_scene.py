@@ -1,4 +1,4 @@
-"""A base class for scenes that run a ParticleWorld.
+"""A base class for scenes that simulate a ParticleWorld, with its particles and contacts.
 
 The reader can change the step rate and the iteration limit while the scene runs.
 """
@@ -24,17 +24,17 @@ class WorldScene(Scene):
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Use ``step`` to advance ``world`` from now on, and record the contacts."""
+        """Make the scene advance ``world`` by calling ``step``, and record contacts for drawing."""
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)
         world.resolver = self.contacts
 
     def step(self, duration: float) -> None:
-        """Advance the scene by a frame of ``duration`` s at the chosen step rate.
+        """Advance the scene by a frame of ``duration`` s, at the step rate that the reader chose.
 
-        Whole steps rarely fill a frame exactly, so the leftover time carries over to the next
-        frame.
+        A frame is not always a whole number of steps. The time that is left over is added to the
+        next frame.
         """
         length = 1.0 / self.rate
         self.owed += duration
@@ -43,18 +43,18 @@ class WorldScene(Scene):
             self.one_step(length)
 
     def one_step(self, duration: float) -> None:
-        """Make one step of the world."""
+        """Advance the world by one time step of ``duration`` s."""
         self.contacts.forget()
         self.contacts.iterations = self.iterations
         self.make_step(duration)
 
     def used(self) -> dict[str, float]:
-        """Return the number of iterations in the last step, for the chart."""
+        """Return how many iterations the contact resolver used in the last step, for the chart."""
         return {"iterations used": float(self.contacts.iterations_used)}
 
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
-    """Draw a world's cables, black where they are taut and gray where they are slack."""
+    """Draw the cables of a particle world, black where they are taut and gray where slack."""
     anchors: list[tuple[float, float]] = []
     taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
     slack: list[tuple[tuple[float, float], tuple[float, float]]] = []

@@ -1,4 +1,4 @@
-"""Build the course as static pages: python -m web --out build/site [--with-solutions]."""
+"""Build the course's website as static files: python -m web --out build/site [--with-solutions]."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ NOT_OURS = ("pyodide", "vendor")
 
 
 def main() -> int:
-    """Build the site and return the exit status: 1 if it cannot be built, else 0."""
+    """Build the website and return the exit status: 1 if it cannot be built, 0 otherwise."""
     parser = argparse.ArgumentParser(prog="python -m web", description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "site")
     parser.add_argument(
@@ -43,7 +43,7 @@ def main() -> int:
 
 
 def build(out: Path, *, with_solutions: bool) -> None:
-    """Build the site in a folder that is new, empty, or contains an earlier build.
+    """Build the website in a folder that is new, empty, or contains an earlier build.
 
     Raises:
         ValueError: The folder contains anything else.
@@ -68,9 +68,9 @@ def build(out: Path, *, with_solutions: bool) -> None:
 
 
 def put_in_place(site: Path, out: Path) -> None:
-    """Move a new site to ``out``, replacing an earlier one.
+    """Move the new website to the folder ``out``, replacing an earlier build.
 
-    If the command is killed meanwhile, ``out`` never contains a half-finished site.
+    ``out`` never contains a half-finished site, even if the command is killed meanwhile.
     """
     new, old = (out.with_name(f".{out.name}.{what}") for what in ("new", "old"))
     for folder in (new, old):
@@ -84,7 +84,10 @@ def put_in_place(site: Path, out: Path) -> None:
 
 
 def repository() -> str:
-    """Return the address of the repository in a GitHub workflow, or an empty text elsewhere."""
+    """Return the address of the GitHub repository whose workflow is building the website.
+
+    Outside a GitHub workflow the address is not known, and the result is an empty string.
+    """
     server, name = os.environ.get("GITHUB_SERVER_URL"), os.environ.get("GITHUB_REPOSITORY")
     return f"{server}/{name}" if server and name else ""
 
@@ -98,7 +101,7 @@ def _say(words: str) -> None:
 
 
 def _sizes(out: Path) -> str:
-    """Describe the size of the site, with and without the parts that come from other projects."""
+    """Describe the size of the website, with and without the files taken from other projects."""
     sizes = {file: file.stat().st_size for file in out.rglob("*") if file.is_file()}
     other = sum(size for file, size in sizes.items() if file.relative_to(out).parts[0] in NOT_OURS)
     total = sum(sizes.values())

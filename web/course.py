@@ -1,4 +1,4 @@
-"""Collect the data about the course that the pages show: chapters, exercises, stubs, questions."""
+"""Collect the data that the website shows: chapters, exercises, stubs and questions."""
 
 from __future__ import annotations
 
@@ -11,13 +11,20 @@ from autograder.stubs import make_stubs
 
 
 def course() -> dict[str, Any]:
-    """Return the data about the course, which contains no solution and no model answer."""
+    """Collect the data about all chapters for the website.
+
+    The data contains stubs and questions, but no solutions and no model answers.
+    """
     stubs = {path.removeprefix("chapters/"): text for path, text in make_stubs().items()}
     return {"chapters": [_chapter(chapter, stubs) for chapter in load_chapters()]}
 
 
 def _chapter(chapter: Chapter, stubs: dict[str, str]) -> dict[str, Any]:
-    """Return a chapter. ``files`` are the stubs to edit, and ``complete`` are the given modules."""
+    """Collect the data about one chapter for the website.
+
+    ``files`` holds the stubs that students edit, and ``complete`` holds the modules that are given
+    to them.
+    """
     files = {path: text for path, text in stubs.items() if path.startswith(f"{chapter.name}/")}
     answers = files.get(f"{chapter.name}/{FILE}")
     folder = ROOT / "chapters" / chapter.name

@@ -1,4 +1,4 @@
-"""Find out which modules some files import, directly or indirectly, without importing them."""
+"""Find the modules that Python files import, directly or indirectly, without importing them."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ from pathlib import Path
 def imported_by(
     roots: Iterable[Path], folders: Iterable[Path], packages: Collection[str]
 ) -> list[Path]:
-    """Return the files in these packages that the roots import anywhere in their code.
+    """Find the files of ``packages`` that the root files import, directly or indirectly.
 
-    ``folders`` contain the packages. A root that is inside one of the packages is included too.
+    Imports inside functions count too. ``folders`` are the folders that contain the packages. A
+    root file that belongs to one of the packages is included in the result.
     """
     folders = list(folders)
     found: set[Path] = set()
@@ -31,7 +32,7 @@ def imported_by(
 
 
 def _names(file: Path, folders: Iterable[Path]) -> Iterator[str]:
-    """Yield the names of all modules that a file may import.
+    """Yield the names of all modules that a Python file may import.
 
     In `from a import b`, `b` may be a module or any other object. The name `a.b` is therefore
     yielded as well.
@@ -53,7 +54,7 @@ def _home(file: Path, folders: Iterable[Path]) -> Path | None:
 
 
 def _files(name: str, folders: Iterable[Path]) -> Iterator[Path]:
-    """Yield the file of a module, and the files of the packages that contain the module."""
+    """Yield the file of a module, and the __init__.py files of the packages that contain it."""
     parts = name.split(".")
     for count in range(1, len(parts) + 1):
         for folder in folders:

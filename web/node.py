@@ -1,4 +1,4 @@
-"""Run Node with the pinned packages of package-lock.json, which only building the site needs."""
+"""Run Node.js with the npm packages pinned in package-lock.json, in order to build the website."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PACKAGES = WEB / "node_modules"
 
 
 def missing() -> str:
-    """Return what is missing to run Node, or an empty text if nothing is."""
+    """Say what must be installed before Node.js can run, or return "" if nothing is missing."""
     node = shutil.which("node")
     if node is None or shutil.which("npm") is None:
         what = "node" if node is None else "npm"
@@ -28,7 +28,7 @@ def missing() -> str:
 
 
 def run_node(script: str, *arguments: str) -> None:
-    """Run one of the scripts in this folder with Node.
+    """Run one of the JavaScript files in this folder with Node.js.
 
     Raises:
         ValueError: The script cannot be run, or it fails. The message says what to do.
@@ -40,10 +40,11 @@ def run_node(script: str, *arguments: str) -> None:
 
 
 def prepare() -> None:
-    """Install the pinned packages, unless they are already installed.
+    """Install the npm packages pinned in package-lock.json, unless they are already installed.
 
     Raises:
-        ValueError: Node is missing, or it cannot install them. The message says what to do.
+        ValueError: Node.js is missing, or npm cannot install the packages. The message says what to
+            do.
     """
     if why := missing():
         raise ValueError(why)

@@ -1,7 +1,9 @@
-"""Pack the files for Pyodide: course.xz and Python's library, compiled where that saves time.
+"""Pack the Python code that the website runs in the browser with Pyodide.
 
-The course is a hand-out of all chapters, together with those parts of pytest and of the tools that
-a check or a scene imports. Two builds from the same sources produce identical files.
+One archive, course.xz, holds a hand-out of all chapters together with those parts of pytest and of
+the course's tools that a check or a scene imports. The other holds Python's standard library.
+Modules are compiled where that saves loading time. Two builds from the same sources produce
+identical files.
 """
 
 from __future__ import annotations
@@ -33,10 +35,11 @@ LEFT_OUT += " smtplib. ftplib. poplib."
 
 
 def pack(out: Path, *, with_solutions: bool = False) -> None:
-    """Write ``course.xz``, a zip in xz format, and ``pyodide/python_stdlib.zip`` into a folder.
+    """Write the archives ``course.xz`` and ``pyodide/python_stdlib.zip`` into a folder.
 
-    ``with_solutions`` adds the compiled modules of the reference, for students who skip a chapter.
-    The compiled library is kept in build/ and reused, because compiling it takes most of the time.
+    ``course.xz`` is a zip archive in xz format. ``with_solutions`` adds the compiled modules of the
+    reference, for students who skip a chapter. The compiled standard library is kept in build/ and
+    reused, because compiling it takes most of the time.
     """
     library = out / "pyodide" / "python_stdlib.zip"
     library.parent.mkdir(parents=True, exist_ok=True)
@@ -58,7 +61,10 @@ def pack(out: Path, *, with_solutions: bool = False) -> None:
 
 
 def _stage_course(folder: Path, *, with_solutions: bool) -> None:
-    """Copy the course into a folder: the students' files, and our Python code for browsers."""
+    """Copy the tests, the chapters' settings and the tools that run in the browser into a folder.
+
+    ``with_solutions`` adds the modules of the reference.
+    """
     with tempfile.TemporaryDirectory(prefix="handout-") as place:
         handout = Path(place) / "handout"
         with contextlib.redirect_stdout(io.StringIO()):  # its output is meant for an instructor
@@ -106,7 +112,7 @@ def _stage_library(folder: Path) -> None:
 
 
 def _state_of_library() -> str:
-    """Return a hash of everything on which the compiled library depends."""
+    """Hash everything that the compiled standard library depends on, to detect changes."""
     state = hashlib.sha256(LEFT_OUT.encode())
     for file in (PACKAGES / "pyodide" / "python_stdlib.zip", WEB / "builder" / "compile.py"):
         state.update(file.read_bytes())

@@ -1,4 +1,4 @@
-"""Copy the pages' pictures as smaller files that look the same, and return their sizes."""
+"""Convert the pictures of the lessons to smaller files that look the same."""
 
 from __future__ import annotations
 
@@ -17,9 +17,12 @@ UNSEEN = 2.5  # root-mean-square difference, out of 255, that nobody sees
 
 
 def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
-    """Copy all still pictures into a folder. Return a name, a width and a height for each path.
+    """Convert all still pictures of the lessons to WebP files in the folder ``out``.
 
     Animations are not copied, because the page runs the scene itself instead.
+
+    Returns:
+        The name, width and height of the new file, for the path of each original picture.
     """
     out.mkdir(parents=True, exist_ok=True)
     found = {}
@@ -34,7 +37,7 @@ def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
 
 
 def _packed(picture: Image.Image) -> bytes:
-    """Return a picture in WebP format, with as few colors as possible without a visible change."""
+    """Convert a picture to WebP with the fewest colors that cause no visible change."""
     full = picture.convert("RGB")
 
     @functools.cache

@@ -1,8 +1,8 @@
-"""Draw the pictures that readers see before they start a scene: python -m web.stills FOLDER.
+"""Draw the pictures of scenes that readers see before they start one: python -m web.stills FOLDER.
 
-The picture of a scene shows the moment after the scripted player has played briefly on the
-reference engine. Each `make lab SCENE=... SET=...` in a lesson gets a picture of the start of the
-scene instead, because a later picture would give away the outcome.
+Each scene is drawn as it looks after a scripted player has briefly played it on the reference
+engine. A lesson's command with settings, `make lab SCENE=... SET=...`, gets a picture of the start
+of the scene instead, because a later picture would give away the outcome.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ MOMENT = 0.4  # s
 
 
 def main() -> None:
-    """Draw all pictures into a folder, with a list of the scenes."""
+    """Draw the pictures of all scenes into a folder, and list the scenes in scenes.json."""
     parser = argparse.ArgumentParser(prog="python -m web.stills", description=__doc__)
     parser.add_argument("folder", type=Path)
     folder: Path = parser.parse_args().folder
@@ -43,12 +43,19 @@ def main() -> None:
 
 
 def scenes_of_students() -> list[Entry]:
-    """Return the scenes that students can run on their own engine."""
+    """List the scenes that students can run on their own engine.
+
+    The scene that replays the accuracy study is not one of them, because it shows the reference.
+    """
     return [e for e in entries() if e.module.rpartition(".")[2] != Path(CHARTS).stem]
 
 
 def wanted() -> list[tuple[str, str]]:
-    """Return the scenes and settings to draw: every scene, and the settings used in lessons."""
+    """List the pictures to draw, as pairs of a scene's name and its settings.
+
+    Every scene gets one picture without settings. Each `make lab` command with settings in a lesson
+    gets a picture of its own.
+    """
     found = [(entry.name, "") for entry in scenes_of_students()]
     for lesson in sorted(ROOT.glob("chapters/*/README.md")):
         found += COMMAND.findall(lesson.read_text(encoding="utf-8").replace("\n> ", " "))
@@ -56,12 +63,15 @@ def wanted() -> list[tuple[str, str]]:
 
 
 def still_name(scene: str, settings: str) -> str:
-    """Return the name of the file for a picture, such as one-spring_stiffness-36."""
+    """Return the file name of a scene's picture without suffix, such as one-spring_stiffness-36."""
     return "_".join([scene, *settings.replace("=", "-").split()])
 
 
 def still(name: str, settings: str) -> str:
-    """Return a picture of a scene with settings such as "rate=30 mass=1", as SVG."""
+    """Draw a scene as an SVG picture, with settings such as "rate=30 mass=1".
+
+    Without settings, a scripted player plays the scene for 0.4 s before it is drawn.
+    """
     values = dict(word.split("=", 1) for word in settings.split())
     scene = load(name)(**values)
     while not settings and scene.time < MOMENT:

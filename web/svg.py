@@ -1,4 +1,4 @@
-"""Draw the items that a scene's pen has recorded as an SVG in the page's light and dark colors."""
+"""Draw a scene as an SVG picture, in the light and dark colors of the lab's page."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ HIDDEN = ("force", "contact")  # arrows that a page shows only on request
 
 
 class View:
-    """Converts coordinates of a scene (in its own units, +y up) to pixels, as the page does."""
+    """Converts the coordinates of a scene to pixels, as the page does.
+
+    A scene uses its own units with +y up.
+    """
 
     def __init__(self, view: tuple[float, float, float, float]) -> None:
         left, right, bottom, top = view
@@ -38,7 +41,7 @@ class View:
 
 
 def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
-    """Return an SVG of the items that a pen has recorded, as seen in a scene's view."""
+    """Draw the items that a scene's pen has recorded as an SVG picture of the scene's view."""
     place = View(view)
     shapes = "\n".join(shape for kind, *values in items if (shape := DRAW[kind](place, *values)))
     width, height = f"{WIDTH:g}", f"{HEIGHT:g}"
@@ -50,7 +53,7 @@ def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
 
 
 def _style(names: set[str]) -> str:
-    """Return CSS rules for these color names, with the values of the lab's style sheet."""
+    """Write CSS rules for these color names, with the values from the lab's style sheet."""
     light, dark = COLORS.read_text(encoding="utf-8").split("@media")
     rules = []
     for sheet in (light, dark):

@@ -1,1 +1,1 @@
-"""Draw the lab's scenes: pens, cameras, and shapes that several scenes share."""
+"""Tools for drawing the lab's scenes: pens, a camera, and shapes that several scenes share."""

@@ -1,4 +1,4 @@
-"""Draw a box in 3D, with a color for each axis, leaving out faces that the viewer cannot see."""
+"""Draw a 3D box with a color for each axis, leaving out the faces that the viewer cannot see."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a box with sides of the lengths ``sides``, in m.
+    """Draw a rotated box whose sides have the lengths ``sides``, in m.
 
-    ``turn`` rotates a vector from the box's axes to the world's. ``center`` is where the center of
-    the box goes in the picture.
+    ``turn`` rotates a vector from the box's axes to the world's axes. ``center`` is the position of
+    the box's center in the picture.
     """
     x0, y0 = center
     for face, axis in _faces(sides):
@@ -34,9 +34,10 @@ def draw_box(
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """Return the corners of each face, and the index of the axis perpendicular to that face.
+    """Return the corners of each face of a box, with the index of the axis perpendicular to it.
 
-    The corners run counter-clockwise, seen from outside the box.
+    The corners run counter-clockwise as seen from outside the box, so the cross product of two
+    successive edges points outward.
     """
     around = ((-1, -1), (1, -1), (1, 1), (-1, 1))
     faces = []

@@ -1,4 +1,4 @@
-"""Show a contact resolver at work by drawing its contacts, impulses and iterations."""
+"""Record the contacts and impulses of a contact resolver, so that a scene can draw them."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from lab.drawing.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A wrapper for a resolver that lets a scene draw the contacts and impulses of the last step.
+    """A contact resolver that records the contacts and impulses of the last step for drawing.
 
-    The wrapped resolver does the actual work, and the wrapper records it.
+    The engine's own resolver, which this class wraps, does the actual work.
     """
 
     def __init__(self, resolver: ContactResolver) -> None:
@@ -22,7 +22,7 @@ class ContactView(ContactResolver):
         self.pairs: list[tuple[Vector3, Vector3]] = []
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
-        """Resolve the contacts, and record the change in each particle's momentum."""
+        """Resolve the contacts, and record how much the momentum of each particle changes."""
         listed = [*contacts]
         touched = {id(one): one for c in listed for one in (c.particle, c.other) if one is not None}
         before = {key: one.velocity.copy() for key, one in touched.items()}
@@ -48,9 +48,9 @@ class ContactView(ContactResolver):
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 
     def draw(self, pen: Pen, scale: float) -> None:
-        """Draw each impulse as an arrow, and each contact between two particles as a dot.
+        """Draw each recorded impulse as an arrow, and each contact between two particles as a dot.
 
-        ``scale`` is the arrows' length in m per N s.
+        ``scale`` is the length of the arrows in m per N s.
         """
         for position, impulse in self.impulses:
             pen.arrow(position, impulse * scale, "pink", "contact")

@@ -1,4 +1,4 @@
-"""Record what a scene draws as plain data, for a page or matplotlib to draw later.
+"""Record what a scene draws as plain data, for a web page or matplotlib to draw later.
 
 Coordinates are in the scene's own units, with +x to the right and +y up. A point is either a
 Vector3 or a pair (x, y). Colors are names rather than values, so that a page can pick shades that
@@ -29,9 +29,9 @@ Item = list[Any]
 
 
 class Pen:
-    """The pen a scene draws with, which records each item instead of drawing it right away.
+    """The pen a scene draws with, which records each shape instead of drawing it right away.
 
-    An item is a list that starts with its kind, such as "circle", and its color.
+    A recorded shape is a list that starts with its kind, such as "circle", and its color.
     """
 
     def __init__(self) -> None:
@@ -46,14 +46,14 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle. If ``grab`` is set, the reader can drag it.
+        """Draw a circle, which the reader can drag if it has a name in ``grab``.
 
-        ``grab`` is the name that is passed to ``Scene.drag`` when that happens.
+        When the reader drags the circle, the name is passed to ``Scene.drag``.
         """
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots. ``size`` is in pixels, so zooming does not change it."""
+        """Draw dots whose ``size`` is in pixels, so that zooming the view does not change it."""
         self._add("dots", color, _flat(centers), size)
 
     def line(
@@ -78,11 +78,11 @@ class Pen:
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
-        """Draw a spring between two points."""
+        """Draw a spring as a zigzag line between two points."""
         self._add("spring", color, *_xy(a), *_xy(b))
 
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
-        """Draw an arrow. The reader can show or hide arrows whose ``kind`` is listed in ARROWS."""
+        """Draw an arrow from ``start``. The reader can show or hide the kinds listed in ARROWS."""
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
@@ -109,5 +109,5 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round ``value`` to five digits: plenty for a picture, and it keeps messages short."""
+    """Round ``value`` to five digits, which are plenty for a picture and keep messages short."""
     return float(f"{value:.5g}")

@@ -1,4 +1,4 @@
-"""Draw a scene with matplotlib from the items recorded by its pen."""
+"""Draw a scene with matplotlib, from the shapes that its pen has recorded."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ TURNS = 24  # corners of a spring
 
 
 class Picture:
-    """A matplotlib figure of a scene, which can be redrawn after every step."""
+    """A matplotlib figure of an interactive scene, which can be redrawn after every step."""
 
     def __init__(self, scene: Scene, figure: Figure, *, arrows: bool = True) -> None:
         self.scene = scene
@@ -44,7 +44,7 @@ class Picture:
         self.drawn: list[Any] = []
 
     def draw(self) -> None:
-        """Draw the current state of the scene."""
+        """Redraw the figure to show the current state of the scene."""
         for artist in self.drawn:
             artist.remove()
         pen = Pen()

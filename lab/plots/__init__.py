@@ -1,1 +1,1 @@
-"""The chapters' plots, which `make plot` draws with the functions of an engine."""
+"""The plots of each chapter, which `make plot` draws with the functions of a student's engine."""

@@ -1,4 +1,4 @@
-"""Plots of chapter 2, drawn with the vectors of the chosen engine: make plot CH=2.
+"""Plots of chapter 2, drawn with the vectors of the student's engine: make plot CH=2.
 
 Each title quotes a number measured from the picture without using the engine, so a bug in the
 engine shows up in the title.
@@ -42,7 +42,7 @@ def addition() -> Picture:
 
 
 def projection() -> Picture:
-    """Draw a vector, its projection onto a direction, and the remainder."""
+    """Draw a vector, its projection onto a direction, and what remains perpendicular to it."""
     a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
@@ -98,7 +98,7 @@ def cross_product() -> Picture:
 
 
 def basis() -> Picture:
-    """Draw an orthonormal basis, along with the two vectors it was built from."""
+    """Draw an orthonormal basis, along with the two vectors from which it was built."""
     a, b = (1.6, 0.6, 0.4), (0.2, 1.3, 0.6)
     made = make_orthonormal_basis(Vector3(*a), Vector3(*b))
     first, second, third = (numbers(v) for v in made)
@@ -125,7 +125,7 @@ PLOTS = (addition, projection, cross_product, basis)
 
 
 def _product_length(angle: float) -> float:
-    """Compute |a x b| with the engine for |a| = 2 and |b| = 3.
+    """Compute the length of a x b with the engine, for |a| = 2 and |b| = 3.
 
     ``angle`` is the angle between a and b, which lie in a tilted plane.
     """

@@ -1,4 +1,4 @@
-"""Plots of chapter 3, drawn with the particle of the chosen engine: make plot CH=3.
+"""Plots of chapter 3, drawn with the particle of the student's engine: make plot CH=3.
 
 Each title quotes a number measured from the picture, so a bug in the engine shows up there.
 """
@@ -38,7 +38,10 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Plot how much velocity damping removes from a fall of 1 s, by frame rate (exercise 3.5)."""
+    """Plot how much velocity three forms of damping remove in a fall of 1 s (exercise 3.5).
+
+    The loss is plotted against the frame rate, on which damping per frame depends.
+    """
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
     exact = 1.0 + fall.exact(fall.duration).velocity[1] / undamped
@@ -77,7 +80,7 @@ def damping_comparison() -> Picture:
 
 
 def integration_error() -> Picture:
-    """Plot the position error in free fall against the length of a step (exercise 3.4)."""
+    """Plot the position error in free fall against the length of a time step (exercise 3.4)."""
     counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
     time, g = FREE_FALL.duration, -GRAVITY[1]
     rows = []
@@ -104,7 +107,10 @@ def integration_error() -> Picture:
 
 
 def trajectories() -> Picture:
-    """Draw a throw with and without damping, both in long time steps and along its exact path."""
+    """Draw the path of a thrown ball with and without damping.
+
+    Each path is drawn twice, once simulated in long time steps and once exact.
+    """
     frame = 0.1
     frames = round(PROJECTILE.duration / frame)
     undamped = DragFlight("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)
@@ -138,9 +144,9 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 
 
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
-    """Return the fraction of the velocity that each form of damping removes in a fall of 1 s.
+    """Measure the fraction of the velocity that each form of damping removes in a fall of 1 s.
 
-    Frames vary randomly around 1 / ``rate`` in length, and each fraction is the mean of several
+    The frames vary randomly in length around 1 / ``rate``. Each fraction is the mean of several
     runs.
     """
     gravity = Vector3(*GRAVITY)

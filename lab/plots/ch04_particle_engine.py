@@ -1,4 +1,4 @@
-"""Plots of chapter 4: the five shots, all types of fireworks, and the error of the book's step."""
+"""Plots of chapter 4: shots, all types of fireworks, and the error of the book's integrator."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the paths of the five shots, and plot how much of its energy each one keeps."""
+    """Draw the path of each type of shot, and plot how much of its energy the shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )
@@ -84,7 +84,7 @@ def shots() -> Picture:
 
 
 def fireworks() -> Picture:
-    """Draw every type of firework and the Catherine wheel until the last spark goes out."""
+    """Draw each type of firework and the Catherine wheel until the last spark goes out."""
     rules = [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
     figure, panels = pyplot.subplots(3, 4, figsize=(12, 7.4), layout="constrained")
     rows = []
@@ -115,9 +115,9 @@ def fireworks() -> Picture:
 
 
 def step_error() -> Picture:
-    """Plot the error of the book's step against the length of a frame.
+    """Plot the position error of the book's integrator against the length of a frame.
 
-    The error is the distance from the exact position after 2 s.
+    The error is the distance of a shot from its exact position after 2 s.
     """
     counts = (15, 30, 60, 120, 240, 480, 960, 1920)
     seconds = 2.0
@@ -157,9 +157,9 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire a shot, and yield the state of each of its particles after every frame.
+    """Fire a shot, and yield the type, position and velocity of its particles after every frame.
 
-    That state consists of the particle's type, position and velocity.
+    A grenade, for example, bursts into several particles.
     """
     at = BallisticRange()
     at.fire(name)
@@ -175,14 +175,14 @@ def _seen(shot: Shot) -> tuple[str, Numbers, Numbers]:
 
 
 def _energy(name: str, velocity: Numbers, height: float) -> float:
-    """Return the kinetic plus potential energy of a shot per kilogram, in J/kg."""
+    """Compute the kinetic plus potential energy of a shot per kilogram, in J/kg."""
     return 0.5 * math.hypot(*velocity) ** 2 - SHOT_TYPES[name].acceleration[1] * height
 
 
 def _streaks(
     axes: Axes, show: FireworksShow, before: Callable[[], None], frames: int = LONGEST
 ) -> list[int]:
-    """Draw every frame of a fireworks show into a single picture.
+    """Draw every frame of a fireworks show into a single picture, like a long exposure.
 
     Return the number of fireworks burning in each frame.
     """

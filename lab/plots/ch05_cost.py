@@ -1,4 +1,4 @@
-"""A plot of chapter 5 that shows how much time each force generator costs."""
+"""A plot of chapter 5 that shows how much computing time each force generator costs."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ DOWN = (0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
-    """Plot how much longer a frame takes with each force generator.
+    """Plot how much longer a frame takes to compute with each force generator.
 
     The baseline is a particle of chapter 3, with gravity as its acceleration.
     """

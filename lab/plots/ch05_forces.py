@@ -1,7 +1,7 @@
 """Plots of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
-Each title quotes a number measured from the picture, so a bug in the engine shows up there. For
-what each generator costs, see ch05_cost.
+Each title quotes a number measured from the picture, so a bug in the student's engine shows up
+there. For the computing time of each force generator, see ch05_cost.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ PERIOD = 2.0 * math.pi
 
 
 def terminal_speeds() -> Picture:
-    """Plot falls with linear and quadratic drag, along with their terminal speeds."""
+    """Plot the speeds of falls with linear and quadratic drag, along with their terminal speeds."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     rows: list[Sequence[object]] = []
     worst = 0.0
@@ -85,7 +85,10 @@ def terminal_speeds() -> Picture:
 
 
 def fall_with_drag() -> Picture:
-    """Plot a fall with quadratic drag in long frames, the exact solution, and the error."""
+    """Plot a fall with quadratic drag, simulated in long frames and computed exactly.
+
+    A second panel shows how the error shrinks with the length of a frame.
+    """
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
     count = round(seconds / frame)
@@ -128,7 +131,7 @@ def fall_with_drag() -> Picture:
 
 
 def orbit() -> Picture:
-    """Simulate 20 orbits with the book's step, and plot how energy and angular momentum drift."""
+    """Plot how 20 orbits simulated by the book's integrator gain energy and angular momentum."""
     figure, (path, energies, momenta) = pyplot.subplots(
         1, 3, figsize=(14, 4.6), layout="constrained"
     )
@@ -180,9 +183,9 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Let a particle with drag fall from rest.
+    """Let a particle with drag fall from rest, in frames of ``frame`` s.
 
-    Return the distance and the speed at the start and after each frame.
+    Return the distance in m and the speed in m/s, at the start and after each frame.
     """
     particle = Particle(acceleration=Vector3(*DOWN), mass=mass)
     drag = Drag(k1, k2)
@@ -195,7 +198,7 @@ def _fall(
 
 
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
-    """Simulate an orbit with mu = 1, starting from the farthest point.
+    """Simulate an orbit with mu = 1, which starts at the point farthest from the center.
 
     Return the position and velocity at the start and after every ``every`` frames.
     """
@@ -213,7 +216,7 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 
 
 def _momentum_drift(h: float) -> float:
-    """Predict how much angular momentum the book's step adds per orbit.
+    """Predict how much angular momentum the book's integrator adds per orbit.
 
     A step changes r x v by h^2 v x a, because r x a is 0. On an exact orbit, v x a is L / r^3 with
     L = (1 - e^2)^(1/2), and 1 / r^3 averages (1 - e^2)^(-3/2) over an orbit.
@@ -222,7 +225,7 @@ def _momentum_drift(h: float) -> float:
 
 
 def _energy_drift(h: float) -> float:
-    """Predict how much energy the book's step adds per orbit.
+    """Predict how much energy the book's integrator adds per orbit.
 
     A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. On an exact orbit,
     that sum equals 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which is added up here over the angles of one

@@ -1,8 +1,8 @@
 """Plots of chapter 6: the forces of springs, and the energy and error of oscillations.
 
-Each title quotes a number measured from the picture, so a bug in the engine shows up there.
-Anything that needs a function you have not written yet is left out. For the stability limits, see
-ch06_stability.
+Each title quotes a number measured from the picture, so a bug in the student's engine shows up
+there. Curves that need a function the student has not written yet are left out. For the stability
+limits, see ch06_stability.
 """
 
 from __future__ import annotations
@@ -41,7 +41,10 @@ FRAME = 1.0 / 60.0
 
 
 def force_against_length() -> Picture:
-    """Plot the force of springs and ropes against their length, and of lifts against height."""
+    """Plot the forces of chapter 6: springs and bungees, buoyancy, and the lift of a balloon.
+
+    The forces of springs are plotted against their length, and lifts against height.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, rest = 10.0, 2.0
     other = Particle()
@@ -94,7 +97,10 @@ def force_against_length() -> Picture:
 
 
 def three_regimes() -> Picture:
-    """Plot a damped spring in its three regimes, both simulated and exact."""
+    """Plot the motion of under-damped, critically damped and over-damped springs.
+
+    Each motion is drawn both simulated and exact.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, frames = 100.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -133,7 +139,7 @@ def three_regimes() -> Picture:
 
 
 def energy_over_time() -> Picture:
-    """Plot the energy of an undamped spring over ten seconds with each method."""
+    """Plot the energy of an undamped spring over ten seconds, for each integration method."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.2), layout="constrained")
     k, frames = 100.0, 600
     rows: list[Sequence[object]] = []
@@ -178,7 +184,10 @@ def energy_over_time() -> Picture:
 
 
 def error_against_work() -> Picture:
-    """Plot each method's largest error within 1 s against its number of force evaluations."""
+    """Plot the accuracy of each integration method on a spring against the work that it takes.
+
+    The accuracy is the largest error within 1 s, and the work is the number of force evaluations.
+    """
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
     words = []
@@ -242,7 +251,7 @@ PLOTS = (
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Return the force of a generator on a particle, along one axis.
+    """Compute the force that a force generator exerts on a particle, along one axis.
 
     ``place`` is the particle's position on that axis.
     """

@@ -1,6 +1,7 @@
-"""Plots of chapter 6: where integrators, faked springs, cloths and penalty forces blow up.
+"""Plots of chapter 6: where integrators, faked springs, cloths and penalty forces become unstable.
 
-Each title quotes a number measured from the picture, so a bug in the engine shows up there.
+Each title quotes a number measured from the picture, so a bug in the student's engine shows up
+there.
 """
 
 from __future__ import annotations
@@ -35,7 +36,11 @@ CLOTH_SECONDS = 2
 
 
 def stability_map() -> Picture:
-    """Map the growth of oscillations per step by stiffness and damping, with theoretical limits."""
+    """Map how much each integrator makes a spring's oscillations grow or shrink per time step.
+
+    The map covers a range of stiffnesses and dampings, and includes the theoretical limits of
+    stability.
+    """
     figure, panels = pyplot.subplots(2, 4, figsize=(16, 8), layout="constrained")
     *maps, key = panels.flat
     kappas = [0.01 * 10.0 ** (i / 12.0) for i in range(49)]
@@ -84,7 +89,7 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Plot the faked stiff spring against the true spring, and show where its oscillations grow."""
+    """Plot the faked stiff spring next to the true spring, and show where its oscillations grow."""
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -177,7 +182,7 @@ def cloth_frame_rates() -> Picture:
 
 
 def penalty_bounces() -> Picture:
-    """Plot falls onto soft and stiff penalty ground, which can throw a body higher than it fell."""
+    """Plot falls onto soft and stiff penalty ground, which may throw a body higher than it fell."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     rows: list[Sequence[object]] = []
     falls = [0.5 + i / 40.0 for i in range(21)]

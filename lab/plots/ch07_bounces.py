@@ -1,7 +1,7 @@
 """Plots of chapter 7: bounces, resting contacts, and the restitution of dropped balls.
 
-Each title quotes a number measured from the picture, so a bug in the engine shows up there. Curves
-for exercises that are not written yet are left out.
+Each title quotes a number measured from the picture, so a bug in the student's engine shows up
+there. Curves for exercises that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": G
 
 
 def bounce_heights() -> Picture:
-    """Plot the height of a ball dropped from 2 m, with restitution 1 and with 0.5."""
+    """Plot the height of a bouncing ball over time, dropped from 2 m with restitution 1 and 0.5."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     found = written(
@@ -79,7 +79,10 @@ def bounce_heights() -> Picture:
 
 
 def resting_jitter() -> Picture:
-    """Plot a ball at rest under the resting rule, a stricter rule, and no rule at all."""
+    """Plot the height of a ball that should lie still on the ground.
+
+    The resting rule is compared with a stricter rule and with no rule at all.
+    """
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
     rules = {"resting rule": None, "no rule": without_rule}
@@ -147,7 +150,11 @@ def resting_jitter() -> Picture:
 
 
 def restitution_of_materials() -> Picture:
-    """Plot the restitution from measured drops, with and without the square root (exercise 7.1)."""
+    """Plot the coefficient of restitution of several balls, computed from measured bounce heights.
+
+    The coefficient is the square root of bounce height over drop height. A second set of marks
+    leaves the root out, as the formula in our copy of exercise 7.1 does.
+    """
     path, drops = _drops()
     table = table_of_drops(drops)
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]
@@ -210,7 +217,7 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """Return a function that runs a ball released slightly above the ground.
+    """Return a function that simulates a ball released slightly above the ground.
 
     At that height, explicit Euler has no contact in its first step.
     """
@@ -222,17 +229,17 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that fit in a picture, since a faulty engine may let the ball fly away."""
+    """Return the heights that fit in a picture. With a faulty engine, a ball may fly away."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
 def _highest(run: Track) -> float:
-    """Return the greatest height of a run that still fits in a picture."""
+    """Find the greatest height of a ball, ignoring heights that are too large for a picture."""
     return max((height for height in run.values[1:] if abs(height) < 1e3), default=math.nan)
 
 
 def _rise(run: Track) -> float:
-    """Return how high a ball rises after reaching its first low point."""
+    """Find how high a ball rises after its first low point."""
     for i, (a, b) in enumerate(pairwise(run.values)):
         if b > a:
             return max(run.values[i:])
@@ -240,7 +247,7 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Read the measured drops, and return them along with the name of their file.
+    """Read the bounce heights that the student has measured, and return them with their file name.
 
     If the student has not recorded any drops yet, use the sample file.
     """

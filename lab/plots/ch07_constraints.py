@@ -1,7 +1,7 @@
-"""Plots of chapter 7: the errors that the resolver leaves in a pile, and how far stacks sink.
+"""Plots of chapter 7: errors that the contact resolver leaves in a pile, and how far stacks sink.
 
-Each title quotes a number measured from the picture, so a bug in the engine shows up there. Curves
-for exercises that are not written yet are left out.
+Each title quotes a number measured from the picture, so a bug in the student's engine shows up
+there. Curves for exercises that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from studies.runs.piles import pile, residuals, stack
 def resolver_convergence() -> Picture:
     """Plot the errors left in a pile of spheres against the number of contacts resolved.
 
-    The errors are the largest closing velocity and the largest depth.
+    The errors are the largest closing velocity and the largest penetration depth.
     """
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]
@@ -61,7 +61,10 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Plot how far stacks of 3 and 10 spheres sink and overlap, by iterations per contact."""
+    """Plot how far stacks of 3 and 10 spheres sink, and how far the spheres overlap.
+
+    Both depend on how many iterations per contact the resolver may make.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)
     found = written(

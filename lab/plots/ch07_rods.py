@@ -1,4 +1,4 @@
-"""Plots of chapter 7: a rope of rods by several methods, the errors of rods, and a pendulum."""
+"""Plots of chapter 7: a rope of rods by several methods, how well rods hold, and a pendulum."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """Plot the error in the length of a rope of rods over time, for each method.
+    """Plot how a simulated rope of rods stretches over time, for each simulation method.
 
     The rope is released at 30 degrees from straight down.
     """
@@ -74,7 +74,10 @@ def rope_by_method() -> Picture:
 
 
 def rods_hold() -> Picture:
-    """Plot the largest error of a rod in a hanging chain, for various iterations and substeps."""
+    """Plot how far the rods of a hanging chain deviate from their length.
+
+    The largest error is plotted against the number of rods, for various iterations and substeps.
+    """
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
     # Cases that take longer than all other cases together are left out.
     ways = {
@@ -122,7 +125,7 @@ def rods_hold() -> Picture:
 
 
 def pendulum_energy() -> Picture:
-    """Plot the energy over 10 s of a pendulum on a rod, released from horizontal."""
+    """Plot how a pendulum on a rod gains or loses energy within 10 s, released from horizontal."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     shown = [("explicit Euler", 60, RED), ("semi-implicit Euler", 60, SKY)]
     shown += [("semi-implicit Euler", 240, PINK), ("semi-implicit Euler", 960, BLACK)]
@@ -156,7 +159,10 @@ def pendulum_energy() -> Picture:
 def _hanging(
     link: Link, count: int, iterations: int | None, substeps: int
 ) -> Callable[[], tuple[float, str]]:
-    """Return a function that lets a chain hang for 2 s and returns the largest error of a rod."""
+    """Return a function that simulates a hanging chain for 2 s.
+
+    The function returns the largest error of a rod's length, in m, and the text of any exception.
+    """
 
     def scene() -> tuple[float, str]:
         resolve = by_resolver(iterations, HeapResolver)

@@ -1,8 +1,8 @@
 """Plots of chapter 8: the energy of scenes at rest, and scenes with uneven frames.
 
-Each title quotes a number measured from the picture, so a bug in the engine shows up there. Curves
-for exercises that are not written yet are left out. For cables and ropes, see ch08_ropes. For the
-projects, see ch08_scenes.
+Each title quotes a number measured from the picture, so a bug in the student's engine shows up
+there. Curves for exercises that are not written yet are left out. For cables and ropes, see
+ch08_ropes. For the projects, see ch08_scenes.
 """
 
 from __future__ import annotations
@@ -48,7 +48,10 @@ Way = tuple[Callable[[], MassAggregate], int, float, str]  # with rate, time, co
 
 
 def energy_of_bridge() -> Picture:
-    """Plot the energy of the bridge at three frame rates, and again with the default iterations."""
+    """Plot the energy of the rope bridge at three frame rates, as it comes to rest under a ball.
+
+    A fourth curve shows the energy with the default number of iterations.
+    """
     ways: dict[str, Way] = {
         f"{rate} Hz": (Bridge, rate, seconds, color) for rate, (color, seconds) in RATES.items()
     }
@@ -57,7 +60,7 @@ def energy_of_bridge() -> Picture:
 
 
 def energy_of_platform() -> Picture:
-    """Plot the energy of the loaded, tilting platform at three frame rates."""
+    """Plot the energy of the loaded, tilting platform at three frame rates, as it comes to rest."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (loaded_platform, rate, seconds, color)
         for rate, (color, seconds) in RATES.items()
@@ -66,7 +69,10 @@ def energy_of_platform() -> Picture:
 
 
 def variable_frames() -> Picture:
-    """Plot a blob and a bridge in even frames, and in uneven frames with two spikes of 0.5 s."""
+    """Plot how a blob and a rope bridge react to uneven frames, two of which last 0.5 s.
+
+    Even frames and FixedStep are shown for comparison.
+    """
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
     rows: list[Sequence[object]] = []
@@ -128,7 +134,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Plot the energies of several runs, and how much each still varies once the scene is at rest.
+    """Plot the energies of several runs of a scene, and how much each varies once it is at rest.
 
     That variation is plotted in percent, relative to the middle of the energy's range.
     """

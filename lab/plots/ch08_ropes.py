@@ -1,6 +1,7 @@
-"""Plots of chapter 8: how well ropes and the bridge's cables hold, and what that costs.
+"""Plots of chapter 8: how well ropes and the cables of the rope bridge hold, and at what cost.
 
-Each title quotes a number measured from the picture, so a bug in the engine shows up there.
+Each title quotes a number measured from the picture, so a bug in the student's engine shows up
+there.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how far each method lets balls of 1 kg to 1 t stretch the bridge's cables."""
+    """Plot how far balls of 1 kg to 1 t stretch the cables of the rope bridge, for each method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -88,7 +89,11 @@ def mass_ratios() -> Picture:
 
 
 def hanging_rope() -> Picture:
-    """Plot how far a rope between two nails sags below its rest position, against the work."""
+    """Plot how accurately each method simulates the sag of a rope between two nails.
+
+    The error of the sag is plotted against the work, which is the number of contacts resolved or
+    rods solved.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
     # DirectChain is also shown with a rope that starts in the shape of a V.
@@ -162,9 +167,9 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Return the largest value from ``since`` on, a time in s.
+    """Find the largest value that a simulation recorded after the time ``since``, in s.
 
-    If the engine failed, return infinity.
+    If the engine failed with an exception, return infinity.
     """
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
@@ -173,7 +178,10 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Wrap a scene so that an error in the engine becomes a note, and the scene returns None."""
+    """Wrap the simulation of a rope so that an exception does not prevent the whole plot.
+
+    The exception becomes a note in the picture, and the simulation returns None.
+    """
 
     def run() -> Hanging | None:
         hung: list[Hanging] = []

@@ -30,7 +30,10 @@ FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)
 
 
 def trebuchet_range() -> Picture:
-    """Plot the range of your trebuchet against its release angle, for several counterweights."""
+    """Plot the range of the student's trebuchet against its release angle.
+
+    There is a curve for each of several counterweights.
+    """
     figure, (left, right) = pyplot.subplots(
         1, 2, figsize=(13, 5.4), layout="constrained", width_ratios=(3, 2)
     )
@@ -96,7 +99,7 @@ def trebuchet_range() -> Picture:
 
 
 def wheel_deformation() -> Picture:
-    """Plot how far a driven wheel deforms, and how far its spin lags behind theory."""
+    """Plot how far a driven wheel of rods deforms, and how far its spin lags behind theory."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     deformations = {
         (driven, force): partial(deformation_of_wheel, force, driven, 60, 1.0)
@@ -157,7 +160,10 @@ def wheel_deformation() -> Picture:
 
 
 def blob_bonds() -> Picture:
-    """Plot how far a blob spreads on the ground, and how many of its bonds survive."""
+    """Plot how far a blob of particles spreads on the ground, and how many of its bonds survive.
+
+    The blob is dropped or thrown down at up to 25 m/s, with and without cables.
+    """
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     ways = {(0.0, False): BLACK, (18.0, False): SKY, (18.0, True): BLUE}
     ways |= {(25.0, False): ORANGE, (25.0, True): RED}
@@ -197,7 +203,11 @@ def blob_bonds() -> Picture:
 
 
 def sleeping_balls() -> Picture:
-    """Plot the cost of balls that land one by one, until a latecomer wakes them all."""
+    """Plot how much work the engine saves by letting balls at rest sleep.
+
+    A late ball finally wakes them all. The work is the number of balls moved and contacts resolved
+    in each frame.
+    """
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     kinds: dict[type[ParticleWorld], tuple[str, str]] = {
         ParticleWorld: ("ParticleWorld", RED),
@@ -236,7 +246,7 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Return the release of a trebuchet with this release angle, or None if it never lets go."""
+    """Find the throw of a trebuchet that releases at this angle, or None if it never does."""
     return next((release for release in found if release.angle <= angle), None)
 
 

@@ -52,7 +52,7 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """Plot the errors of Eq. 9.5 in length and in angle, next to those of better methods."""
+    """Plot how Eq. 9.5 makes a quaternion too long and its angle wrong, next to better methods."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -98,7 +98,7 @@ def drift_of_first_order() -> Picture:
 
 
 def gimbal_lock() -> Picture:
-    """Plot what happens to Euler angles near 90°.
+    """Plot how Euler angles fail near gimbal lock, where the middle angle is 90°.
 
     There the mapping to their rates loses a direction, and the rates grow without bound.
     """
@@ -156,7 +156,7 @@ def gimbal_lock() -> Picture:
 
 
 def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
-    """Plot each method's final error in degrees against the length of the time step."""
+    """Plot the error in angle of each integration method against the length of the time step."""
     found = written({way: partial(_ends, way, notes) for way in WAYS})
     steps = [1.0 / rate for rate in RATES]
     for way, errors in found.items():
@@ -184,7 +184,7 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return the length and the angle in degrees that first_order_drift predicts.
+    """Return the length and the angle in degrees that the student's first_order_drift predicts.
 
     If that function is not written yet, both are NaN.
     """
@@ -196,14 +196,17 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Return the part of a title that says how far first_order_drift is from the measured error."""
+    """Write the part of a title that says how far first_order_drift is from the measured error.
+
+    If that function is not written yet, the text is empty.
+    """
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
     return f",\nfirst_order_drift differs from the measurement by {largest([*off]):.2g}{unit}"
 
 
 def _ends(way: str, notes: list[str]) -> list[float]:
-    """Return the final error of one method in degrees, for each rate."""
+    """Measure the final error of one integration method in degrees, for each step rate."""
     step, velocity, share, *_ = WAYS[way]
     wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
     errors = []

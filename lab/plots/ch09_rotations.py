@@ -1,8 +1,8 @@
 """Plots of chapter 9: a disc that spins as it flies, and the order of two rotations.
 
-Each title quotes errors computed without the engine, so that bugs in the engine show up. Anything
-that is not written yet is left out. For Eq. 9.5 and gimbal lock, see ch09_rates. For the box of
-stones, see ch09_stones.
+Each title quotes errors computed without the student's engine, so that bugs in the engine show up.
+Curves that need unwritten functions are left out. For Eq. 9.5 and gimbal lock, see ch09_rates. For
+the box of stones, see ch09_stones.
 """
 
 from __future__ import annotations
@@ -114,7 +114,10 @@ def turning_motion() -> Picture:
 
 
 def order_of_turns() -> Picture:
-    """Draw a letter L rotated by 90° about the world's X and Y axes, in both orders."""
+    """Draw a letter L rotated by 90° about the world's X and Y axes, in both orders.
+
+    The two results differ, because rotations do not commute.
+    """
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
@@ -171,7 +174,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Rotate the axes with the engine's quaternion.
+    """Rotate the three coordinate axes with the engine's quaternion.
 
     An error in the engine is added to the notes.
     """
@@ -182,7 +185,7 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Rotate the axes with the engine's matrices.
+    """Rotate the three coordinate axes with the engine's matrices.
 
     Return the axes at the start, after the first rotation, and after both.
     """
@@ -199,16 +202,16 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
 
 
 def _letter(space: Any, found: Arrows) -> None:
-    """Draw an upright letter L facing along Z, with its axes rotated to ``found``."""
+    """Draw an upright letter L that faces along Z, with its axes rotated to ``found``."""
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
             _block(space, found, (x, y, (-0.1, 0.1)))
 
 
 def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
-    """Draw a block with its axes rotated to ``found``.
+    """Draw a rectangular block with its axes rotated to ``found``.
 
-    ``sides`` are the ranges that it spans along its own X, Y and Z.
+    ``sides`` are the ranges that the block spans along its own X, Y and Z.
     """
     corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
     faces = []
@@ -230,7 +233,7 @@ def _disc(space: Any, place: Numbers, found: Arrows) -> None:
 
 
 def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
-    """Return the world position of a point on a rotated object.
+    """Convert a point on a rotated object to world coordinates.
 
     ``own`` is the point in the object's own coordinates. The object is at ``place``, with its axes
     rotated to ``found``.
@@ -247,7 +250,7 @@ def _along(place: Numbers, v: Numbers, length: float) -> Numbers:
 
 
 def _point(v: Numbers) -> Numbers:
-    """Reorder a vector for matplotlib, where the third axis points up."""
+    """Reorder a vector's components for matplotlib, where the third axis points up."""
     return v[2], v[0], v[1]
 
 

@@ -19,7 +19,11 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def balance_lines() -> Picture:
-    """Draw the box with your stones, its balance lines, and the masses on either side (9.7)."""
+    """Draw a box of the student's stones with its balance lines and center of mass (exercise 9.7).
+
+    The box would balance on each of these lines. A second panel shows the mass on either side of
+    each line.
+    """
     masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
     stones = read_stones(own_stones())
     if not stones:

@@ -1,4 +1,4 @@
-"""Scenes of chapter 2: the scalar and vector products of two vectors that the reader drags."""
+"""Interactive scenes of chapter 2 about the scalar and vector products of two draggable vectors."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ TIP = 0.14  # m, radius of the draggable tip of a vector
 
 
 def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
-    """Rotate the point (x, y) counter-clockwise about the origin. ``angle`` is in radians."""
+    """Rotate the point (x, y) counter-clockwise about the origin by ``angle``, in radians."""
     c, s = math.cos(angle), math.sin(angle)
     return c * x - s * y, s * x + c * y
 
 
 class Projection(Scene):
-    """Shows how much of one vector points along another.
+    """A scene that shows how much of one vector points along another.
 
-    That component is the scalar product with a unit vector.
+    This component is the scalar product with a unit vector. The reader drags both vectors.
     """
 
     chapter = 2
@@ -37,10 +37,10 @@ class Projection(Scene):
         self.a, self.b = Vector3(1.5, 2.5), Vector3(3.5, 0.5)
 
     def step(self, duration: float) -> None:
-        """Do nothing: the vectors move only when the reader drags them."""
+        """Do nothing, because the vectors move only when the reader drags or rotates them."""
 
     def shadow(self) -> Vector3:
-        """Project a onto b with the student's Vector3."""
+        """Project the vector a onto the vector b with the student's Vector3."""
         direction = self.b.normalized()
         return direction * self.a.dot(direction)
 
@@ -89,7 +89,7 @@ class Projection(Scene):
 
 
 class CrossProduct(Scene):
-    """Shows two vectors on the ground, and their vector product pointing up or down."""
+    """A scene of two vectors on the ground and their vector product, which points up or down."""
 
     chapter = 2
     title = "Cross product: a direction and an area"
@@ -104,7 +104,7 @@ class CrossProduct(Scene):
         self.a, self.b = Vector3(0.5, 0.0, 1.8), Vector3(2.0, 0.0, 0.3)
 
     def step(self, duration: float) -> None:
-        """Do nothing: the vectors move only when the reader drags them."""
+        """Do nothing, because the vectors move only when the reader drags or rotates them."""
 
     def draw(self, pen: Pen) -> None:
         zero, product = Vector3(), self.a.cross(self.b)

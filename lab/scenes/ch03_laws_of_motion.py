@@ -1,4 +1,4 @@
-"""Scenes of chapter 3 that show how the length of a time step affects a throw and damping."""
+"""Interactive scenes of chapter 3: how the length of a time step affects a throw and damping."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ COLORS = ("red", "orange", "blue")
 
 
 class FrameRates(Scene):
-    """Runs the same throw at three step rates, next to its exact path.
+    """A scene that simulates the same throw at three step rates, next to its exact path.
 
-    The throw is simulated with the book's integrator.
+    The book's integrator moves the balls. The longer its steps, the farther they stray from the
+    exact path.
     """
 
     chapter = 3
@@ -79,7 +80,7 @@ class FrameRates(Scene):
             pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
 
     def off(self, i: int) -> float:
-        """Return the distance of ball ``i`` from its exact position, in m."""
+        """Measure how far ball ``i`` of the throw is from its exact position, in m."""
         x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
         return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
 
@@ -106,9 +107,10 @@ class FrameRates(Scene):
 
 
 class DampingForms(Scene):
-    """Shows three identical pucks sliding, each slowed by a different form of damping.
+    """A scene of three sliding pucks, which compares two forms of damping with the exact solution.
 
-    The first puck follows Eq. 3.5, the second follows Eq. 3.6, and the third is the exact solution.
+    The first puck is damped per step by Eq. 3.5 and the second per second by Eq. 3.6. The third
+    follows the exact solution.
     """
 
     chapter = 3
@@ -147,7 +149,7 @@ class DampingForms(Scene):
             self.speeds[1] = damp_per_second(self.speeds[1], Vector3(), self.kept, h)
 
     def slid(self) -> float:
-        """Return how far the exact puck has slid so far, in m."""
+        """Compute how far the third puck has slid by the exact solution, in m."""
         k = -math.log(self.kept)
         return self.SPEED * -math.expm1(-k * self.steps / self.rate) / k
 

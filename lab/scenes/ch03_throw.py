@@ -1,4 +1,4 @@
-"""A game for chapter 3: throw a ball through a hoop with your own Particle.integrate."""
+"""A game of chapter 3 in which the student's own Particle.integrate throws a ball at a hoop."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ Point = tuple[float, float]
 
 
 class Throw(Scene):
-    """A game in which the student's engine moves the ball, with the exact path for comparison."""
+    """A game of throwing a ball through a hoop, in which the student's engine moves the ball.
+
+    The exact path is drawn too, so the player can see how much of a miss is the integrator's fault.
+    """
 
     chapter = 3
     title = "Throw a ball at the hoop"
@@ -64,17 +67,17 @@ class Throw(Scene):
 
     @property
     def hoop(self) -> Point:
-        """The center of the rim, in m. The hoop moves whenever a ball goes in."""
+        """The center of the hoop's rim, in m. The hoop moves whenever a ball goes in."""
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
-        """Return the throw that the player is aiming, in the form that the exact solution needs."""
+        """Describe the throw that the player is aiming, so that its exact path can be computed."""
         angle = math.radians(self.angle)
         velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
         return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)
 
     def new_ball(self) -> Particle:
-        """Return a new ball at the start of the current throw."""
+        """Create a particle for the ball at the start of the current throw."""
         start = self.thrown.start
         return Particle(
             Vector3(*start.position),
@@ -97,7 +100,7 @@ class Throw(Scene):
         self.message, self.flies = "", True
 
     def exact_path(self) -> list[Point]:
-        """Return points along the exact path of the throw, from the hand down to the ground."""
+        """Compute points along the exact path of the throw, from the hand down to the ground."""
         path: list[Point] = []
         while not path or (path[-1][1] >= 0.0 and len(path) < 60.0 * self.LONGEST):
             x, y, _ = self.thrown.exact(len(path) / 60.0).position
@@ -120,14 +123,14 @@ class Throw(Scene):
                 self.land()
 
     def land(self) -> None:
-        """End the throw, and report how far the ball and the exact path were from the hoop."""
+        """End the throw, and report by how much the ball and the exact path missed the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Return how far beyond the center of the rim a path comes down, in m.
+        """Measure how far beyond the center of the hoop's rim a path comes down, in m.
 
         The distance is measured at the height of the rim. It is negative if the path falls short of
         the center, and None if the path never comes down through that height.
@@ -141,13 +144,13 @@ class Throw(Scene):
     def is_in(self, beyond: float | None) -> bool:
         """Return whether a ball goes through the hoop.
 
-        ``beyond`` is how far from the center of the rim it comes down, as returned by
+        ``beyond`` is how far beyond the center of the rim it comes down, as returned by
         ``past_hoop``.
         """
         return beyond is not None and abs(beyond) < self.RIM
 
     def told(self, beyond: float | None) -> str:
-        """Describe in words how close a path came to the hoop."""
+        """Describe how close a throw came to the hoop, such as "0.25 m too short"."""
         if beyond is None:
             return "too low"
         if self.is_in(beyond):
@@ -210,9 +213,9 @@ class Throw(Scene):
             self.throw()
 
     def aim(self, angle: float, speed: float) -> None:
-        """Aim at an angle in degrees with a speed in m/s.
+        """Aim the throw at an angle in degrees, with a speed in m/s.
 
-        Both are clamped to what a person can throw.
+        Both values are clamped to what a person can throw.
         """
         self.values["angle"] = max(0.0, min(88.0, angle))
         self.values["speed"] = max(4.0, min(20.0, speed))
@@ -224,7 +227,11 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """Throw once at 60 steps per second, twice at 10, and twice more with damping."""
+        """Make the scripted player throw five times.
+
+        The first throw uses 60 steps per second, the next two use 10, and the last two use 60 again
+        with damping.
+        """
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)

@@ -1,4 +1,4 @@
-"""Scenes of chapter 4: a ballistic range, and a shell whose landing point is predicted."""
+"""Interactive scenes of chapter 4: a shooting range, and a shell with a predicted landing point."""
 
 from __future__ import annotations
 
@@ -26,7 +26,10 @@ MIDDLE = -20.0  # y at which the view from above is drawn, below the view from t
 
 
 class Ballistics(Scene):
-    """A range where the reader fires at blocks, shown from the side and, below that, from above."""
+    """A shooting range where the reader fires bullets, shells and laser beams at blocks.
+
+    The upper half of the picture shows the range from the side, and the lower half from above.
+    """
 
     chapter = 4
     title = "The ballistic range"
@@ -105,7 +108,7 @@ class Ballistics(Scene):
         pen.arrow((0.0, MIDDLE), above, COLORS.get(self.name, "pink"))
 
     def muzzle(self) -> float:
-        """Return the elevation of the muzzle in radians.
+        """Return the elevation of the gun's muzzle in radians.
 
         Until the reader changes the elevation, it is the usual one for the type of shot.
         """
@@ -138,7 +141,7 @@ class Ballistics(Scene):
             self.range.fire(self.name, self.azimuth, self.elevation)
 
     def click(self, x: float, y: float) -> None:
-        """Aim at the clicked point, in the side view or the view from above, and fire."""
+        """Fire at the clicked point, in the view from the side or in the view from above."""
         if x <= MUZZLE[2]:
             return
         if y > 0.5 * MIDDLE:
@@ -156,13 +159,13 @@ class Ballistics(Scene):
 
 
 def best_of_three(scene: Artillery) -> int:
-    """Return which elevation reaches farthest: 0 for 30 degrees, 1 for 45, or 2 for 60."""
+    """Find which elevation makes a shell fly farthest: 0 for 30 degrees, 1 for 45, or 2 for 60."""
     lengths = [scene.landing(angle)[0] for angle in (30.0, 45.0, 60.0)]
     return lengths.index(max(lengths))
 
 
 class Artillery(Scene):
-    """Predicts where a shell will land before it is fired."""
+    """A scene that predicts where a shell will land before it is fired."""
 
     chapter = 4
     title = "Where will the shell land?"
@@ -194,18 +197,21 @@ class Artillery(Scene):
         ]
 
     def shot(self, elevation: float) -> Particle:
-        """Return a shell fired from the ground. ``elevation`` is in degrees."""
+        """Create a shell fired from the ground at ``elevation``, in degrees."""
         a = math.radians(elevation)
         velocity = Vector3(self.speed * math.cos(a), self.speed * math.sin(a))
         return Particle(Vector3(), velocity, Vector3(0.0, -9.81), damping=self.damping)
 
     def place_after(self, time: float, elevation: float) -> tuple[float, float]:
-        """Return a shell's exact position at ``time`` in s. ``elevation`` is in degrees."""
+        """Compute a shell's exact position at ``time`` in s, for an ``elevation`` in degrees."""
         position, _ = state_after(self.shot(elevation), time)
         return position.x, position.y
 
     def landing(self, elevation: float) -> tuple[float, float]:
-        """Find by bisection how far a shell flies, in m, and for how long, in s."""
+        """Find by bisection how far a shell flies, in m, and for how long, in s.
+
+        ``elevation`` is in degrees.
+        """
         low, high = 0.01, 20.0  # s; the shell is above the ground at low and below it at high
         while high - low > 1e-9:
             middle = 0.5 * (low + high)

@@ -1,4 +1,4 @@
-"""A fireworks display that the player keeps going by clicking on its rockets (project 4.1)."""
+"""A fireworks game of chapter 4, which lasts as long as the player hits rockets (project 4.1)."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), da
 
 
 class Fireworks(Scene):
-    """A display that lasts for as long as the player keeps clicking on its rockets.
+    """A fireworks display that lasts for as long as the player keeps clicking on its rockets.
 
-    A Catherine wheel throws sparks next to it.
+    Next to the rockets, a Catherine wheel throws sparks.
     """
 
     chapter = 4
@@ -99,7 +99,10 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Click on each rocket just before it bursts. For the last 3 s, let the display die out."""
+        """Make the scripted player click on each rocket just before it bursts.
+
+        The player stops clicking in the last 3 s, so that the display dies out.
+        """
         if time > self.seconds - 3.0:
             return
         if not self.plays:
@@ -122,7 +125,7 @@ SCENES = (Fireworks,)
 
 
 def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel:
-    """Return a wheel that throws sparks of the type WHEEL_SPARK."""
+    """Create a Catherine wheel, which throws sparks of the type WHEEL_SPARK."""
     return CatherineWheel(
         show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
     )

@@ -1,4 +1,4 @@
-"""Scenes of chapter 5: two balls falling through air, and an orbit that should close."""
+"""Interactive scenes of chapter 5: two balls falling in air, and an orbit that should close."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ G = 9.81  # m/s^2
 
 
 def lands_first(scene: FallInAir) -> int:
-    """Return which ball lands first: 0 for the left, 1 for the right, or 2 for a tie.
+    """Predict which ball lands first: 0 for the left, 1 for the right, or 2 for a tie.
 
     The ball with the higher terminal speed wins.
     """
@@ -25,7 +25,7 @@ def lands_first(scene: FallInAir) -> int:
 
 
 class FallInAir(Scene):
-    """Drops two balls from a tower, with quadratic drag from the air."""
+    """A scene of two balls dropped from a tower, with quadratic drag from the air."""
 
     chapter = 5
     title = "Which ball lands first?"
@@ -49,7 +49,7 @@ class FallInAir(Scene):
     TOP = 100.0  # m
 
     def balls(self) -> list[tuple[float, float, str]]:
-        """Return the mass, drag coefficient and color of both balls."""
+        """Return the mass, the drag coefficient and the color of each ball."""
         return [
             (self.left_mass, self.left_drag, "blue"),
             (self.right_mass, self.right_drag, "orange"),
@@ -97,7 +97,7 @@ class FallInAir(Scene):
         return [ball.position.y for ball in self.fallers]
 
     def exact(self, time: float) -> list[float]:
-        """Return the exact heights of both balls.
+        """Compute the exact heights of both balls, in m.
 
         For a ball that has landed, the simulated height is returned, so that the ball no longer
         adds to the error.
@@ -125,9 +125,9 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet orbiting a star, with a choice of two forms of the time step.
+    """A scene of a planet that orbits a star, which compares two forms of the time step.
 
-    Each step updates the position either before the velocity, as in the book, or after it.
+    Each step moves the planet either before its velocity changes, as in the book, or afterwards.
     """
 
     chapter = 5
@@ -182,11 +182,15 @@ class Orbit(Scene):
         pen.arrow(p, p * (-0.3 / max(p.magnitude(), 0.3)), "red", "force")
 
     def period(self) -> float:
-        """Return the orbital period in s."""
+        """Compute how long one orbit of the planet takes, in s."""
         return math.tau * math.sqrt(self.AXIS**3 / self.MU)
 
     def kepler(self, time: float) -> tuple[float, float]:
-        """Compute the exact position at ``time`` in s from Kepler's equation M = E - e sin E."""
+        """Compute the planet's exact position at ``time``, in s.
+
+        The position follows from Kepler's equation M = E - e sin E, which is solved by Newton's
+        method.
+        """
         e, mean = self.eccentricity, math.tau * time / self.period()
         anomaly = mean
         for _ in range(12):

@@ -25,7 +25,7 @@ COLORS = ("sky", "water", "blue")  # of the rings, from the outside in
 
 
 class Sniper(Scene):
-    """A shooting range with targets at four distances, seen through a rifle scope.
+    """A shooting range with targets at four distances, seen through the scope of a rifle.
 
     Coordinates in the view are angles in milliradians.
     """
@@ -50,7 +50,7 @@ class Sniper(Scene):
         self.begin()
 
     def begin(self) -> None:
-        """Begin a new round with new winds."""
+        """Begin a new round of ten shots, with new winds."""
         self.seed += 1
         self.range = SniperRange(self.seed)
         self.aim = (0.0, 0.0)
@@ -115,12 +115,18 @@ class Sniper(Scene):
         self.shoot(-x / 1000.0, y / 1000.0)
 
     def shoot(self, azimuth: float, elevation: float) -> None:
-        """Aim as close to these angles as the rifle can turn. Fire if no bullet is in flight."""
+        """Aim at two angles in rad, and fire if no other bullet is in flight.
+
+        The angles are limited to what the rifle can turn through.
+        """
         self.aim = (limited(azimuth), limited(elevation))
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
-        """Shoot at each target in turn, correcting for drop and wind."""
+        """Make the scripted player shoot at each target in turn.
+
+        The aim takes gravity and the wind into account.
+        """
         if self.waited < 1.0 or self.range.is_over():
             return
         target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]
@@ -139,7 +145,7 @@ SCENES = (Sniper,)
 
 
 def seen(x: float, y: float, z: float) -> tuple[float, float]:
-    """Return where the point (x, y, z) appears in the scope, in milliradians.
+    """Compute where the point (x, y, z) of the world appears in the rifle scope, in milliradians.
 
     The world's +x points to the left.
     """
@@ -148,5 +154,5 @@ def seen(x: float, y: float, z: float) -> tuple[float, float]:
 
 
 def limited(angle: float) -> float:
-    """Clamp ``angle`` to the range that the rifle can turn through."""
+    """Clamp an aiming angle to the range that the rifle can turn through."""
     return max(-SWING, min(SWING, angle))

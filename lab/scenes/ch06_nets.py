@@ -1,4 +1,4 @@
-"""Scenes of chapter 6 with many springs: a bridge and a cloth, either of which can explode."""
+"""Interactive scenes of chapter 6 with many springs: a bridge and a cloth, which may explode."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from lab.stepped import STEPS, Stepped
 
 
 class SpringBridge(Stepped):
-    """A bridge of planks hanging from springs, with a walker on it (G6.2).
+    """A scene of a bridge whose planks hang from springs, with a walker on it (G6.2).
 
     If the springs are too stiff for the time step, the bridge explodes.
     """
@@ -46,7 +46,7 @@ class SpringBridge(Stepped):
         self.x, self.owed = 0.5, 0.0
 
     def step(self, duration: float) -> None:
-        """Advance the bridge by ``duration`` s at the chosen step rate.
+        """Advance the bridge by ``duration`` s, at the step rate that the reader chose.
 
         Before each step, the walker's weight is added to the nearest planks.
         """
@@ -70,7 +70,7 @@ class SpringBridge(Stepped):
         pen.arrow((self.x, ground), (0.0, -0.002 * self.WEIGHT), "red", "force")
 
     def ground(self) -> float:
-        """Return the height of the bridge under the walker."""
+        """Compute the height of the bridge under the walker, in m."""
         places = [plank.position for plank in self.particles]
         for a, b in pairwise(places):
             if a.x <= self.x <= b.x and b.x > a.x:
@@ -84,7 +84,7 @@ class SpringBridge(Stepped):
         return f"semi-implicit Euler is stable below about {self.limit():,.0f} N/m"
 
     def limit(self) -> float:
-        """Return the largest stiffness in N/m at which semi-implicit Euler is stable.
+        """Compute the largest stiffness in N/m for which semi-implicit Euler is stable here.
 
         In a long row of planks, the fastest oscillation is the one in which neighboring planks move
         in opposite directions. Each plank then moves as if it hung from a single spring with
@@ -102,14 +102,14 @@ class SpringBridge(Stepped):
             self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
-        """Walk to the right end and back."""
+        """Make the scripted player walk to the right end of the bridge and back."""
         frame = round(60.0 * time)
         if frame % 6 == 0:
             self.press("right" if frame < 240 else "left")
 
 
 class Cloth(Stepped):
-    """A cloth hanging from two corners, which the reader can drag."""
+    """A scene of a cloth that hangs from two corners, which the reader can drag."""
 
     chapter = 6
     title = "A cloth of 180 springs"
@@ -152,7 +152,7 @@ class Cloth(Stepped):
         knot.position.x, knot.position.y = x, min(y, 0.8)
 
     def play(self, time: float) -> None:
-        """Pull one corner aside and up, and then move it back."""
+        """Make the scripted player pull a corner of the cloth aside and up, and move it back."""
         if 3.0 < time < 5.0:
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:
@@ -163,5 +163,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Return the picture coordinates of ``place``, viewed from the side and slightly from above."""
+    """Project a 3D point onto the picture, as seen from the side and slightly from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

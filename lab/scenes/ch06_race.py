@@ -1,4 +1,4 @@
-"""A scene of chapter 6 that compares how seven integrators move a ball on a spring."""
+"""An interactive scene of chapter 6 that compares how seven integrators move a ball on a spring."""
 
 from __future__ import annotations
 
@@ -29,9 +29,10 @@ FAR = 3.0  # m; a ball farther out is not drawn
 
 
 class IntegratorRace(Scene):
-    """Shows balls on identical springs, each moved by a different integrator.
+    """A scene of seven balls on identical springs, each moved by a different integrator.
 
-    The axes are position and velocity, scaled so that the exact motion is a circle.
+    The axes are position and velocity, scaled so that the exact motion is a circle. A ball that
+    gains energy spirals out, and one that loses energy spirals in.
     """
 
     chapter = 6
@@ -77,7 +78,7 @@ class IntegratorRace(Scene):
                 self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
 
     def phase(self, ball: Particle) -> tuple[float, float]:
-        """Return a ball's position and its velocity, scaled so that the exact path is a circle."""
+        """Return a ball's position and scaled velocity, which together trace a circle if exact."""
         return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
 
     def draw(self, pen: Pen) -> None:

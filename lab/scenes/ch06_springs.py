@@ -1,4 +1,4 @@
-"""A scene of chapter 6: a single spring, with time steps that may be too long for it."""
+"""An interactive scene of chapter 6: a ball on a spring, with time steps that may be too long."""
 
 from __future__ import annotations
 
@@ -16,14 +16,18 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Return 1 if, by chapter 6's stability limits, the ball's swings grow, and 0 otherwise."""
+    """Predict whether the ball will swing wider and wider, from the stability limits of chapter 6.
+
+    Returns:
+        1 if the swings will grow, 0 otherwise.
+    """
     number = scene.stiffness / scene.rate**2 / scene.mass
     limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}
     return 1 if number > limits.get(scene.integrator, 4.0) else 0
 
 
 class OneSpring(Stepped):
-    """A ball on a spring, confined to a line so that its exact motion is known."""
+    """A scene of a ball on a spring, confined to a line so that its exact motion is known."""
 
     chapter = 6
     title = "One spring, five integrators"
@@ -95,13 +99,13 @@ class OneSpring(Stepped):
         self.let_go(max(-2.0, min(2.0, x)), 0.0)
 
     def let_go(self, x: float, v: float) -> None:
-        """Give the ball a new position and velocity, and restart the exact solution from them."""
+        """Give the ball a new position and velocity, from which the exact solution starts again."""
         self.ball.position.x, self.ball.velocity.x = x, v
         self.since, self.x0, self.v0 = self.time, x, v
 
 
 class ExactSpring(OneSpring):
-    """The scene OneSpring, with the closed form moving the ball instead of an integrator."""
+    """The scene OneSpring, in which the exact solution moves the ball instead of an integrator."""
 
     def step(self, duration: float) -> None:
         passed = self.time + duration - self.since
@@ -111,7 +115,7 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """The scene OneSpring in pymunk, with the ball on pymunk's own damped spring."""
+    """The scene OneSpring simulated by the library pymunk, with its own damped spring."""
 
     def build(self) -> None:
         import pymunk  # not needed by the other scenes

@@ -1,4 +1,4 @@
-"""Scenes of chapter 7: a bouncing ball, and a stack of spheres that should not sink."""
+"""Interactive scenes of chapter 7: a bouncing ball, and a stack of spheres that should not sink."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ RATES = [30, 60, 120, 240, 480]
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is each particle's own acceleration."""
+    """Add no forces. Gravity is already the acceleration of each particle."""
 
 
 def rises(scene: Bounce) -> int:
-    """Return 0 if the last bounces are as high as the first ones, 1 if higher, or 2 if lower."""
+    """Judge the height of the last bounces: 0 if unchanged within 2 %, 1 if higher, 2 if lower."""
     share = max(y for _, y in scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 
 
 class Bounce(Scene):
-    """A ball that bounces on the ground, keeping some or all of its speed."""
+    """A scene of a ball that bounces on the ground and keeps some or all of its speed."""
 
     chapter = 7
     title = "A ball that bounces"
@@ -74,7 +74,7 @@ class Bounce(Scene):
         self.path = [*self.path[-240:], (0.0, self.ball.position.y)]
 
     def one_step(self, h: float) -> None:
-        """Advance the stack by one step of ``h`` s with the method that the reader chose."""
+        """Advance the ball by one step of ``h`` s with the method that the reader chose."""
         if self.method == "time division":
             try:
                 time_division_step([self.ball], self.ground, h)
@@ -129,7 +129,7 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The scene Bounce in pymunk, with a segment of the same restitution as the ground."""
+    """The scene Bounce simulated by the library pymunk, with a segment as the ground."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -154,7 +154,7 @@ Bounce.peers = {"pymunk": PymunkBounce}
 
 
 class Stack(Scene):
-    """A stack of spheres that shows the resolver at work.
+    """A scene of a stack of spheres, which shows how well the contact resolver supports them.
 
     The reader can drag the top sphere.
     """
@@ -205,7 +205,7 @@ class Stack(Scene):
         self.view_of_contacts.draw(pen, 1.0)
 
     def overlap(self) -> float:
-        """Return the largest overlap between spheres or with the ground, in % of a diameter."""
+        """Find the largest overlap between spheres or with the ground, in % of a diameter."""
         heights = [-self.RADIUS, *(sphere.position.y for sphere in self.spheres)]
         gaps = [(high - low) / (2.0 * self.RADIUS) for low, high in pairwise(heights)]
         return 100.0 * max(0.0, 1.0 - min(gaps))
@@ -227,7 +227,7 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """The scene Stack in pymunk, with circles as the spheres and a segment as the ground."""
+    """The scene Stack simulated by the library pymunk, with circles and a segment as the ground."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

@@ -1,4 +1,4 @@
-"""A scene of chapter 7 that simulates the same rope of rods by three methods."""
+"""An interactive scene of chapter 7 that simulates the same rope of rods by three methods."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ COLORS = ("red", "blue", "green")
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is each particle's own acceleration."""
+    """Add no forces. Gravity is already the acceleration of each particle."""
 
 
 class Ropes(Scene):
-    """Three copies of a rope, each simulated by a different method.
+    """A scene of three copies of a rope, each made of rods and simulated by a different method.
 
     The methods are one step per frame, substeps, and a direct solve. A rope should not stretch, so
-    the picture shows how far each copy exceeds its length.
+    the picture shows how much too long each copy is.
     """
 
     chapter = 7
@@ -57,7 +57,7 @@ class Ropes(Scene):
         self.chain = DirectChain(self.ropes[2][1:], Vector3())
 
     def rope(self) -> list[Particle]:
-        """Return the particles of a straight rope.
+        """Create the particles of a straight rope.
 
         The first particle is immovable, and the others hang from it.
         """
@@ -78,7 +78,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Return by how many meters rope ``i`` exceeds its length, summed over its rods."""
+        """Compute how much too long rope ``i`` is, in m, summed over its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

@@ -1,4 +1,4 @@
-"""Scenes of chapter 8: a tilting platform, and a blob that can tear."""
+"""Interactive scenes of chapter 8: a platform that tilts on a pivot, and a blob that can tear."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up
 
 
 def lower_end(scene: Platform) -> int:
-    """Return which end of the platform sinks: 0 for left, 1 for right, or 2 for neither."""
+    """Predict which end of the platform sinks: 0 for left, 1 for right, or 2 for neither."""
     ends = tilting_platform.LEFT + tilting_platform.RIGHT
     torque = 2.0 * tilting_platform.MASS * ends + scene.mass * scene.x
     return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
 
 
 class Platform(WorldScene):
-    """A weighted platform that tilts on a pivot (mini-project 8.1).
+    """A scene of a platform that tilts on a pivot under a weight (mini-project 8.1).
 
     The reader can move the weight and free the pivot.
     """
@@ -104,7 +104,10 @@ class Platform(WorldScene):
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
     def play(self, time: float) -> None:
-        """Let the platform tip, move the weight to the right end and back, and free the pivot."""
+        """Make the scripted player move the weight to and fro, and free the pivot.
+
+        Before that, the platform has time to tip.
+        """
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")
         orders |= dict.fromkeys(range(580, 650, 5), "right")
@@ -113,7 +116,7 @@ class Platform(WorldScene):
 
 
 class Blob(WorldScene):
-    """A blob of particles, held together by bonds that break and heal.
+    """A scene of a blob of particles that are held together by bonds, which break and heal.
 
     The reader can push the blob around, and use cables to keep it together.
     """
@@ -148,7 +151,7 @@ class Blob(WorldScene):
         self.pushed -= duration
 
     def middle(self) -> Vector3:
-        """Return the mean position of the blob's particles."""
+        """Compute the mean position of the blob's particles."""
         places = [particle.position for particle in self.blob.particles]
         return sum(places[1:], places[0]) / len(places)
 
@@ -176,7 +179,7 @@ class Blob(WorldScene):
         self.contacts.draw(pen, 2.0)
 
     def holding(self) -> int:
-        """Return how many bonds are intact."""
+        """Count the bonds of the blob that are intact."""
         return sum(bond.holds for bond in self.blob.bonds)
 
     def chart(self) -> dict[str, float]:
@@ -198,7 +201,7 @@ class Blob(WorldScene):
             self.pushed = self.MOMENT
 
     def play(self, time: float) -> None:
-        """Push the blob upward, downward and to both sides."""
+        """Make the scripted player push the blob upward, downward and to both sides."""
         orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
         if key := orders.get(round(60.0 * time) % 360):
             self.press(key)

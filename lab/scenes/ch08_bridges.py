@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 with the rope bridge: a ball that walks across it, and a ball game."""
+"""Interactive scenes of chapter 8 with a rope bridge: a ball walking across it, and a ball game."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LATE = 0.5  # s, duration of a late frame
 
 
 class Bridge(WorldScene):
-    """A rope bridge that has to carry a heavy ball.
+    """A scene of a rope bridge that has to carry a heavy ball.
 
     The reader can walk the ball across it and make some of the frames late.
     """
@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Return how much too long the worst cable is, in percent."""
+        """Compute how much too long the worst cable of the bridge is, in percent."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:
@@ -90,7 +90,10 @@ class Bridge(WorldScene):
         self.bridge.pace = paces.get(key, self.bridge.pace)
 
     def play(self, time: float) -> None:
-        """Walk to the left, then to the right with some late frames, and finally off the bridge."""
+        """Make the scripted player walk the ball across the bridge, and finally off it.
+
+        From 4 s on, some of the frames are late.
+        """
         frame = round(60.0 * time)
         if frame == 240:
             self.values["frames"] = "every 60th late"
@@ -99,7 +102,10 @@ class Bridge(WorldScene):
 
 
 class BallGame(Scene):
-    """A game of bouncing a ball from plank to plank without letting it fall (project 8.1)."""
+    """A game of bouncing a ball from plank to plank of a rope bridge (project 8.1).
+
+    The player loses a ball whenever it falls to the ground.
+    """
 
     chapter = 8
     title = "A game on the bridge"
@@ -151,7 +157,10 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Win one game by always steering to the next unvisited row, and then lose one."""
+        """Make the scripted player win one game and lose the next.
+
+        The player wins by always steering to the next unvisited row of planks.
+        """
         frame = round(60.0 * time)
         if frame == 424:
             self.press("n")
@@ -161,7 +170,7 @@ class BallGame(Scene):
             self.press(self.next_key())
 
     def next_key(self) -> str:
-        """Return the key that steers toward the first unvisited row."""
+        """Choose the key that steers the ball toward the first unvisited row of planks."""
         ball = self.game.ball
         for row, (a, b) in enumerate(self.game.rows):
             if row not in self.game.rules.visited:

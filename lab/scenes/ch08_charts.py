@@ -1,4 +1,4 @@
-"""Replay any scene of the accuracy study with any of its models."""
+"""An interactive scene of chapter 8 that replays the test scenes of the accuracy study."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model 
 
 
 class Charts(Scene):
-    """Replays a scene of the accuracy study with the model chosen by the reader.
+    """A scene that replays a test of the accuracy study with the method that the reader chooses.
 
-    The model computes every frame in advance, and the scene then plays them back one by one.
+    The method computes every frame in advance. The scene then plays the frames back one by one.
     """
 
     chapter = 8
@@ -51,9 +51,9 @@ class Charts(Scene):
         self.size = max(max(xs) - min(xs), max(ys) - min(ys), 1e-9)  # m
 
     def chosen(self) -> Model:
-        """Return the model chosen by the reader.
+        """Find the simulation method that the reader chose.
 
-        If the scene has no such model, fall back on its first one.
+        If the study has not run that method on this test, fall back on the first one.
         """
         models = {model.name: model for model in self.scene.models}
         return models.get(self.method, self.scene.models[0])
@@ -62,7 +62,7 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Return where to draw the points of ``place``, scaled so that the whole path fits."""
+        """Compute where to draw the points of ``place``, scaled so that the whole path fits."""
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 

@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 with bodies made of rods: a driven wheel, and a falling cube."""
+"""Interactive scenes of chapter 8 with bodies made of rods: a driven wheel and a falling cube."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ from studies.runs.links import ends_of
 
 
 class Wheel(WorldScene):
-    """A wheel made of rods and driven at its rim (mini-project 8.3)."""
+    """A scene of a wheel made of rods and driven at its rim (mini-project 8.3).
+
+    Its spin is compared with that of a rigid wheel.
+    """
 
     chapter = 8
     title = "A wheel of rods"
@@ -55,7 +58,7 @@ class Wheel(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def spin(self) -> float:
-        """Return the wheel's angular velocity in rad/s."""
+        """Compute the angular velocity of the wheel in rad/s."""
         return wheel.spin(self.wheel.hub, self.wheel.rim)
 
     def chart(self) -> dict[str, float]:
@@ -80,12 +83,12 @@ class Wheel(WorldScene):
         return words + "."
 
     def play(self, time: float) -> None:
-        """Drive the rim harder, and then brake it."""
+        """Make the scripted player drive the rim of the wheel harder, and then brake it."""
         self.values["force"] = 1.0 if time < 1.0 else 5.0 if time < 4.0 else -3.0
 
 
 class PymunkWheel(Wheel):
-    """The scene Wheel in pymunk, with pin joints as the rods."""
+    """The scene Wheel simulated by the library pymunk, with pin joints as the rods."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -116,7 +119,7 @@ class PymunkWheel(Wheel):
 
 
 class Cube(WorldScene):
-    """A cube of rods that falls on one of its corners (mini-project 8.2).
+    """A scene of a cube made of rods, which falls on one of its corners (mini-project 8.2).
 
     The reader can remove rods until the cube collapses.
     """
@@ -147,12 +150,12 @@ class Cube(WorldScene):
         self.run(self.cube.step, self.cube.world)
 
     def distances(self) -> list[float]:
-        """Return the distances between all pairs of corners."""
+        """Compute the distances between all pairs of the cube's corners."""
         places = [particle.position for particle in self.cube.particles]
         return [(b - a).magnitude() for a, b in combinations(places, 2)]
 
     def changed(self) -> float:
-        """Return the largest change in the distance between any two corners, in percent."""
+        """Find the largest change in the distance between two corners of the cube, in percent."""
         pairs = zip(self.distances(), self.first, strict=True)
         return 100.0 * max(abs(now / then - 1.0) for now, then in pairs)
 
@@ -180,7 +183,7 @@ class Cube(WorldScene):
 
 
 def tilted(place: Vector3) -> tuple[float, float]:
-    """Return the picture coordinates of ``place``, viewed toward a corner and from above."""
+    """Project a 3D point onto the picture, as seen from above, toward a corner of the ground."""
     across, away = 0.87 * place.x - 0.5 * place.z, 0.5 * place.x + 0.87 * place.z
     return across, 0.94 * place.y + 0.34 * away
 

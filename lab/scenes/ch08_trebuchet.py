@@ -1,4 +1,4 @@
-"""A scene of chapter 8: a trebuchet, and where the energy of its throw goes (project 8.2)."""
+"""An interactive scene of chapter 8: a trebuchet, and where its energy goes (project 8.2)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Point = tuple[float, float]
 
 
 class Trebuchet(WorldScene):
-    """The trebuchet that the student has designed.
+    """A scene of the trebuchet that the student has designed.
 
     The reader can change its counterweight and its release angle.
     """
@@ -60,7 +60,10 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the projectile's path and the energies, and check whether it has landed."""
+        """Record the path of the trebuchet's projectile and the energies after a time step.
+
+        Once the projectile has landed, note where.
+        """
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))
@@ -77,7 +80,7 @@ class Trebuchet(WorldScene):
             )
 
     def share(self) -> float:
-        """Return the fraction of the counterweight's lost energy that the projectile has gained."""
+        """Compute what fraction of the energy lost by the counterweight went to the projectile."""
         return self.gained / self.lost if self.lost > 0.0 else 0.0
 
     def draw(self, pen: Pen) -> None:
@@ -94,7 +97,7 @@ class Trebuchet(WorldScene):
         pen.text((88.0, 58.0), self.end, "black", 14.0)
 
     def draw_machine(self, pen: Pen, scale: float, x0: float, y0: float) -> None:
-        """Draw the frame, the beam, the counterweight and the sling.
+        """Draw the frame, the beam, the counterweight and the sling of the trebuchet.
 
         The drawing is enlarged by ``scale``, with its origin at (x0, y0).
         """

@@ -1,4 +1,4 @@
-"""A scene of chapter 9: a box that spins freely about one of its axes, or keeps flipping over."""
+"""An interactive scene of chapter 9: a freely spinning box that may keep flipping over."""
 
 from __future__ import annotations
 
@@ -17,7 +17,11 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A box shaped like a thick book, spinning about one of its axes and a little about another."""
+    """A scene of a box shaped like a thick book, which spins about one of its axes as if thrown.
+
+    A small spin about another axis disturbs it. About the middle axis, the disturbance makes the
+    box turn over again and again.
+    """
 
     chapter = 9
     title = "A book thrown into the air"
@@ -79,7 +83,7 @@ class Spin(Scene):
         return {f"spin about {name}, rad/s": v for name, v in zip("XYZ", velocity, strict=True)}
 
     def state(self) -> list[float]:
-        """Return the conserved quantities: energy in J and angular momentum in kg m^2/s.
+        """Return the energy in J and the angular momentum in kg m^2/s, which a free box conserves.
 
         The scene's error is how much they have changed since the start.
         """

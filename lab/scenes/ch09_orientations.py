@@ -1,4 +1,4 @@
-"""Scenes of chapter 9: three ways of storing an orientation, and the error of Eq. 9.5."""
+"""Interactive scenes of chapter 9: three ways to store an orientation, and the error of Eq. 9.5."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 
 
 class Orientations(Scene):
-    """Three boxes that rotate with the same angular velocity.
+    """A scene of three boxes that rotate with the same angular velocity.
 
-    One stores its orientation as a matrix, one as a quaternion, and one as Euler angles.
+    One box stores its orientation as a matrix, one as a quaternion, and one as Euler angles. The
+    scene shows which of them stays accurate over many steps.
     """
 
     chapter = 9
@@ -67,7 +68,7 @@ class Orientations(Scene):
             self.step_angles(h)
 
     def step_matrix(self, h: float) -> None:
-        """Rotate the matrix by one step of ``h`` s, column by column.
+        """Rotate the box's matrix by one step of ``h`` s, column by column.
 
         Each column is an axis of the box, and the tip of that axis moves with the velocity w x
         column.
@@ -82,7 +83,7 @@ class Orientations(Scene):
             self.columns[2] = x.cross(y)
 
     def step_angles(self, h: float) -> None:
-        """Advance the Euler angles by one step of ``h`` s, adding their rates times ``h``.
+        """Advance the box's Euler angles by one step of ``h`` s, adding their rates times ``h``.
 
         In gimbal lock the rates are undefined, so the angles are left unchanged.
         """
@@ -93,12 +94,12 @@ class Orientations(Scene):
             self.locked = True
 
     def matrix(self) -> Matrix3:
-        """Build the box's matrix from its three columns."""
+        """Build the rotation matrix of the first box from its three columns."""
         x, y, z = self.columns
         return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 
     def turns(self) -> dict[str, list[Vector3]]:
-        """Return where each box's axes point, keyed by how the box stores its orientation."""
+        """Compute where the axes of each box point, keyed by how the box stores its orientation."""
         angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
         q = self.quaternion.copy()
         q.normalize()
@@ -110,10 +111,7 @@ class Orientations(Scene):
         }
 
     def errors(self) -> list[float]:
-        """Measure how far each box's worst axis is from the exact one.
-
-        The errors are in percent of an axis's length.
-        """
+        """Measure how far each box's worst axis is from the exact one, in percent of its length."""
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
         axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]
@@ -123,7 +121,7 @@ class Orientations(Scene):
         ]
 
     def worst(self) -> int:
-        """Return the index of the box with the largest error, or 3 if no error exceeds 10 %."""
+        """Find the box with the largest error, by index, or return 3 if no error exceeds 10 %."""
         errors = self.errors()
         return errors.index(max(errors)) if max(errors) > 10.0 else 3
 
@@ -147,7 +145,7 @@ class Orientations(Scene):
         return dict(zip(names, self.errors(), strict=True))
 
     def state(self) -> list[float]:
-        """Return how far the quaternion's box is from its exact orientation.
+        """Return how far the box with the quaternion is from its exact orientation.
 
         The result is the distance between the tips of an exact and an actual axis, each of length
         1.
@@ -171,7 +169,7 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A hand that rotates by Eq. 9.5, next to one that rotates steadily.
+    """A scene of a clock-like hand that rotates by Eq. 9.5, next to one that rotates steadily.
 
     Each step of Eq. 9.5 moves the quaternion in a straight line, so the hand falls behind.
     """
@@ -214,11 +212,11 @@ class FirstOrder(Scene):
                 self.q.normalize()
 
     def half_angle(self) -> float:
-        """Return half the angle by which the quaternion rotates about Z, in radians."""
+        """Compute half the angle by which the hand's quaternion rotates about Z, in radians."""
         return math.atan2(self.q.k, self.q.r)
 
     def passed(self) -> float:
-        """Return the time in s covered by the steps so far."""
+        """Return how much time the steps so far have simulated, in s."""
         passed: float = self.steps / self.rate
         return passed
 

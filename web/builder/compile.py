@@ -1,7 +1,8 @@
-"""Compile /in/library and the course, and pack them into /out. Runs in Pyodide under Node.
+"""Compile Python's standard library and the course, and pack them into archives for the browser.
 
-Importing a compiled module takes a fifth of the time. The student's modules, the checks and the
-scenes are not compiled. Tracebacks show their source code, and the list of scenes is read from it.
+The script runs in Pyodide under Node.js. It reads the folder /in and writes to /out. Importing a
+compiled module takes a fifth of the time. The student's modules, the checks and the scenes are not
+compiled, because tracebacks show their source code and the list of scenes is read from it.
 Compiling the checks would save a tenth of a second once per chapter, but would add 0.8 MB.
 """
 
@@ -21,10 +22,13 @@ MAGIC = importlib.util.MAGIC_NUMBER + (1).to_bytes(4, "little")  # 1: the source
 
 
 def packed(folder: Path, place: str, prefix: str = "", optimize: int = 0) -> dict[str, bytes]:
-    """Return the files of a folder with most of the modules compiled.
+    """Read the files of a folder, and compile most of the Python modules among them.
 
-    `place` is the folder in which they will be at run time. `optimize` is Python's level of
+    `place` is the folder in which the files will be at run time. `optimize` is Python's level of
     optimization: at level 2, modules have no docstrings.
+
+    Returns:
+        The contents of each file, by its path in the archive.
     """
     files = {}
     for path in folder.rglob("*"):
@@ -37,13 +41,16 @@ def packed(folder: Path, place: str, prefix: str = "", optimize: int = 0) -> dic
 
 
 def compiled(source: bytes, place: str, optimize: int) -> bytes:
-    """Return the contents of a .pyc file, for a module that will be at this path."""
+    """Compile a module that will be at the path `place`, and return the bytes of its .pyc file."""
     code = compile(source, place, "exec", dont_inherit=True, optimize=optimize)
     return MAGIC + importlib.util.source_hash(source) + marshal.dumps(code)
 
 
 def zipped(files: dict[str, bytes], method: int) -> bytes:
-    """Return a zip that is identical, byte for byte, in every build."""
+    """Pack files into a zip archive.
+
+    Every file gets the same time stamp, so building an unchanged site twice gives identical bytes.
+    """
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w") as archive:
         for path in sorted(files):

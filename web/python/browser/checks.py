@@ -1,4 +1,4 @@
-"""Check a chapter or an exercise in the browser, just as make check does."""
+"""Check a student's chapter or exercise in the browser, just as make check does on a computer."""
 
 from __future__ import annotations
 
@@ -27,25 +27,28 @@ memories: dict[str, Memory] = {}  # the results of earlier chapters' checks, key
 
 
 class Progress(ProgressBar):
-    """The progress bar on the page, which is updated no faster than a student can read it."""
+    """The progress bar that the page shows while checks run, updated about ten times per second."""
 
     def __init__(self, processes: Processes) -> None:
         self.processes = processes
         self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, done: int, of: int) -> None:
-        """Report the number of finished checks, unless an earlier worker has already done so."""
+        """Tell the page how many checks have finished.
+
+        Checks that an earlier worker has already run are not reported again.
+        """
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
             self.next = time.monotonic() + PERIOD
 
 
 class Runs:
-    """Runs the checks for one request from the page, and remembers the results of other chapters.
+    """Runs the checks that a student requested, and remembers the results of other chapters.
 
     Checking another chapter takes seconds, so the page first shows the failure found in the
-    requested chapter. If a loop does not end, no other chapter is checked at all. The failure
-    already names the line, and the other chapters would run into the same loop.
+    requested chapter. If the student's code contains an endless loop, no other chapter is checked
+    at all. The failure already names the line, and the other chapters would run into the same loop.
     """
 
     def __init__(
@@ -61,7 +64,7 @@ class Runs:
         self.shown = False
 
     def __call__(self, chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
-        """Check a chapter and return the verdicts, as run_checks does."""
+        """Check a chapter and return the verdict on each check, as run_checks does."""
         if chapter == self.chapter:
             self.found = self.run(chapter, engine, seed=self.seed, **options)
             return self.found
@@ -72,7 +75,7 @@ class Runs:
         return self.memory(chapter, engine, **options)
 
     def show(self, engine: list[Path]) -> None:
-        """Show the first failure on the page right away, before the next chapter is checked."""
+        """Send the first failure to the page right away, before the next chapter is checked."""
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]
@@ -83,7 +86,7 @@ class Runs:
 
 
 def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
-    """Run the checks that the page requested, and return the report for it to display.
+    """Run the checks that a student requested, and return the report for the page to display.
 
     Raises:
         ValueError: The request is not valid.

@@ -1,4 +1,4 @@
-"""Keep the student's files in a folder from which the checks and scenes import them."""
+"""Write the student's files to a folder from which the checks and scenes import them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 
 
 class Folder:
-    """A folder of chapters that holds the student's files.
+    """The folder in the browser's file system that holds the student's chapters.
 
     If the page has not sent a file, the folder holds its stub, which students start from.
     """
@@ -28,7 +28,7 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Write the files that the page sent to the folder, and a stub for every other file.
+        """Write the student's files from the page to the folder, and the stub of every other file.
 
         Raises:
             ValueError: A path does not have the form chNN_name/name.

@@ -1,4 +1,4 @@
-"""Start Python in the page's worker, and answer the page's messages one at a time."""
+"""Start Python in a web worker, and answer the page's messages one at a time."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ links: dict[int, Link] = {}
 
 
 def start() -> None:
-    """Start listening for messages, and tell the page that Python is ready.
+    """Prepare Python for running student code, and tell the page that it is ready.
 
     The page also gets two explanations to show when a failure leaves Python unable to answer.
     """
@@ -39,7 +39,7 @@ def start() -> None:
 
 
 def receive(text: str) -> None:
-    """Answer a message from the page."""
+    """Answer a message from the page, such as a request to check an exercise."""
     message = json.loads(text)
     try:
         _answer(message)

@@ -1,4 +1,4 @@
-"""Talk to the worker that runs Python: send messages to the page, and start or stop the clock."""
+"""Send messages to the page, and control the clock that limits how long student code may run."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ import worker  # type: ignore[import-not-found]  # worker.js creates this module
 
 
 def post(kind: str, **values: Any) -> None:
-    """Send a message of plain data to the page."""
+    """Send a message to the page, with plain data that can be written as JSON."""
     worker.post(json.dumps({"kind": kind, **values}, allow_nan=False))
 
 
 def start_clock(seconds: float) -> None:
-    """Ask the worker to send the signal SIGALRM in this many seconds."""
+    """Ask the web worker to send Python the signal SIGALRM in this many seconds."""
     worker.startClock(seconds)
 
 
 def stop_clock() -> None:
-    """Tell the worker that the signal is no longer needed."""
+    """Cancel the signal SIGALRM that start_clock asked for."""
     worker.stopClock()

@@ -1,8 +1,8 @@
-"""Resume a run of checks that an earlier worker could not finish.
+"""Resume a run of checks that was cut short because one check never ended.
 
-If a check does not end, the page has to stop the worker, but it keeps the worker's reports. A new
-worker then starts the run over, repeating the results already known rather than running those
-checks again.
+The page has to stop the web worker that runs the endless check, but it keeps the worker's reports.
+A new worker then starts the run over. It repeats the results already known, rather than running
+those checks again.
 """
 
 from __future__ import annotations
@@ -30,10 +30,11 @@ from web.python.browser.watchdog import watchdog
 
 @dataclass(frozen=True)
 class Past:
-    """A process of checks that an earlier worker ran, with its reports and how it ended.
+    """The record of one process of checks that an earlier web worker ran.
 
-    ``run`` names the chapter and the checks that the process was meant to run. ``left`` is how many
-    seconds remained for all checks when the process began, and ``seconds`` is how many it took.
+    ``run`` names the chapter and the checks that the process was meant to run, and ``lines`` are
+    its reports. ``left`` is how many seconds remained for all checks when the process began, and
+    ``seconds`` is how many it took.
     """
 
     run: str
@@ -46,7 +47,7 @@ class Past:
 
 
 class Processes:
-    """Runs the check processes for one request, or repeats the reports of those already run."""
+    """Runs the check processes for one request, or replays those that an earlier worker ran."""
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
@@ -54,13 +55,13 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether the reports come from checks running now rather than from an earlier worker."""
+        """Whether checks are running now, rather than being replayed from an earlier web worker."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
-        """Run the checks of one process, and return how they ended.
+        """Run the checks of one process, and return how the process ended.
 
-        If an earlier worker has already run this process, repeat its reports instead.
+        If an earlier web worker has already run these checks, replay its reports instead.
         """
         order = run.order
         # Folders with given modules have a different name each time, so only their number counts.
@@ -82,7 +83,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Replay the reports of an earlier process as if they had just arrived."""
+        """Replay the reports of an earlier worker's process as if they had just arrived."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
@@ -93,7 +94,10 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Describe a check that never finished as a failure, for the page to show immediately."""
+    """Describe a check that never finished as a failure that the page can show immediately.
+
+    If no check was running, return None.
+    """
     if not isinstance(run.current, Started):
         return None
     check, order = run.checks[run.current.name], run.order

@@ -1,7 +1,7 @@
 """Run checks as if in a new process, although a browser cannot start one.
 
-At the end of a run, whatever a real process would have taken with it is undone: imported modules,
-entries in sys.path, and the working folder.
+When a real process ends, its imported modules, its sys.path and its working folder disappear with
+it. Here, each run ends by removing the modules and restoring sys.path and the working folder.
 """
 
 from __future__ import annotations
@@ -60,7 +60,10 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """Imports the student's modules in a browser, where there is no separate process to kill."""
+    """Imports the student's modules in a browser, where there is no separate process to kill.
+
+    A watchdog reports code that runs for too long.
+    """
 
     def surround(self) -> None:
         """Set up the same environment and limits for the student's code as in the grader."""
@@ -68,22 +71,24 @@ class InBrowser(InProcess):
         code.change(self.engine, self.graded)
 
     def after_collection(self) -> None:
-        """Do nothing, because this process is never copied."""
+        """Do nothing, because a browser never makes copies of this process."""
 
     def start_clock(self) -> None:
-        """Start the watchdog with the time limit of a check."""
+        """Start the watchdog, which interrupts the student's code when a check takes too long."""
         watchdog.start(self.time_limit)
 
     def stop_clock(self) -> None:
-        """Stop the watchdog."""
         watchdog.stop()
 
 
 class BrowserRecorder(Recorder):
-    """Records the checks, reading only the test files it needs because files load slowly here."""
+    """Records the results of checks, reading only the test files it needs.
+
+    Files load slowly in a browser.
+    """
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
-        """Skip a file of checks if it does not cover any of the requested exercises."""
+        """Skip a test file that does not cover any of the requested exercises."""
         if not collection_path.name.startswith("test_"):
             return None
         text = collection_path.read_text(encoding="utf-8")
@@ -92,7 +97,7 @@ class BrowserRecorder(Recorder):
 
 
 def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
-    """Run the checks named by ``config``, and send an event for each step of the run.
+    """Run the checks named by ``config`` in this interpreter, and send an event for each step.
 
     If ``shallow`` is true, the student's code gets a lower recursion limit than in the grader,
     because some browsers have a small stack.
@@ -116,7 +121,7 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
 
 @contextlib.contextmanager
 def as_a_process() -> Iterator[None]:
-    """Undo a run's changes to this interpreter when the context ends."""
+    """Undo the changes that a run of checks makes to this interpreter, when the context ends."""
     path, limit = list(sys.path), sys.getrecursionlimit()
     forget_modules()
     os.chdir(ROOT)
@@ -130,7 +135,7 @@ def as_a_process() -> Iterator[None]:
 
 
 def forget_modules() -> None:
-    """Remove the student's modules, the checks and their shared modules from sys.modules."""
+    """Remove the student's modules and the checks, so that the next run imports them again."""
     shared = str(ROOT / "tests")
     for name, module in list(sys.modules.items()):
         file = getattr(module, "__file__", None) or ""
@@ -140,7 +145,7 @@ def forget_modules() -> None:
 
 
 def forget_folders() -> None:
-    """Clear Python's cache of the files in the course's folders."""
+    """Clear Python's cache of the files in the course's folders, which the page may change."""
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):
             del sys.path_importer_cache[folder]

@@ -25,7 +25,7 @@ from autograder.student.screen import (
 def report_to_page(
     report: Report, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> dict[str, Any]:
-    """Return the report that make check would print, as data that the page can display."""
+    """Convert the report that make check would print to data that the page can display."""
     chapter, reports = report.chapter, [report]
     first = first_open(reports, exercise)
     failure = failure_of(*first, engine) if first else None
@@ -49,7 +49,7 @@ def report_to_page(
 
 
 def report_of_written(chapter: Chapter, exercise: Exercise, engine: list[Path]) -> dict[str, Any]:
-    """Return the report on a written exercise, which has no checks."""
+    """Build the page's report on a written exercise, which has no automatic checks."""
     report = Report(chapter, [result_of(exercise, [])], [], [])
     question = next(one for one in questions_of(chapter, engine) if one.exercise == exercise)
     told = report_to_page(report, exercise, engine, [])
@@ -76,7 +76,10 @@ def _results(report: Report, engine: list[Path]) -> list[dict[str, Any]]:
 
 
 def failure_to_page(failure: Failure) -> dict[str, Any]:
-    """Return a failure as data for the page. ``line`` is 0 if there is no line to open."""
+    """Convert a failed check to data that the page can display.
+
+    ``line`` is 0 if there is no line of the student's code to open.
+    """
     file, _, line = failure.place.removeprefix("chapters/").partition(":")
     return {
         "heading": failure.heading,

@@ -1,7 +1,7 @@
-"""Run several of the page's scenes in one interpreter, each with its own host and engine.
+"""Run several of the page's scenes in one Python interpreter, each on an engine of its own.
 
-The modules of all engines share the same names, so they cannot all be in sys.modules at once. Each
-link to a scene therefore keeps the modules it has imported, and puts them into sys.modules only
+The modules of all engines have the same names, so they cannot all be in sys.modules at once. Each
+Link therefore keeps the modules that its scene has imported, and puts them into sys.modules only
 while it answers a message.
 """
 
@@ -30,7 +30,7 @@ SHARED = set(sys.modules)  # modules that all links share
 
 
 class Link:
-    """The connection to one of the scenes on the page. Each scene has an engine of its own."""
+    """The connection between one of the scenes on the page and the engine that runs it."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
@@ -42,7 +42,7 @@ class Link:
         self.given = ExitStack()  # the reference's modules, kept until the link is closed
 
     def receive(self, message: Message) -> list[Message]:
-        """Answer a message about the scene.
+        """Answer a message from the page about this scene.
 
         A message that loads a scene also carries the student's files, from which its engine is
         built.
@@ -62,11 +62,14 @@ class Link:
             watchdog.stop()
 
     def close(self) -> None:
-        """Delete the folders that the link has created."""
+        """Delete the temporary folders of this scene's engine."""
         self.given.close()
 
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
-        """Build the engine from the student's files and the reference's given chapters."""
+        """Build the scene's engine from the student's files.
+
+        Chapters that the student has skipped come from the reference.
+        """
         if self.loaded == (files, numbers):
             return
         self.loaded = None
@@ -83,7 +86,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Use this scene's engine, with the limits for student code, until the context ends."""
+        """Use this scene's engine under the limits for student code until the context ends."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

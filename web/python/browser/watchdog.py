@@ -1,4 +1,4 @@
-"""Interrupt student code when its time is up, in the only thread that a worker has.
+"""Interrupt student code when its time is up, although a web worker has only one thread.
 
 No other thread and no alarm can interrupt that one thread. However, Python checks thousands of
 times per second whether the worker has sent a signal. When the time is up, the worker sends
@@ -33,11 +33,10 @@ class Watchdog:
         signal.signal(signal.SIGALRM, self.hear)
 
     def start(self, seconds: float) -> None:
-        """Start the clock. When it runs out, the worker sends the signal."""
+        """Start the clock. When it runs out, the web worker sends the signal SIGALRM."""
         start_clock(seconds)
 
     def stop(self) -> None:
-        """Stop the clock."""
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
@@ -49,7 +48,7 @@ class Watchdog:
 
 
 def stack_of(frame: FrameType | None) -> str:
-    """Format the current calls like a stack trace from faulthandler, innermost call first."""
+    """Format the calls in progress like a stack trace from faulthandler, innermost call first."""
     lines = []
     while frame is not None:
         code = frame.f_code

@@ -1,1 +1,1 @@
-"""Compare our models with pymunk: how long does each take to reach a given accuracy?"""
+"""Measure how long our engine and pymunk take to simulate a scene to a given accuracy."""

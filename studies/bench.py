@@ -23,7 +23,7 @@ from studies.timing import Line, Measurement, measure
 
 
 def main(arguments: list[str]) -> int:
-    """Run all benchmarks of the engine, print the results, and save them in a file.
+    """Run all speed benchmarks of the physics engine, print the results, and save them as JSON.
 
     Return 0 even if a result misses its target.
     """
@@ -92,7 +92,10 @@ def told(line: Line) -> str:
 
 
 def number(figure: float) -> str:
-    """Format a benchmark's result with two decimals, or as a whole number from 100 up."""
+    """Format a benchmark's result with two decimals, or as a whole number from 100 up.
+
+    For example, 1.234 becomes "1.23", and 1234.4 becomes "1,234".
+    """
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
 
 

@@ -47,7 +47,7 @@ GROWTH = ListedColormap(
 
 @dataclass(frozen=True)
 class Picture:
-    """A matplotlib figure, along with the numbers that it shows.
+    """A plot as a matplotlib figure, along with the numbers that it shows.
 
     The numbers are saved as a CSV file next to the image, with ``columns`` as the header row.
     """
@@ -58,9 +58,10 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write below a plot why some of its simulations stopped early, such as an error in the engine.
+    """Explain below a plot why some of the simulations that it shows stopped early.
 
-    No more than three of the ``notes`` are shown. A last line says how many there are in addition.
+    Each of the ``notes`` gives the reason for one simulation, such as an error in the student's
+    code. No more than three notes are shown, and a last line says how many more there are.
     """
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
@@ -74,8 +75,8 @@ def arrow(
 ) -> None:
     """Draw a vector as a labeled arrow in the X-Y plane.
 
-    Nothing is drawn if a coordinate is NaN or infinite, as it may be if a student's engine computed
-    it.
+    Nothing is drawn if a coordinate is NaN or infinite, which can happen if a student's code
+    computed the vector.
     """
     if not is_drawable(tip, tail):
         return

@@ -28,7 +28,7 @@ Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure, print and draw what each feature costs that a falling particle does not need.
+    """Measure the cost of features that falling particles do not need, and draw it as a bar chart.
 
     The chart is saved as a PNG file, with its numbers in a CSV file next to it. Return 0.
     """
@@ -88,10 +88,10 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List the features whose cost is measured, such as gravity as a force generator.
+    """List features that falling particles do not need, so that their cost can be measured.
 
-    Each feature comes with its name, a function that simulates a frame with it, and a function that
-    simulates the same frame without it.
+    One of them is gravity as a force generator. Each feature comes with its name, a function that
+    simulates a frame with it, and a function that simulates the same frame without it.
     """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
@@ -112,7 +112,8 @@ def parts() -> list[tuple[str, Move, Move]]:
     def falling(acceleration: bool = True) -> list[Particle]:
         """Create two hundred falling particles, far from the ground and from one another.
 
-        If ``acceleration`` is false, gravity has to come from a force generator instead.
+        If ``acceleration`` is false, the particles do not accelerate by themselves, and a force
+        generator has to supply gravity.
         """
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)

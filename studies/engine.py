@@ -1,4 +1,4 @@
-"""Choose whose physics engine the plots, scenes and measurements run: a student's or ours.
+"""Choose which physics engine the plots, scenes and measurements run: a student's or the reference.
 
 An engine is a folder with a package for each chapter of the course.
 """
@@ -34,10 +34,10 @@ def add_engine_options(parser: argparse.ArgumentParser) -> None:
 
 
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
-    """Make the chapters in the folder ``engine`` importable, so that a command runs that code.
+    """Make Python import the chapters of the course from ``engine``, such as a student's folder.
 
-    The chapters listed in ``given``, such as "2-4", are imported from the reference solution
-    instead. Code in the folder may do only what it may do in grading. If a folder or a chapter does
+    The chapters listed in ``given``, such as "2-4", come from the reference solution instead. The
+    student's code is restricted in the same way as during grading. If a folder or a chapter does
     not exist, ``parser`` exits with a usage error.
     """
     try:

@@ -101,8 +101,8 @@ def main(arguments: list[str]) -> int:
 def _shrunk(animation: Path) -> list[Image.Image]:
     """Shrink a recorded animation, and return its frames, one for every PICTURE_TIME ms.
 
-    The frames are WIDTH px wide. They share one small palette, so that parts of the scene that do
-    not move do not flicker either.
+    The frames are WIDTH px wide. They share one small palette, so that parts of the scene that
+    stand still do not flicker.
     """
     pictures: list[Image.Image] = []
     time = 0.0

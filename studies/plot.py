@@ -54,7 +54,7 @@ def main(arguments: list[str]) -> int:
 def note_engine(folder: Path, engine: Path) -> None:
     """Record in a text file which engine drew the plots in ``folder``.
 
-    After finishing a chapter, students are shown a plot only if their own engine drew it.
+    When students finish a chapter, they are referred to its plot only if their own engine drew it.
     """
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")

@@ -15,7 +15,7 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Check whether the student has already written all the code that ``call`` runs.
+    """Check whether a student has already written all the functions that ``call`` runs.
 
     A function that is not written yet raises NotImplementedError.
     """
@@ -42,8 +42,8 @@ def stopped(act: Callable[[], object]) -> str:
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
     """Run the simulations whose code the student has written, and return their results by key.
 
-    Those that need unwritten code are skipped, so that a plot can be drawn with an unfinished
-    engine.
+    A simulation that needs unwritten code is left out, so that an unfinished engine can be plotted,
+    too.
 
     Raises:
         NotImplementedError: Every simulation needs code that is not written yet.
@@ -82,12 +82,18 @@ def number(value: Any) -> float:
 
 
 def dot(a: Numbers, b: Numbers) -> float:
-    """Compute the scalar product of two tuples of floats without the student's engine."""
+    """Compute the scalar product of two tuples of floats.
+
+    This does not use the student's Vector3, whose scalar product may be wrong.
+    """
     return math.fsum(p * q for p, q in zip(a, b, strict=True))
 
 
 def cross(a: Numbers, b: Numbers) -> Numbers:
-    """Compute the vector product of two tuples of floats without the student's engine."""
+    """Compute the vector product of two tuples of floats.
+
+    This does not use the student's Vector3, whose vector product may be wrong.
+    """
     return (
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

@@ -42,7 +42,7 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether a result meets the bound. A result equal to the bound meets it."""
+        """Return whether a benchmark's result meets the bound, which includes being equal to it."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
@@ -71,14 +71,14 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """Whether the median has "met" or "missed" its target, or "" if there is no target."""
+        """The verdict in the report: "met" or "missed", or "" if the benchmark has no target."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
 
 
 def timer(run: Callable[[], object], times: int = 1) -> Timer:
-    """Return a function that calls ``run`` this many times, and returns the total time in s."""
+    """Return a function that calls ``run`` the given number of times, and returns the time in s."""
     return lambda: timeit.timeit(run, number=times)
 
 
@@ -121,7 +121,10 @@ def warm(timed: Timer) -> float:
 
 
 def versus(first: Timer, second: Timer) -> Figure:
-    """Return a function that measures two times and returns their ratio, first / second."""
+    """Return a function that measures two times and returns their ratio, first / second.
+
+    Each call of the function is one round of a benchmark.
+    """
 
     def once() -> float:
         a, b = both(first, second)
@@ -161,9 +164,9 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return a random order of all rounds, which spreads each benchmark over the whole run.
+    """Shuffle the rounds of all benchmarks, so that each benchmark is spread over the whole run.
 
-    The order lists the index ``i`` of a benchmark ``rounds[i]`` times. For each benchmark, the run
+    The result lists the index ``i`` of a benchmark ``rounds[i]`` times. For each benchmark, the run
     is divided into as many equal parts as there are rounds of it, and each part gets one round, at
     a random time.
     """
@@ -214,5 +217,8 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Return a function that measures several ratios, and returns their geometric mean."""
+    """Return a function that measures several ratios, and returns their geometric mean.
+
+    The mean sums up the ratios of several operations, such as adding two vectors, in one number.
+    """
     return lambda: statistics.geometric_mean([once() for once in figures])

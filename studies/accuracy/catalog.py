@@ -17,8 +17,7 @@ from studies.accuracy.scenes.springs import SPRINGS
 def scenes_with(part: str) -> list[Scene]:
     """Create the scenes whose names contain ``part``, or all scenes if ``part`` is empty.
 
-    For example, "pendulum" selects three scenes: the pendulum, the double pendulum and the elastic
-    one.
+    For example, "double" selects only the double pendulum.
 
     Raises:
         ValueError: No scene matches. The message lists all names.

@@ -45,10 +45,11 @@ COLUMNS = (
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Draw how the error of each model depends on its processor time and its work in one scene.
+    """Draw how accurately and how fast each model, such as an integrator, simulates a scene.
 
-    The chart is saved as ``png``, with its points in a CSV file next to it. ``counted`` says what
-    the models count as work, such as "contacts resolved".
+    The left panel plots the error of each model against its processor time, and the right panel
+    against its work. ``counted`` says what the models count as work, such as "contacts resolved".
+    The chart is saved as ``png``, with its points in a CSV file next to it.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
@@ -158,7 +159,7 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw the mark for one scene and tolerance: pymunk's time divided by ours.
+    """Draw one mark of the overview: pymunk's time divided by ours, at one error tolerance.
 
     The mark is drawn at height ``y``. It is filled if both times were measured, and open if one was
     extrapolated. It has an arrow if the ratio is only a bound. If pymunk or our models can never
@@ -233,8 +234,8 @@ def _number(value: float) -> str:
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
     """Choose a color and a marker for each model in a chart.
 
-    Pymunk's models are black and gray, and the book's are red. The integrators of chapter 6 have
-    the same colors in all charts, and the remaining colors go to the other models.
+    Pymunk's models are black and gray, and the textbook's are red. The integrators of chapter 6
+    have the same colors in all charts, and the remaining colors go to the other models.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)

@@ -38,8 +38,8 @@ LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW r
 class Point:
     """The error, work and time of one model in one scene, at one number of steps per frame.
 
-    It is one mark in a chart. A model that chooses its own steps takes a tolerance instead, and its
-    ``steps`` is 1 / tolerance. ``times`` holds the time of each timing round in s.
+    A chart shows it as one mark. A model that chooses its own steps takes a tolerance instead, and
+    its ``steps`` is 1 / tolerance. ``times`` holds the processor time of each timing round in s.
     """
 
     scene: str
@@ -52,20 +52,20 @@ class Point:
 
     @property
     def time(self) -> float:
-        """The median time of a run over all timing rounds, in s."""
+        """The median of the processor times that were measured for this run, in s."""
         return statistics.median(self.times)
 
     @property
     def spread(self) -> tuple[float, float]:
-        """The lower and upper quartiles of a run's time over all timing rounds, in s."""
+        """The lower and upper quartiles of the processor times measured for this run, in s."""
         return quartiles(self.times)
 
 
 @dataclass
 class Measured:
-    """What a comparison with pymunk has measured so far, and how many rounds have been timed.
+    """The points that `make charts` has measured so far, and the number of timing rounds.
 
-    It is saved after every round, so that an interrupted run can resume.
+    They are saved after every round, so that an interrupted run can resume.
     """
 
     points: list[Point]
@@ -75,7 +75,7 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Run every model in ``scenes`` to find its error and its work, but do not time it yet.
+    """Simulate each scene with all of its models to measure their errors and work, but not times.
 
     Each model runs with more and more steps per frame until it is exact, or until a run takes
     longer than ``slowest`` seconds, or ``theirs`` seconds for pymunk's models. Before a model runs,
@@ -97,9 +97,9 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model with this many steps per frame, and return None if the simulation fails.
+    """Simulate a scene with one of its models, and return None if the simulation fails.
 
-    It fails, for example, if its steps are so long that the motion explodes.
+    It fails, for example, if the steps are so long that the motion explodes.
     """
     try:
         return model.run(steps)
@@ -122,9 +122,9 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 
 
 def seconds_of(model: Model, steps: int) -> float:
-    """Measure the processor time in s that a model takes with ``steps`` steps per frame.
+    """Measure the processor time in s of one simulation with ``steps`` steps per frame.
 
-    A short run cannot be timed precisely, so it is repeated and the times are averaged.
+    A short simulation cannot be timed precisely, so it is repeated and the times are averaged.
     """
     count = 0
     start = time.process_time()

@@ -40,7 +40,10 @@ class Side:
 
 @dataclass(frozen=True)
 class Row:
-    """A comparison of our fastest model with pymunk's in one scene, at one error tolerance."""
+    """A comparison of our fastest model with pymunk's in one scene, at one error tolerance.
+
+    The tolerance is a fraction of the scene's scale.
+    """
 
     scene: str
     tolerance: float
@@ -49,7 +52,7 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """Pymunk's time as a multiple of ours, or None if either time is unknown."""
+        """How many times as long as our model pymunk takes, or None if either time is unknown."""
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time
@@ -77,11 +80,11 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Find the first run of a model that meets ``tolerance`` along with all runs after it.
+    """Find the run with the fewest steps that reliably meets an error tolerance.
 
-    ``ordered`` holds the runs, sorted by number of steps, and the result is an index into it. One
-    run within the tolerance is not enough, because its error may be small by chance. If even the
-    last run misses the tolerance, return None.
+    ``ordered`` holds a model's runs, sorted by number of steps. Return the index of the first run
+    that meets the tolerance along with all runs after it, since a single error may be small by
+    chance. If even the last run misses the tolerance, return None.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -151,7 +154,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group measured points by model, keeping each model's points in their order."""
+    """Group measured points by model, without changing the order of each model's points."""
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -187,17 +190,16 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
     """Separate the measured points of our models from those of pymunk's.
 
-    The book's own step counts as ours.
+    The textbook's own integrator counts as one of ours.
     """
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
 
 def row(points: Sequence[Point], tolerance: float) -> Row:
-    """Compare the fastest of our models with the fastest of pymunk's in one scene.
+    """Compare our fastest model with pymunk's fastest in one scene, at one error tolerance.
 
-    Both must meet the error ``tolerance``. If no run with pymunk does, its time is extrapolated if
-    possible.
+    If pymunk missed the tolerance in all of its runs, its time is extrapolated if possible.
     """
     ours, theirs = split(points)
     side = side_of(theirs, tolerance)
@@ -222,7 +224,10 @@ def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
 
 
 def table(points: Sequence[Point]) -> list[Row]:
-    """Compare our models with pymunk's in every scene, at every error tolerance."""
+    """Compare our fastest model with pymunk's in every scene, at every error tolerance.
+
+    `make charts` prints the result as a table, and draws it as the overview picture.
+    """
     scenes: dict[str, list[Point]] = {}
     for point in points:
         scenes.setdefault(point.scene, []).append(point)

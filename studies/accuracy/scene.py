@@ -199,7 +199,10 @@ def by_forces(
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Create a model without time steps, which evaluates a closed form once per frame."""
+    """Create a model without time steps, which evaluates a closed form once per frame.
+
+    ``place_at`` returns the position at a time in s.
+    """
 
     def run(_: int) -> Outcome:
         return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)

@@ -30,7 +30,10 @@ MOST = 2_000_000  # steps per run, which take pymunk a few seconds
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare our engine with pymunk at the same accuracy."""
+    """Set up the benchmarks that compare our engine with pymunk at the same accuracy.
+
+    Their scenes include a spring, an orbit and a double pendulum.
+    """
     return [
         line("projectile with linear drag", None, "pymunk", 31, Target("at least", 150)),
         line("spring, k = 100 N/m", RK4, "pymunk's spring", 15, Target("at least", 250)),

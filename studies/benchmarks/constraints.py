@@ -74,7 +74,7 @@ def lines() -> list[Measurement]:
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
-    """Return a timer for resolving the contacts of a rope whose cables are all too long.
+    """Return a timer for resolving the contacts of a rope whose cables are stretched too far.
 
     ``kind`` is the class of the resolver, and ``count`` is the number of contacts.
     """
@@ -95,7 +95,8 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 def spread(count: int) -> ParticlePairs:
     """Scatter ``count`` spheres in a cube, and return the detector that finds the touching pairs.
 
-    The spheres have a radius of 0.5 m, with an average of one per 8 m^3.
+    The spheres have a radius of 0.5 m, with an average of one per 8 m^3, so that they are equally
+    dense for any ``count``.
     """
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)

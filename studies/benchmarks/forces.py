@@ -18,7 +18,10 @@ FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of what it costs to apply forces to a particle."""
+    """Set up the benchmarks of what it costs to apply forces to a particle.
+
+    One of them compares gravity as a force generator with gravity as a constant acceleration.
+    """
     chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
     free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
     forced = timer(lambda: forced_steps(FRAMES))
@@ -85,8 +88,8 @@ def generator_steps(frames: list[float]) -> Numbers:
 def forced_arithmetic(frames: list[float]) -> Numbers:
     """Take the same steps as ``forced_steps`` in local variables, and return the final position.
 
-    Like the engine, each step adds the force to a sum, uses that sum, and then clears it. The two
-    times show what the engine's objects and calls cost.
+    Like the engine, each step adds the force to a sum, uses that sum, and then clears it. Comparing
+    the two times shows what the engine's objects and calls cost.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

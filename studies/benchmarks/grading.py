@@ -1,6 +1,7 @@
-"""Measure how much longer the autograder takes because it isolates students' code in workers.
+"""Measure how much longer the autograder takes because it isolates students' code.
 
-For comparison, the same checks also import the students' code into their own process.
+The code runs in isolated worker processes. For comparison, the same checks also import the
+students' code into their own process.
 """
 
 from __future__ import annotations
@@ -32,9 +33,9 @@ def lines() -> list[Measurement]:
 
 
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
-    """Measure how many milliseconds longer a check takes in an isolated worker process.
+    """Set up a benchmark of how many milliseconds longer a check takes in an isolated worker.
 
-    The time to start the worker is divided among all checks of the chapter.
+    The time to start the worker process is divided among all checks of the chapter.
     """
 
     def checked(where: Behind | None) -> int:
@@ -69,7 +70,7 @@ def _twenty(behind: Behind) -> Measurement:
 
 
 def _sample_class(behind: Behind) -> Measurement:
-    """Compare how long it takes to grade the sample class with and without isolated workers.
+    """Set up a benchmark that grades the sample class with and without isolated workers.
 
     Some of its submissions contain endless loops, which run until the time limit stops them.
     """

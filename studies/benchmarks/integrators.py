@@ -28,7 +28,11 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare the integrators' times per step."""
+    """Set up the benchmarks of how long a time step takes with each integrator.
+
+    Semi-implicit Euler is compared with plain arithmetic, and the other integrators are compared
+    with semi-implicit Euler.
+    """
     once = timer(stepping(semi_implicit_euler))
     return [
         Measurement(

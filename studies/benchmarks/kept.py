@@ -25,7 +25,10 @@ QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTA
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Save the results of make bench with the date, the Python version and the type of machine."""
+    """Save the results of `make bench` with the date, the Python version and the type of machine.
+
+    The READMEs quote their numbers from this file.
+    """
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),
@@ -45,7 +48,7 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Round ``figure`` to three digits, since any further digits would vary from run to run."""
+    """Round a benchmark's result to three digits, since more would vary from run to run."""
     return float(f"{figure:.3g}")
 
 

@@ -24,7 +24,7 @@ RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare stepping a firework's sparks with their closed form."""
+    """Set up the benchmarks that compare stepping a firework's sparks with a closed form."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)
@@ -61,14 +61,20 @@ def lines() -> list[Measurement]:
 
 
 def burst() -> FireworksShow:
-    """Create a fireworks show with SPARKS sparks, all of them just lit at START."""
+    """Create a fireworks show with SPARKS sparks, all of them just lit at START.
+
+    START is so high that no spark lands while it is timed.
+    """
     show = FireworksShow([RULE], SPARKS, seed=1)
     show.light([(1, SPARKS, Particle(Vector3(*START)))])
     return show
 
 
 def speeds_of(show: FireworksShow) -> list[list[float]]:
-    """Return the velocities of all sparks as three lists: one each for x, y and z."""
+    """List the velocities of all sparks as three lists, one each for x, y and z.
+
+    This is the form that their closed form takes.
+    """
     velocities = [firework.particle.velocity for firework in show.fireworks]
     return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]
 

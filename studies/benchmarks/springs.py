@@ -55,7 +55,6 @@ class VectorSpring(Spring):
     """A spring written with vector operators, the way most students write it at first."""
 
     def update_force(self, particle: Particle, duration: float) -> None:  # noqa: ARG002
-        """Add the force of the spring on ``particle``, computed with vectors."""
         offset = particle.position - self.other.position
         velocity = particle.velocity - self.other.velocity
         force = spring_force(offset, velocity, self.stiffness, self.rest_length, self.damping)
@@ -63,7 +62,10 @@ class VectorSpring(Spring):
 
 
 def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
-    """Build a cloth of springs with two force generators per spring, one for each end."""
+    """Build a cloth of springs with two force generators per spring, one for each end.
+
+    The force of each spring is therefore computed twice.
+    """
     knots, _ = make_cloth(DAMPING)
     registry = ForceRegistry()
     for i, j in neighbors():

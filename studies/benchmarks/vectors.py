@@ -8,9 +8,10 @@ from studies.timing import Measurement, Statements, Target, against_peers
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Set up a benchmark of each library's vectors against Vector3, for the operations of both.
+    """Set up a benchmark for each of the other libraries: its time divided by Vector3's.
 
-    If a library is not installed, it is left out, and ``console`` shows how to install it.
+    The ratio is a mean over all operations that both have, such as the cross product. If a library
+    is not installed, it is left out, and ``console`` shows how to install it.
     """
     peers = (
         ("pyglet", "pyglet Vec3", Target("at least", 2.4)),

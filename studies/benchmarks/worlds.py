@@ -76,7 +76,10 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Set up a benchmark of a rope: its time as rods divided by its time as a DirectChain."""
+    """Set up a benchmark of a rope: its time as rods divided by its time as a DirectChain.
+
+    The report also shows how far each rope sags above or below the exact position, in m.
+    """
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)
@@ -91,14 +94,20 @@ def rope(links: int, rounds: int) -> Measurement:
 
 
 def flying() -> list[Particle]:
-    """Create COUNT particles that fly freely, each with its own velocity."""
+    """Create COUNT particles that fly freely, each with its own velocity.
+
+    Gravity acts on them, but there are no force generators and no contacts.
+    """
     return [
         Particle(Vector3(i), Vector3(1.0, 0.001 * i, 2.0), DOWN, damping=0.99) for i in range(COUNT)
     ]
 
 
 def integrate(particles: Sequence[Particle]) -> None:
-    """Advance particles by one frame in a plain loop, without a world."""
+    """Advance particles by one frame in a plain loop, without a world.
+
+    A ParticleWorld is compared with this loop to show what the world itself costs.
+    """
     for particle in particles:
         particle.integrate(FRAME)
 
@@ -109,18 +118,24 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that advances particles by one frame with an integrator but no world."""
+    """Return a function that moves particles by one frame with an integrator but no world."""
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world of balls on the ground, of which a tenth roll and the rest lie still."""
+    """Create a world of balls on the ground, of which a tenth roll and the rest lie still.
+
+    ``kind`` is ParticleWorld, which keeps all balls awake, or SleepingWorld.
+    """
     balls = [Particle(Vector3(2.0 * i), acceleration=DOWN) for i in range(BALLS)]
     return settled(kind(balls, [GroundPlane(balls)]))
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world of balls on springs, of which a tenth fly away and the rest hang still."""
+    """Create a world of balls on springs, of which a tenth fly away and the rest hang still.
+
+    ``kind`` is ParticleWorld, which keeps all balls awake, or SleepingWorld.
+    """
     balls = [Particle(Vector3(2.0 * i)) for i in range(BALLS)]
     world = kind(balls)
     for i, ball in enumerate(balls):
@@ -129,7 +144,7 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Set a tenth of the balls in motion, and run the world until the others can fall asleep.
+    """Set a tenth of the balls in motion, and run the world so that the others can fall asleep.
 
     Return the world.
     """

@@ -13,7 +13,8 @@ MOST = 5  # labels on an axis
 class Axis:
     """A logarithmic axis of a chart, for values from ``low`` to ``high``.
 
-    It is drawn from coordinate ``start`` to coordinate ``end``.
+    It is drawn from coordinate ``start`` to coordinate ``end``. Since y points down in SVG,
+    ``start`` is larger than ``end`` for a vertical axis.
     """
 
     low: float
@@ -41,7 +42,7 @@ class Axis:
 
 
 def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
-    """Create a logarithmic axis that covers the positive ``values`` and at least one label."""
+    """Create a logarithmic axis for the positive ``values``, wide enough for at least one label."""
     seen = [*values]
     low, high = min(seen) / 1.6, max(seen) * 1.6
     while math.ceil(math.log10(low)) > math.floor(math.log10(high)):

@@ -95,7 +95,10 @@ class Panel:
 
 
 def panel(scene: Scene, points: Sequence[Point]) -> Panel:
-    """Prepare the chart and the table of a scene from its measured points."""
+    """Prepare the chart and the table of a scene from its measured points.
+
+    The chart leaves out simulations whose error is so large that they are useless.
+    """
     # Errors that come only from rounding are drawn at the floor. Useless runs are not drawn.
     seen = [point for point in points if point.error < CEILING]
     x = axis_for([1e3 * point.time for point in seen] or [1.0], LEFT, RIGHT)
@@ -137,7 +140,11 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
 
 
 def _row(scene: Scene, point: Point) -> tuple[str, ...]:
-    """Format a point as a row of the table: model, steps, error, time, quartiles and work."""
+    """Format one measured point as a row of the table.
+
+    The columns are the model, its steps per frame or its tolerance, its error, its time with
+    quartiles, and its work.
+    """
     model = next(model for model in scene.models if model.name == point.model)
     choice = "1 step" if point.steps == 1 else f"{point.steps:,} steps"
     low, high = point.spread

@@ -107,8 +107,8 @@ def truth(_: float) -> Place:
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
     """List the cables on one side of the rope bridge as tuples of start, end and length.
 
-    A cable starts at an anchor, given by its position, or at the end of a plank, given by the
-    plank's index. It ends at a plank, too. Its length is that seen from the side, in m.
+    A cable leads to a plank from an anchor or from the plank before it. Planks are given by their
+    indices, and anchors by their positions. The length is that seen from the side, in m.
     """
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):
@@ -153,7 +153,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Create two-sided rods in place of the bridge's cables and rods.
+    """Create two-sided rods in place of the rope bridge's cables and rods.
 
     The rods push as well as pull, while cables only pull. They may replace the cables only as long
     as all cables are taut.
@@ -208,7 +208,7 @@ def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator
 
 
 def whole() -> tuple[list[Particle], list[Any]]:
-    """Build chapter 8's rope bridge. Return the ends of its planks, and its cables and rods."""
+    """Build both sides of chapter 8's rope bridge. Return the planks' ends, and cables and rods."""
     ends, _, held = hung(links_of)
     return ends, held
 
@@ -243,7 +243,10 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 
 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
-    """Compute the rest position of the rope bridge directly, and let the bridge sleep there."""
+    """Compute the rest position of the rope bridge directly, and let the bridge sleep there.
+
+    The work counts each cable and rod only once, since no other frame needs a computation.
+    """
     ends, links = whole()
     world = SleepingWorld(ends, links)
     equilibrium(world)
@@ -251,7 +254,10 @@ def by_equilibrium(frames: int, steps: int) -> Outcome:
 
 
 def by_sleep(steps: int) -> Outcome:
-    """Simulate the rope bridge for 10 s with all of its planks asleep from the start."""
+    """Simulate the rope bridge for 10 s with all of its planks asleep from the start.
+
+    No contacts are resolved, so the work is 0.
+    """
     ends, links = whole()
     world = SleepingWorld(ends, links, sleep_frames=1)
     world.fall_asleep(world.contacts())
@@ -259,7 +265,10 @@ def by_sleep(steps: int) -> Outcome:
 
 
 def place_of(ends: list[Particle]) -> Place:
-    """Return the x and y coordinates of all ends of planks, as they are seen from the side."""
+    """List the x and y coordinates of the planks' ends, which show the bridge from the side.
+
+    Pymunk is two-dimensional, so z is left out of the comparison.
+    """
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 

@@ -139,7 +139,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 def by_angles(chain: Chain, steps: int) -> Outcome:
     """Simulate the chain by the angles of its rods, with Runge-Kutta 4.
 
-    Each step evaluates the equations four times, and each evaluation counts every rod once.
+    The work counts every rod once per evaluation, and there are four evaluations per step.
     """
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
@@ -240,10 +240,16 @@ def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
 
 
 def places_of(particles: Sequence[Particle]) -> Place:
-    """List the coordinates of all particles in one flat tuple: x1, y1, x2, y2 and so on."""
+    """List the coordinates of all particles in one flat tuple: x1, y1, x2, y2 and so on.
+
+    In this form, positions are compared with the exact solution.
+    """
     return flat([particle.position for particle in particles])
 
 
 def flat(vectors: Sequence[Vector3]) -> Place:
-    """List the coordinates of all vectors in one flat tuple: x1, y1, x2, y2 and so on."""
+    """List the coordinates of all vectors in one flat tuple: x1, y1, x2, y2 and so on.
+
+    In this form, positions are compared with the exact solution.
+    """
     return tuple([part for vector in vectors for part in (vector.x, vector.y)])

@@ -86,7 +86,10 @@ def projectile() -> Scene:
 
 
 def quadratic_drag() -> Scene:
-    """Create the scene of a fall from rest with quadratic drag, almost up to terminal speed."""
+    """Create the scene of a fall from rest with quadratic drag, almost up to terminal speed.
+
+    The drag is proportional to the square of the speed, and the motion has a closed form.
+    """
     frames, k2 = 180, 0.05
 
     def place_at(time: float) -> Place:

@@ -176,7 +176,10 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
-    """Create a scene in which ``balls`` fall and bounce, with every model that can simulate it."""
+    """Create a scene in which ``balls`` fall and bounce, with every model that can simulate it.
+
+    ``scale`` is the size of the scene in m, as a fraction of which errors are given.
+    """
     exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
 
     def truth(time: float) -> Place:
@@ -203,7 +206,10 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
 
 
 def bouncing_ball(restitution: float) -> Scene:
-    """Create the scene of a ball that is dropped from 2 m and bounces for 3 s."""
+    """Create the scene of a ball that is dropped from 2 m and bounces for 3 s.
+
+    With a ``restitution`` of 1, the ball loses no energy at the ground.
+    """
     balls = Balls((2.0 + RADIUS,), (1.0,), restitution, 1.0)
     return scene_of(f"bouncing ball, restitution {restitution:g}", balls, 180, 2.0)
 

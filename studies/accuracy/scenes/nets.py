@@ -68,12 +68,18 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """List the cables on one side of the rope bridge, with their lengths as seen from the side."""
+    """List the cables on one side of the rope bridge, with their lengths as seen from the side.
+
+    Pymunk is two-dimensional, so the bridge has to fit into a plane.
+    """
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
 def hung() -> list[tuple[float, float]]:
-    """Return where one side of the rope bridge hangs at rest, with a load on the third plank."""
+    """Return the positions at which the planks on one side of the rope bridge hang at rest.
+
+    There is a load on the third plank.
+    """
     return [(x, y) for x, y in hanging()]
 
 

@@ -48,7 +48,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the load on each knot in N: its own weight plus its part of the walker's."""
+        """Return the load on each knot in N: its own weight plus its part of a walker's weight."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker

@@ -86,7 +86,7 @@ class TautMotion:
         return pulls
 
     def accelerations(self, time: float, state: Any, taut: Any) -> tuple[Any, Any]:
-        """Compute the accelerations of the knots, and the pulls of the taut ties."""
+        """Compute the accelerations of all knots, and the pulls of the taut cables and struts."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         free = self.inverse * self.load(time, places)
@@ -115,7 +115,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Compute the motion from time 0, and return the knots' positions at ``times`` as rows."""
+        """Compute the motion from time 0, and return the knots' positions at ``times``, as rows."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

@@ -128,12 +128,12 @@ def line(
 
 
 def model_of(scene: Scene, name: str) -> Model:
-    """Find a model of ``scene`` by its name, such as "leapfrog"."""
+    """Find one of the models that simulate ``scene`` by its name, such as "leapfrog"."""
     return next(model for model in scene.models if model.name == name)
 
 
 def fastest_exact(scene: Scene) -> Model:
-    """Find our fastest exact model of a scene, such as its closed form.
+    """Find our fastest exact model of a scene, such as a closed form.
 
     An exact model has no number of steps to choose.
     """
@@ -142,7 +142,7 @@ def fastest_exact(scene: Scene) -> Model:
 
 
 def is_exact(model: Model) -> bool:
-    """Return whether a model is exact, so that there is no number of steps to choose."""
+    """Return whether a model is exact, as a closed form is, with no number of steps to choose."""
     return tuple(model.steps) == (1,)
 
 

@@ -1,4 +1,4 @@
-"""Measure how long a student waits for `make check`."""
+"""Measure how long students wait for `make check`, which checks their work on a chapter."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from studies.timing import Measurement, Target, Timer, timer, versus
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmark of `make check`, the command with which students check a chapter.
+    """Set up the benchmark of `make check`, the command with which students check their work.
 
-    Its time is divided by the time that Python takes to import pytest.
+    Its time for one chapter is divided by the time that Python takes to import pytest.
     """
     check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles the modules

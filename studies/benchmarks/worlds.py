@@ -78,7 +78,7 @@ def asleep(
 def rope(links: int, rounds: int) -> Measurement:
     """Set up a benchmark of a rope: its time as rods divided by its time as a DirectChain.
 
-    The report also shows how far each rope sags above or below the exact position, in m.
+    The report also shows by how many meters the sag of each rope differs from the exact sag.
     """
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)

@@ -84,10 +84,7 @@ def bridge() -> Scene:
 
 
 def sleeping() -> Scene:
-    """Create the scene of the rope bridge sleeping undisturbed for 10 s.
-
-    The bridge is asleep both in our engine and in pymunk.
-    """
+    """Create the scene of the rope bridge asleep for 10 s, in our engine as well as in pymunk."""
     models = [
         Model("asleep", by_sleep, (1,)),
         Model("found by equilibrium, then asleep", partial(by_equilibrium, LONG), (1,)),
@@ -214,10 +211,7 @@ def whole() -> tuple[list[Particle], list[Any]]:
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Build a rope bridge with all planks' ends in one plane and without rods, as in pymunk.
-
-    Return the ends of the planks and the cables.
-    """
+    """Build a flat rope bridge without rods, as in pymunk. Return its planks' ends and its cables."""
     ends, rows, _ = hung(links_of)
     links: list[Any] = []
     for side in zip(*rows, strict=True):
@@ -254,10 +248,7 @@ def by_equilibrium(frames: int, steps: int) -> Outcome:
 
 
 def by_sleep(steps: int) -> Outcome:
-    """Simulate the rope bridge for 10 s with all of its planks asleep from the start.
-
-    No contacts are resolved, so the work is 0.
-    """
+    """Simulate the rope bridge for 10 s with all of its planks asleep from the start."""
     ends, links = whole()
     world = SleepingWorld(ends, links, sleep_frames=1)
     world.fall_asleep(world.contacts())
@@ -265,10 +256,7 @@ def by_sleep(steps: int) -> Outcome:
 
 
 def place_of(ends: list[Particle]) -> Place:
-    """List the x and y coordinates of the planks' ends, which show the bridge from the side.
-
-    Pymunk is two-dimensional, so z is left out of the comparison.
-    """
+    """List the x and y coordinates of the planks' ends, which show the bridge from the side."""
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 

@@ -32,12 +32,13 @@ FAR = 1e3  # m, more than the length that any slide joint reaches
 
 @dataclass(frozen=True)
 class Plane:
-    """A net in the X-Y plane: knots with masses in kg, connected by cables and struts called ties.
+    """A net of cables in the X-Y plane: its knots, and the cables and struts between them.
 
-    ``places`` are the initial positions of the knots. ``walker`` is a load that moves across the
-    knots in order, given as a tuple of its initial x in m, its speed in m/s and its weight in N.
-    The two knots on either side of the walker share the weight, and the nearer knot carries more of
-    it.
+    ``masses`` are those of the knots in kg, and ``places`` are their initial positions. ``ties``
+    are the cables and struts, as described for TautMotion. ``walker`` is a load that moves across
+    the knots in order, given as a tuple of its initial x in m, its speed in m/s and its weight in
+    N. The two knots on either side of the walker share the weight, and the nearer knot carries more
+    of it.
     """
 
     masses: Sequence[float]
@@ -58,7 +59,7 @@ class Plane:
         return forces.ravel()
 
     def exact(self) -> Any:
-        """Compute the exact positions of the knots at the end of each frame with SciPy."""
+        """Compute with SciPy where exactly the net's knots are at the end of each frame."""
         motion = TautMotion(self.masses, self.ties, self.load)
         times = [frame / RATE for frame in range(1, self.frames + 1)]
         still = numpy.zeros((len(self.masses), 2))
@@ -73,7 +74,7 @@ class Plane:
         ]
 
     def links(self, knots: Sequence[Particle]) -> list[Any]:
-        """Create chapter 7's cables and struts between the particles ``knots``."""
+        """Create chapter 7's cables and struts, which connect the particles ``knots`` to a net."""
         found: list[Any] = []
         for start, end, length, kind in self.ties:
             if not isinstance(start, int):
@@ -86,7 +87,7 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Find the two knots that carry a walker at ``x``, and how they share the walker's weight.
+    """Find the two knots of a net that carry a walker at ``x``, and how they share the weight.
 
     ``xs`` are the x coordinates of the knots. Return the index of the knot behind the walker, and
     the fraction of the weight that the knot ahead carries. This fraction grows linearly from 0 to 1
@@ -97,7 +98,7 @@ def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
 
 
 class Walker:
-    """A force generator that puts a walker's weight on the knots of a net.
+    """A force generator that puts the weight of a walker, such as a ball, on the knots of a net.
 
     Register it for one knot only, since it adds forces to both knots next to the walker.
     """
@@ -140,7 +141,7 @@ def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Pa
 
 
 def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
-    """Simulate a net as a DirectNet or a SmoothNet, with ``steps`` steps per frame."""
+    """Simulate a net with DirectNet or SmoothNet, two solvers that handle all cables at once."""
     knots, step = made(plane, kind)
 
     def place() -> Place:

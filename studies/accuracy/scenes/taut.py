@@ -1,4 +1,4 @@
-"""Compute the exact motion of a net of cables in a plane with SciPy, from event to event.
+"""Compute the exact motion of a net of cables in a plane with SciPy, from one event to the next.
 
 The computation shares no code with the engine, which makes it an independent test. While the same
 cables stay taut, the positions follow from ordinary differential equations in which tensions keep
@@ -51,19 +51,19 @@ class TautMotion:
         self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Compute how far each tie still is from its limit, in m.
+        """Compute how far each cable or strut still is from its limit, in m.
 
         The gap is how much longer a cable could get, or how much shorter a strut could get. It is
-        negative if the tie is past its limit.
+        negative once the limit has been passed.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
-        """Compute the derivatives of the ties' lengths that the equations of motion need.
+        """Compute the derivatives of the cables' and struts' lengths for the equations of motion.
 
-        The first result is the Jacobian matrix of the lengths, with one row per tie. The second is
-        the part of each length's second derivative that comes from the rotation of the tie.
+        The first result is the Jacobian matrix of the lengths, with one row per cable or strut. The
+        second is the part of each length's second derivative that comes from its rotation.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
@@ -75,10 +75,10 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Find the pulls that keep all ties within their limits, where no pull may be negative.
+        """Find the pulls that keep all cables and struts within their limits.
 
-        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted. A tie pulls only where the two sides
-        are equal, so p (A p - wanted) = 0.
+        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted, and none of them is negative. A
+        cable pulls only where the two sides are equal, so p (A p - wanted) = 0.
         """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
@@ -96,9 +96,10 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve any impacts at ``time``, and find out which ties are taut afterward.
+        """Resolve any impacts at ``time``, and find out which cables and struts are taut afterward.
 
-        Return the positions and velocities after the impacts, and the indices of the taut ties.
+        Return the positions and velocities after the impacts, and the indices of the taut cables
+        and struts.
         """
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)

@@ -145,7 +145,10 @@ def growth_map(
 
 
 def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
-    """Draw the color scale of a ``growth_map`` beside it, from 1/4 in blue to 4 in red."""
+    """Draw the color scale of a heat map from ``growth_map`` beside its panels.
+
+    The scale goes from 1/4 in blue, which means that an oscillation decays, to 4 in red.
+    """
     label = "growth of the oscillation per step (red: explodes)"
     bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
     bar.set_ticks([0.25, 0.5, 1.0, 2.0, 4.0], labels=["1/4", "1/2", "1", "2", "4"])

@@ -109,5 +109,5 @@ def angle_between(a: Numbers, b: Numbers) -> float:
 
 
 def is_drawable(*vectors: Numbers) -> bool:
-    """Return whether all components of the vectors are finite, so that they can be drawn."""
+    """Return whether all components of the vectors are finite, so that matplotlib can draw them."""
     return all(math.isfinite(value) for vector in vectors for value in vector)

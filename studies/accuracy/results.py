@@ -59,7 +59,7 @@ class Row:
 
     @property
     def is_extrapolated(self) -> bool:
-        """Whether pymunk's time was extrapolated from its order of convergence."""
+        """Whether pymunk's time is an estimate, since none of its runs was accurate enough."""
         return self.pymunk.order is not None
 
     @property
@@ -154,7 +154,10 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group measured points by model, without changing the order of each model's points."""
+    """Group measured points by model, without changing the order of each model's points.
+
+    A chart shows each group as a line.
+    """
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -162,7 +165,10 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Find the fastest model that meets ``tolerance``, among ours or among pymunk's."""
+    """Find the fastest model that meets ``tolerance``, among ours or among pymunk's.
+
+    ``points`` are the measured runs of all of our models in a scene, or of all of pymunk's.
+    """
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}

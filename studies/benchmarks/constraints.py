@@ -32,7 +32,7 @@ RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of contacts between particles and of chains of rods."""
+    """Set up the benchmarks of finding contacts, of resolving them, and of chains of rods."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [

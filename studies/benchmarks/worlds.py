@@ -28,7 +28,7 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of particle worlds, of sleeping particles and of ropes."""
+    """Set up the benchmarks of ParticleWorld, of sleeping particles and of hanging ropes."""
     bare = flying()
     return [
         Measurement(
@@ -113,7 +113,6 @@ def integrate(particles: Sequence[Particle]) -> None:
 
 
 def stepping(world: ParticleWorld) -> Callable[[], None]:
-    """Return a function that advances ``world`` by one frame."""
     return lambda: world.step(FRAME)
 
 

@@ -211,7 +211,7 @@ def whole() -> tuple[list[Particle], list[Any]]:
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Build a flat rope bridge without rods, as in pymunk. Return its planks' ends and its cables."""
+    """Build a flat rope bridge without rods, as in pymunk. Return the planks' ends and cables."""
     ends, rows, _ = hung(links_of)
     links: list[Any] = []
     for side in zip(*rows, strict=True):

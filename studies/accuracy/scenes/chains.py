@@ -55,7 +55,7 @@ class Chain:
     frames: int
 
     def particles(self) -> list[Particle]:
-        """Create the chain's particles at their initial positions, from the anchor to the tip."""
+        """Create the particles of the chain at their initial positions, from the top to the tip."""
         x, y = self.length * math.sin(self.angle), -self.length * math.cos(self.angle)
         down = Vector3(0.0, -self.gravity)
         return [
@@ -69,12 +69,12 @@ class Chain:
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
     def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
-        """List the rods' lengths, masses and initial angles, as arguments for an AngleChain."""
+        """List the rods' lengths, masses and initial angles, from which an AngleChain is built."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
 
     def by_its_angles(self) -> AngleChain:
-        """Describe the chain by the angles of its rods instead of by its particles.
+        """Describe the chain of rods by the angles of its rods instead of by its particles.
 
         If all masses are equal, the result is an AngleRope, which takes less time per step.
         """
@@ -84,7 +84,7 @@ class Chain:
         return AngleChain(*self.angles(), gravity=self.gravity)
 
     def truth(self) -> Callable[[float], Place]:
-        """Return the exact path of the chain, which SciPy computes from Lagrange's equations.
+        """Return the exact path of a chain of rods, computed with SciPy from Lagrange's equations.
 
         The equation for each angle a_i is sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) =
         -M_i g sin a_i. For two rods i and j, M adds up all masses from the rod farther from the
@@ -137,7 +137,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Simulate the chain by the angles of its rods, with Runge-Kutta 4.
+    """Simulate a chain of rods by the angles of its rods, with Runge-Kutta 4.
 
     The work counts every rod once per evaluation, and there are four evaluations per step.
     """
@@ -147,7 +147,7 @@ def by_angles(chain: Chain, steps: int) -> Outcome:
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Simulate the angles of the chain's rods in steps that are longer than a frame.
+    """Simulate the angles of a chain's rods in steps that are longer than a frame.
 
     Each block of LONG frames is covered by ``steps`` steps. Cubics between the steps give the
     positions at the end of every frame.
@@ -174,7 +174,7 @@ def by_long_steps(chain: Chain, steps: int) -> Outcome:
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
-    """Simulate the chain with Runge-Kutta 4, treating the tensions of its rods as forces."""
+    """Simulate a chain of rods with Runge-Kutta 4, treating the rods' tensions as forces."""
     particles = chain.particles()
     rods = RodTensions(particles, Vector3())
     places = in_frames(
@@ -187,7 +187,7 @@ def by_tensions(chain: Chain, steps: int) -> Outcome:
 
 
 def by_direct_chain(chain: Chain, steps: int) -> Outcome:
-    """Simulate the chain with DirectChain, which solves for the tensions of all rods at once."""
+    """Simulate a chain of rods with DirectChain, which solves for all of its tensions at once."""
     particles = chain.particles()
     solver = DirectChain(particles, Vector3())
     places = in_frames(solver.step, lambda: places_of(particles), chain.frames, steps)
@@ -200,7 +200,7 @@ def by_resolver(
     rods: Callable[[Sequence[Particle]], list[Any]],
     steps: int,
 ) -> Outcome:
-    """Simulate the chain with an integrator, and resolve the rods' contacts after each step."""
+    """Simulate a chain of rods with an integrator, and resolve its contacts after each step."""
     particles = chain.particles()
     resolver, work = ContactResolver(), 0
 
@@ -215,7 +215,7 @@ def by_resolver(
 
 
 def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
-    """Simulate the chain with pymunk, with pin joints as its rods.
+    """Simulate a chain of rods with pymunk, with pin joints as the rods.
 
     Pymunk's solver makes ``iterations`` iterations per step.
     """

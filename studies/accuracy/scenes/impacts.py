@@ -41,14 +41,14 @@ class Balls:
         self.ground, self.pair = ground, pair  # restitutions
 
     def particles(self) -> list[Particle]:
-        """Create the balls as particles of the engine, at rest at their initial heights."""
+        """Create the falling balls as particles of the engine, at rest at their initial heights."""
         return [
             Particle(Vector3(0.0, y), acceleration=Vector3(0.0, -G), mass=mass)
             for y, mass in zip(self.heights, self.masses, strict=True)
         ]
 
     def detectors(self, particles: list[Particle]) -> Detectors:
-        """Create detectors for the balls' contacts with the ground and with each other."""
+        """Create detectors for the contacts of the balls with the ground and with each other."""
         ground = GroundPlane(particles, radius=RADIUS, restitution=self.ground)
         if len(particles) == 1:
             return Detectors(ground)
@@ -104,7 +104,10 @@ def _fall(
 
 
 def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Simulate the balls with time division, which advances from one impact to the next."""
+    """Simulate bouncing balls with time division, which advances from one impact to the next.
+
+    The work counts the searches for the next impact.
+    """
     particles = balls.particles()
     detectors, work = balls.detectors(particles), 0
 
@@ -136,7 +139,7 @@ def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
 
 
 def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
-    """Simulate the balls with an integrator, detecting and resolving contacts after each step."""
+    """Simulate bouncing balls with an integrator, and resolve their contacts after each step."""
     particles = balls.particles()
     detectors, resolver = balls.detectors(particles), ContactResolver()
     step = resolving(integrator, particles, [detectors], resolver.resolve_contacts)
@@ -148,7 +151,7 @@ def _heights(particles: list[Particle]) -> Place:
 
 
 def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Simulate the balls with pymunk.
+    """Simulate bouncing balls with pymunk.
 
     Pymunk has no restitution for a pair of bodies, but multiplies the elasticities of the two
     bodies. The elasticities are chosen so that the products are the restitutions of this scene.

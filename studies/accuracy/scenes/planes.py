@@ -49,7 +49,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the load on each knot in N: its own weight plus its part of a walker's weight."""
+        """Return the load on each knot in N: its weight plus its part of the walker's weight."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -107,7 +107,7 @@ class Walker:
         self.knots, self.walker, self.weight = knots, walker, weight
 
     def update_force(self, _: Particle, __: float) -> None:
-        """Split the walker's weight between the knots on either side. The nearer knot gets more."""
+        """Split the walker's weight between the two knots next to it. The nearer knot gets more."""
         xs = [knot.position.x for knot in self.knots]
         knot, share = borne(xs, self.walker.position.x)
         self.knots[knot].add_force(Vector3(0.0, (share - 1.0) * self.weight))

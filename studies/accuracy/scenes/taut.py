@@ -63,7 +63,8 @@ class TautMotion:
         """Compute the derivatives of the cables' and struts' lengths for the equations of motion.
 
         The first result is the Jacobian matrix of the lengths, with one row per cable or strut. The
-        second is the part of each length's second derivative that comes from its rotation.
+        second is the part of each length's second derivative that comes from the rotation of the
+        cable or strut.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)

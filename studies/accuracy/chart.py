@@ -215,8 +215,8 @@ def told_ratio(found: Row) -> str:
     """Format the ratio of pymunk's time to ours, as in "5.51", "~ 5.51" or "> 120".
 
     A "~" means that pymunk's time is extrapolated, and ">" or "<" that the ratio is only a bound.
-    The text is empty if neither pymunk nor our models reached the tolerance, or if either never
-    can.
+    The text is empty if neither pymunk nor our models reached the tolerance, or if one of them
+    never can.
     """
     low, high = found.bounds
     if found.ratio:

@@ -1,7 +1,8 @@
 """Find the fastest model that simulates a scene accurately enough, among ours and pymunk's.
 
-Each side of the comparison, ours or pymunk's, has several models of a scene. Every comparison is
-between the fastest models that meet the same error tolerance.
+A model is one way to simulate a scene, such as an integrator. Each side of the comparison, ours or
+pymunk's, has several models. The fastest model of one side is compared with the fastest of the
+other, at the same error tolerance.
 """
 
 from __future__ import annotations
@@ -178,10 +179,11 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Find the fastest run that reliably meets a tolerance, and the next faster run.
+    """Find the cheapest run that reliably meets an error tolerance, and the next cheaper run.
 
-    A run is reliable if its model also meets the tolerance at every larger number of steps. The
-    next faster run is then not reliable. Either result is None if there is no such run.
+    The cheapest run is the one that takes the least time. A run is reliable if its model also meets
+    the tolerance at every larger number of steps. The next cheaper run is for comparison, and is
+    not reliable. Either result is None if there is no such run.
     """
     within = []
     for own in models_of(points).values():

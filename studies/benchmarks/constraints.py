@@ -105,7 +105,7 @@ def spread(count: int) -> ParticlePairs:
 
 
 def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with DirectChain, and return its tip's position.
+    """Simulate a swinging chain of rods for 1 s with DirectChain, and return where its tip is.
 
     ``rate`` is in steps per second.
     """
@@ -118,7 +118,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with DirectNet, and return its tip's position.
+    """Simulate a swinging chain of rods for 1 s with DirectNet, and return where its tip is.
 
     ``rate`` is in steps per second.
     """
@@ -132,7 +132,7 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with pymunk, and return its tip's position.
+    """Simulate a swinging chain of rods for 1 s with pymunk, and return where its tip is.
 
     Pin joints act as the rods, and pymunk's solver makes 10 iterations per step, its default.
     ``rate`` is in steps per second.

@@ -143,9 +143,9 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Set a tenth of the balls in motion, and run the world so that the others can fall asleep.
+    """Set a tenth of the balls in motion, and give the others enough time to fall asleep.
 
-    Return the world.
+    Return the world after these FRAMES frames.
     """
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0

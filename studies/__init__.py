@@ -1,1 +1,1 @@
-"""Study an engine: plot its results, and measure how fast, accurate and stable it is."""
+"""Measure how fast, accurate and stable the course's physics engine is, and plot its results."""

@@ -1,4 +1,7 @@
-"""Run a study from the command line, for example with python -m studies plot."""
+"""Run one of the studies of the physics engine, for example with python -m studies plot.
+
+Each study is a module with a function ``main``, and the first argument says which one to run.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,10 @@ COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy",
 
 
 def main() -> int:
-    """Run the study named by the first argument, and return its exit status."""
+    """Run the study that the first command-line argument names, and return its exit status.
+
+    A status of 2 means that the study could not run, for example because no study has that name.
+    """
     there = [name for name in COMMANDS if importlib.util.find_spec(f"studies.{name}")]
     name = sys.argv[1] if len(sys.argv) > 1 else ""
     if name not in there:

@@ -1,6 +1,7 @@
-"""Measure how fast the engine is, and report which speed targets it meets.
+"""Measure how fast the physics engine is, and report which of its speed targets it meets.
 
-Every figure is a ratio of two times, because ratios barely change from one machine to the next.
+Most results are ratios of two times, such as pymunk's time for a step divided by ours, because a
+ratio barely changes from one machine to the next.
 """
 
 from __future__ import annotations
@@ -22,9 +23,9 @@ from studies.timing import Line, Measurement, measure
 
 
 def main(arguments: list[str]) -> int:
-    """Take all measurements, print them, and write them to a file.
+    """Run all speed benchmarks of the physics engine, print the results, and save them as JSON.
 
-    Return 0 even if the engine misses a target.
+    Return 0 even if a result misses its target.
     """
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
     parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
@@ -54,7 +55,11 @@ def main(arguments: list[str]) -> int:
 
 
 def every(console: Console) -> list[Measurement]:
-    """Set up all measurements in the order of the report, and print which libraries are missing."""
+    """Set up all benchmarks of the engine, in the order in which the report lists them.
+
+    Some of them compare the engine with other libraries, such as NumPy. If a library is not
+    installed, its benchmarks are left out, and ``console`` shows how to install it.
+    """
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,
@@ -78,13 +83,19 @@ def every(console: Console) -> list[Measurement]:
 
 
 def told(line: Line) -> str:
-    """Format the result of a measurement: the median, the quartiles and the verdict."""
+    """Format a benchmark's result: the median, the quartiles, and whether it meets its target.
+
+    For example, the result is "1.32 (1.30 to 1.35), target at most 1.6: met".
+    """
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
 
 
 def number(figure: float) -> str:
-    """Format a figure with two decimals, or with none from 100 up."""
+    """Format a benchmark's result with two decimals, or as a whole number from 100 up.
+
+    For example, 1.234 becomes "1.23", and 1234.4 becomes "1,234".
+    """
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
 
 

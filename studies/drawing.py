@@ -1,4 +1,7 @@
-"""The colors, labels and arrows that all plots share."""
+"""Define the colors, labels and arrows that the plots of all chapters and studies share.
+
+Each integrator, for example, has the same color in every plot.
+"""
 
 from __future__ import annotations
 
@@ -44,7 +47,10 @@ GROWTH = ListedColormap(
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure, and the numbers it shows, which are written to a CSV file next to it."""
+    """A plot as a matplotlib figure, along with the numbers that it shows.
+
+    The numbers are saved as a CSV file next to the image, with ``columns`` as the header row.
+    """
 
     figure: Figure
     columns: Sequence[str]
@@ -52,9 +58,10 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Add notes below the picture that explain why some scenes ended early.
+    """Explain below a plot why some of the simulations that it shows stopped early.
 
-    No more than three notes are shown in full.
+    Each of the ``notes`` gives the reason for one simulation, such as an error in the student's
+    code. No more than three notes are shown, and a last line says how many more there are.
     """
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
@@ -66,7 +73,11 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
 def arrow(
     axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
 ) -> None:
-    """Draw a labeled arrow in the X-Y plane, unless a coordinate is NaN."""
+    """Draw a vector as a labeled arrow in the X-Y plane.
+
+    Nothing is drawn if a coordinate is NaN or infinite, which can happen if a student's code
+    computed the vector.
+    """
     if not is_drawable(tip, tail):
         return
     arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
@@ -78,9 +89,10 @@ def arrow(
 def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw an arrow in a view with +Y pointing up, unless a coordinate is NaN.
+    """Draw a vector as an arrow in a 3D plot in which +Y points up.
 
-    The label goes beyond the tip and may be empty.
+    The label, which may be empty, is placed beyond the tip. Nothing is drawn if a coordinate is NaN
+    or infinite.
     """
     if not is_drawable(tip, tail):
         return
@@ -94,7 +106,11 @@ def arrow_3d(
 
 
 def axes_3d(figure: Figure, place: Any, size: float) -> Any:
-    """Return axes for ``arrow_3d`` that extend from -size to size."""
+    """Add a 3D plot to a figure, with axes from -size to size, and with +Y pointing up.
+
+    Draw the arrows in it with ``arrow_3d``. ``place`` is the position of the plot in the figure, in
+    the form that ``add_subplot`` expects.
+    """
     axes: Any = figure.add_subplot(place, projection="3d")
     axes.set(xlim=(-size, size), ylim=(-size, size), zlim=(-size, size))
     axes.set(xlabel="z", ylabel="x", zlabel="y")
@@ -104,9 +120,11 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Return the exponent p of y ~ x^p, from a line fitted on logarithmic axes.
+    """Fit the power law y ~ x^p to data, and return the exponent p.
 
-    Return NaN if a value is not positive.
+    The exponent is the slope of a straight line through the data on logarithmic axes. If x is the
+    length of a time step and y is the error, p is the order of the integrator. Return NaN if a
+    value is not positive.
     """
     if not all(value > 0.0 for value in (*x, *y)):
         return math.nan
@@ -116,17 +134,21 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Draw a heat map of the growth of oscillations per step.
+    """Draw a heat map of how much oscillations grow in one time step of a simulation.
 
-    ``grown`` has one row per y. Values outside the color scale are clamped to its nearest end. Pass
-    the result to ``growth_bar``.
+    ``grown`` has one row of growth factors for each value in ``y``. A factor above 1, which means
+    that the simulation explodes, is drawn in red. Factors outside the color scale get the color of
+    its nearest end. Pass the result to ``growth_bar`` to draw the scale.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
 
 
 def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
-    """Draw the color scale of growth_map beside the panels."""
+    """Draw the color scale of a heat map from ``growth_map`` beside its panels.
+
+    The scale goes from 1/4 in blue, which means that an oscillation decays, to 4 in red.
+    """
     label = "growth of the oscillation per step (red: explodes)"
     bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
     bar.set_ticks([0.25, 0.5, 1.0, 2.0, 4.0], labels=["1/4", "1/2", "1", "2", "4"])

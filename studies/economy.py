@@ -1,8 +1,8 @@
-"""Measure how much time a simulation spends on parts that its scene does not need.
+"""Measure what it costs to simulate falling particles with more features than they need.
 
-In the scene, two hundred particles fall, and nothing else happens. Each bar of the chart shows the
-time per frame with one unnecessary part, divided by the time without it. The two times are measured
-back to back.
+Two hundred particles fall, and nothing else happens. Each bar of the chart stands for a feature
+that is not needed, such as a search for collisions. It shows the time per frame with the feature
+divided by the time without it. The two times are measured back to back.
 """
 
 from __future__ import annotations
@@ -28,7 +28,10 @@ Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure what the unnecessary parts cost, then print and draw the results. Return 0."""
+    """Measure the cost of features that falling particles do not need, and draw it as a bar chart.
+
+    The chart is saved as a PNG file, with its numbers in a CSV file next to it. Return 0.
+    """
     parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
     parser.add_argument(
         "--out",
@@ -60,7 +63,11 @@ def main(arguments: list[str]) -> int:
 
 
 def draw(lines: list[Line], png: Path) -> None:
-    """Draw the costs as bars, with the most expensive part on top."""
+    """Draw the cost of each unneeded feature as a bar, with the most expensive one on top.
+
+    The cost is the time per frame with the feature divided by the time without it. Whiskers show
+    the quartiles, and a dashed line at 1 shows where a bar would end if the feature cost nothing.
+    """
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
     ordered = sorted(lines, key=lambda line: line.median)
@@ -81,10 +88,10 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """Return the parts whose cost is measured, such as gravity as a force generator.
+    """List features that falling particles do not need, so that their cost can be measured.
 
-    Each part comes with its name, a function that runs a frame with it, and one that runs the same
-    frame without it.
+    One of them is gravity as a force generator. Each feature comes with its name, a function that
+    simulates a frame with it, and a function that simulates the same frame without it.
     """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
@@ -103,7 +110,11 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Return two hundred falling particles, far from the ground and from one another."""
+        """Create two hundred falling particles, far from the ground and from one another.
+
+        If ``acceleration`` is false, the particles do not accelerate by themselves, and a force
+        generator has to supply gravity.
+        """
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)
@@ -169,9 +180,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that moves the falling particles by one frame, in plain numbers.
+    """Return a function that moves two hundred falling particles by a frame, in plain floats.
 
-    ``dimensions`` is 2 or 3.
+    The particles have 2 or 3 coordinates, as given by ``dimensions``. Comparing the times for 2 and
+    3 shows what the third dimension costs.
     """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 

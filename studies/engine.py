@@ -1,4 +1,7 @@
-"""Choose the engine whose chapters the plots, scenes and measurements import."""
+"""Choose which physics engine the plots, scenes and measurements run: a student's or the reference.
+
+An engine is a folder with a package for each chapter of the course.
+"""
 
 from __future__ import annotations
 
@@ -21,16 +24,21 @@ _limited: set[tuple[Path, ...]] = set()
 
 
 def add_engine_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options ``--engine`` and ``--given`` to a student's command."""
+    """Add ``--engine`` and ``--given`` to a command that students run on their own code.
+
+    ``--engine`` names the folder with their work. ``--given`` lists chapters to take from the
+    reference solution instead.
+    """
     parser.add_argument("--engine", default="chapters", help="the folder with your work")
     parser.add_argument("--given", default="", help="chapters to take from the reference")
 
 
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
-    """Import chapters from the folder ``engine``, and ``given`` chapters from the reference.
+    """Make Python import the chapters of the course from ``engine``, such as a student's folder.
 
-    The code in the folder is restricted as in grading. If a folder or a chapter does not exist,
-    ``parser`` exits with a usage error.
+    The chapters listed in ``given``, such as "2-4", come from the reference solution instead. The
+    student's code is restricted in the same way as during grading. If a folder or a chapter does
+    not exist, ``parser`` exits with a usage error.
     """
     try:
         chapters = select_chapters(given) if given else []

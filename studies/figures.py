@@ -1,7 +1,8 @@
 """Redraw the pictures of all lessons with the reference solution, for `make figures`.
 
-The pictures are plots of `make plot` and scenes of the lab, reduced to fewer colors. Scenes are
-also scaled down and have fewer frames per second, so that pages load quickly.
+The pictures are the plots of `make plot` and recordings of scenes in the lab. All of them are
+reduced to fewer colors. The recordings are also scaled down and have fewer frames per second, so
+that the pages load quickly.
 """
 
 from __future__ import annotations
@@ -64,7 +65,10 @@ TIME_LIMIT = 600.0  # s for one plot; the reference has no endless loop, but mac
 
 
 def main(arguments: list[str]) -> int:
-    """Draw all pictures of all lessons. Return 1 if one could not be drawn."""
+    """Draw the pictures of all lessons, and save them in the chapters' folders.
+
+    Return 1 if a picture could not be drawn, and 0 otherwise.
+    """
     parser = argparse.ArgumentParser(prog="python -m studies figures", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the engine to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
@@ -99,7 +103,11 @@ def _file(out: Path, name: str) -> Path:
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
-    """Return the frames of an animation, one per PICTURE_TIME, reduced to a width of WIDTH px."""
+    """Shrink a recorded animation, and return its frames, one for every PICTURE_TIME ms.
+
+    The frames are WIDTH px wide. They share one small palette, so that parts of the scene that
+    stand still do not flicker.
+    """
     pictures: list[Image.Image] = []
     time = 0.0
     with Image.open(animation) as frames:
@@ -122,7 +130,10 @@ def _shrunk(animation: Path) -> list[Image.Image]:
 
 
 def _still(animation: Path, seconds: float) -> Image.Image:
-    """Return the frame of ``animation`` at ``seconds``, at full size."""
+    """Return the frame that an animation shows at ``seconds``, at full size.
+
+    A lesson shows this frame as a still picture that links to the animation.
+    """
     left = 1000.0 * seconds
     with Image.open(animation) as frames:
         for frame in ImageSequence.Iterator(frames):
@@ -142,7 +153,7 @@ def _palette(picture: Image.Image, count: int) -> Image.Image:
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:
-    """Write a picture, or several as an endless animation, and print its path and size."""
+    """Save an image, or several as an endlessly repeating GIF, and print its path and size."""
     place.parent.mkdir(parents=True, exist_ok=True)
     if len(pictures) == 1:
         pictures[0].save(place, optimize=True)

@@ -1,6 +1,6 @@
-"""Read numbers and vectors from an engine that may be wrong or unfinished.
+"""Read numbers and vectors from a student's engine, which may be wrong or unfinished.
 
-Vectors come back as tuples of plain numbers.
+Vectors become tuples of floats, so that plots can compute with them without the student's code.
 """
 
 from __future__ import annotations
@@ -15,7 +15,10 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Return whether the student has written all the engine code that ``call`` runs."""
+    """Check whether a student has already written all the functions that ``call`` runs.
+
+    A function that is not written yet raises NotImplementedError.
+    """
     try:
         call()
     except NotImplementedError:
@@ -24,9 +27,10 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Run ``act``, and return the text of the error that stopped it.
+    """Run part of a simulation, and return the message of the error that stopped it.
 
-    If the engine raised no error, return an empty string.
+    Return an empty string if the student's engine raised no error. The message looks like this:
+    "ZeroDivisionError: division by zero".
     """
     try:
         act()
@@ -36,10 +40,13 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run the scenes whose engine code has been written, and return their results by key.
+    """Run the simulations whose code the student has written, and return their results by key.
+
+    A simulation that needs unwritten code is left out, so that an unfinished engine can be plotted,
+    too.
 
     Raises:
-        NotImplementedError: Every scene needs code that is not written yet.
+        NotImplementedError: Every simulation needs code that is not written yet.
     """
     found: dict[Key, Found] = {}
     stub: NotImplementedError | None = None
@@ -54,9 +61,10 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 
 
 def numbers(v: Any) -> Numbers:
-    """Return the components of an engine's vector, with NaN for any that is not a number.
+    """Convert a vector of a student's engine to a tuple of three floats.
 
-    A component that is not a number then leaves a gap in a plot, and the plot is still drawn.
+    A component that is not a number becomes NaN. A plot then has a gap there, but it is still
+    drawn.
     """
     return (
         number(getattr(v, "x", None)),
@@ -74,12 +82,18 @@ def number(value: Any) -> float:
 
 
 def dot(a: Numbers, b: Numbers) -> float:
-    """Return the scalar product of plain numbers, computed without the engine."""
+    """Compute the scalar product of two tuples of floats.
+
+    This does not use the student's Vector3, whose scalar product may be wrong.
+    """
     return math.fsum(p * q for p, q in zip(a, b, strict=True))
 
 
 def cross(a: Numbers, b: Numbers) -> Numbers:
-    """Return the vector product of plain numbers, computed without the engine."""
+    """Compute the vector product of two tuples of floats.
+
+    This does not use the student's Vector3, whose vector product may be wrong.
+    """
     return (
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -88,12 +102,12 @@ def cross(a: Numbers, b: Numbers) -> Numbers:
 
 
 def angle_between(a: Numbers, b: Numbers) -> float:
-    """Return the angle between ``a`` and ``b`` in degrees, or NaN if either of them is zero."""
+    """Compute the angle between two vectors in degrees, or NaN if either of them is zero."""
     if not math.hypot(*a) * math.hypot(*b) > 0.0:
         return math.nan
     return math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b)))
 
 
 def is_drawable(*vectors: Numbers) -> bool:
-    """Return whether all components of these vectors are finite numbers."""
+    """Return whether all components of the vectors are finite, so that matplotlib can draw them."""
     return all(math.isfinite(value) for vector in vectors for value in vector)

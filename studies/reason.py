@@ -1,4 +1,4 @@
-"""Explain why a student's code failed, for display in a plot or a scene."""
+"""Explain to students why their code failed when a plot or a scene of the lab ran it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,11 @@ from autograder.manifest import ROOT
 
 
 def reason(error: BaseException) -> str:
-    """Describe ``error``: its text, the line that raised it, and its likeliest cause."""
+    """Describe an error in a student's code: its message, its line, and its likely cause.
+
+    The cause is added only if the error is a common one. Code that is still to be written is
+    reported as "not written yet".
+    """
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
     if isinstance(error, SyntaxError) and error.filename:
@@ -31,5 +35,8 @@ def reason(error: BaseException) -> str:
 
 
 def shown(path: Path) -> Path:
-    """Make a path relative to the current folder if possible, which keeps messages short."""
+    """Shorten a path for a message by making it relative to the current folder.
+
+    A path outside that folder is returned unchanged.
+    """
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -1,8 +1,9 @@
-"""Measure times as ratios. Unlike seconds, ratios barely change from one machine to the next.
+"""Time two pieces of code, and report the ratio of their times.
 
-The two times of a ratio are measured back to back, in one run on one machine. The rounds of all
-measurements are shuffled, so that when the machine is slow for a minute, all of them suffer a
-little rather than one of them a lot. The report shows the median and the quartiles of the rounds.
+Unlike a time in seconds, a ratio barely changes from one machine to the next. The two times of a
+ratio are measured back to back, in several rounds. The rounds of all benchmarks are shuffled, so
+that when the machine is slow for a minute, all of them suffer a little rather than one of them a
+lot. The report shows the median and the quartiles of the rounds.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ LEAST = 5e-3  # s; a shorter time is measured several times per round
 
 @dataclass(frozen=True)
 class Target:
-    """A bound that a measured figure must meet, such as "at least 4"."""
+    """A bound that the result of a benchmark must meet, such as "at least 4"."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -41,15 +42,15 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether ``figure`` meets the bound. A figure equal to the bound meets it."""
+        """Return whether a benchmark's result meets the bound, which includes being equal to it."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """A benchmark figure that is measured in several rounds.
+    """A benchmark that is run in several rounds, such as pymunk's time divided by ours.
 
-    ``what`` describes the figure, and ``once`` runs one round and returns the value measured.
+    ``what`` describes the benchmark in the report. ``once`` runs one round and returns its result.
     """
 
     what: str
@@ -60,7 +61,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Line:
-    """The result of a measurement: the median and the quartiles of its rounds."""
+    """One line of the benchmark report: the median and the quartiles of a benchmark's rounds."""
 
     what: str
     median: float
@@ -70,25 +71,32 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """Whether the target is "met" or "missed", or an empty string if there is no target."""
+        """The verdict in the report: "met" or "missed", or "" if the benchmark has no target."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
 
 
 def timer(run: Callable[[], object], times: int = 1) -> Timer:
-    """Return a function that calls ``run`` this many times, and returns the time in s."""
+    """Return a function that calls ``run`` the given number of times, and returns the time in s."""
     return lambda: timeit.timeit(run, number=times)
 
 
 def statement_timer(code: str, setup: str) -> Timer:
-    """Return a function that runs a statement many times, and returns the time in s."""
+    """Return a function that times TIMES runs of a Python statement, in s.
+
+    One run would be too short to time. ``setup`` defines the variables of the statement, and is not
+    timed.
+    """
     prepared = timeit.Timer(code, setup)
     return lambda: prepared.timeit(TIMES)
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Measure two times back to back, in random order, and return both of them."""
+    """Measure two times back to back, and return both of them.
+
+    Which one is measured first is random, so that the order gives neither of them an advantage.
+    """
     if random.random() < 0.5:
         a = warm(first)
         return a, warm(second)
@@ -97,9 +105,10 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Measure a time, or the mean of several if the first is shorter than LEAST.
+    """Measure how long a piece of code takes, as the mean of several runs if it is fast.
 
-    The mean leaves out the first run, because its cold caches would dominate a short measurement.
+    Code that takes less than LEAST is run again for that long. The mean leaves out the first run,
+    because its cold caches would dominate a short measurement.
     """
     taken = timed()
     if taken >= LEAST:
@@ -112,7 +121,10 @@ def warm(timed: Timer) -> float:
 
 
 def versus(first: Timer, second: Timer) -> Figure:
-    """Return a function that measures the ratio of two times, first / second."""
+    """Return a function that measures two times and returns their ratio, first / second.
+
+    Each call of the function is one round of a benchmark.
+    """
 
     def once() -> float:
         a, b = both(first, second)
@@ -122,10 +134,10 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Take all rounds of all measurements in mixed order, and return a line for each measurement.
+    """Run all rounds of all benchmarks in mixed order, and return a report line for each one.
 
-    On a terminal, a bar shows the current measurement and the time left. It is updated only between
-    rounds, so that it does not slow them down.
+    On a terminal, a progress bar shows the current benchmark and the time left. The bar is updated
+    only between rounds, so that it does not slow them down.
     """
     figures: list[list[float]] = [[] for _ in measurements]
     order = mixed([measurement.rounds for measurement in measurements])
@@ -152,10 +164,11 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return a random order in which the index ``i`` appears ``rounds[i]`` times.
+    """Shuffle the rounds of all benchmarks, so that each benchmark is spread over the whole run.
 
-    For each index, the run is divided into as many equal parts as the index has rounds, and the
-    index appears once in each part, at a random time. That spreads its rounds over the whole run.
+    The result lists the index ``i`` of a benchmark ``rounds[i]`` times. For each benchmark, the run
+    is divided into as many equal parts as there are rounds of it, and each part gets one round, at
+    a random time.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
@@ -173,11 +186,12 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """Return measurements that compare other libraries' times with ours.
+    """Set up benchmarks of other libraries against our own classes, one for each library.
 
-    Each figure is the geometric mean of the ratios for the operations that both libraries have.
-    ``name`` is the name of our module. A peer is given by its module, a title and a target. Peers
-    that are not installed are reported and skipped.
+    The result is the library's time divided by ours, as a geometric mean over all operations that
+    both have. ``name`` names our classes in the report. A peer is given by its module, its name in
+    the report, and a target. If a library is not installed, it is skipped, and ``console`` shows
+    how to install it.
     """
     ours = statements["ours"]
     found = []
@@ -203,5 +217,8 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Combine several figures into one: their geometric mean."""
+    """Return a function that measures several ratios, and returns their geometric mean.
+
+    The mean sums up the ratios of several operations, such as adding two vectors, in one number.
+    """
     return lambda: statistics.geometric_mean([once() for once in figures])

@@ -1,4 +1,7 @@
-"""List all scenes of the accuracy study, so that commands can select them by name."""
+"""List the scenes in which our engine is compared with pymunk, from a pendulum to a rope bridge.
+
+Commands use the list to select scenes by name.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,9 @@ from studies.accuracy.scenes.springs import SPRINGS
 
 
 def scenes_with(part: str) -> list[Scene]:
-    """Return the scenes whose names contain ``part``, which is all of them if ``part`` is empty.
+    """Create the scenes whose names contain ``part``, or all scenes if ``part`` is empty.
+
+    For example, "double" selects only the double pendulum.
 
     Raises:
         ValueError: No scene matches. The message lists all names.

@@ -1,7 +1,8 @@
-"""Draw the charts of the accuracy study.
+"""Draw charts of how accurate each model of a scene is, and how long it takes.
 
-Each scene gets two panels, which plot the error of every model against its processor time and
-against its work. An overview compares our models with pymunk in all scenes.
+A model is one way to simulate the scene, such as an integrator. Each scene gets two panels, which
+plot the error of every model against its processor time and against its work. An overview compares
+our models with pymunk in all scenes.
 """
 
 from __future__ import annotations
@@ -44,9 +45,11 @@ COLUMNS = (
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Save the chart of one scene as ``png``, and its points as a CSV file next to it.
+    """Draw how accurately and how fast each model, such as an integrator, simulates a scene.
 
-    ``counted`` says what the models count as work.
+    The left panel plots the error of each model against its processor time, and the right panel
+    against its work. ``counted`` says what the models count as work, such as "contacts resolved".
+    The chart is saved as ``png``, with its points in a CSV file next to it.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
@@ -96,9 +99,9 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Continue pymunk's curve as a dotted line, to errors that pymunk did not reach.
+    """Extend pymunk's curve with a dotted line to smaller errors than its runs reached.
 
-    The line ends at the tightest tolerance to which its time could be extrapolated.
+    The line ends at the tightest tolerance to which pymunk's time could be extrapolated.
     """
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
@@ -115,17 +118,18 @@ def _draw_extrapolated(
 
 
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
-    """Plot pymunk's time as a multiple of our best model's, for each scene and tolerance.
+    """Plot how many times as long as our fastest model pymunk takes, for each scene and tolerance.
 
     A filled mark is a measured ratio. Other marks:
 
     - An open mark without an arrow is an estimate. Pymunk did not reach the tolerance within the
       time limit, so its time is extrapolated from its order of convergence.
-    - An open mark with an arrow is only a bound, because one side did not reach the tolerance
-      within the time limit.
-    - The word "never" at the edge means that one side cannot reach the tolerance at all.
+    - An open mark with an arrow is only a bound, because either pymunk or our models did not reach
+      the tolerance within the time limit.
+    - The word "never" at the edge means that either pymunk or our models cannot reach the tolerance
+      at all.
 
-    There is no mark if neither side reaches the tolerance.
+    There is no mark if neither pymunk nor our models reach the tolerance.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
@@ -155,11 +159,11 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Mark pymunk's time relative to ours in one scene, at height ``y``.
+    """Draw one mark of the overview: pymunk's time divided by ours, at one error tolerance.
 
-    The mark is filled if both times were measured, and open if one was extrapolated. It has an
-    arrow if the ratio is only a bound. If one side can never reach the tolerance, the word "never"
-    appears at the edge instead.
+    The mark is drawn at height ``y``. It is filled if both times were measured, and open if one was
+    extrapolated. It has an arrow if the ratio is only a bound. If pymunk or our models can never
+    reach the tolerance, the word "never" appears at the edge instead.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
@@ -177,7 +181,11 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Sum up how our models compare with pymunk, as a phrase for a chart's title."""
+    """Compare our fastest model with pymunk's in a phrase for a chart's title.
+
+    For example, "at an error of 0.0001 of the scale, leapfrog takes 3.2 ms, and pymunk takes 12
+    times as long".
+    """
     ours, theirs = found.ours, found.pymunk
     start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:
@@ -192,11 +200,10 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Name the fastest model of one side, ours or pymunk's, along with its time.
+    """Name the fastest of our models, or of pymunk's, with its time, as in "leapfrog, 3.2 ms".
 
-    If no model met the tolerance, say so instead.
-
-    If the time is extrapolated, add the order of convergence.
+    If the time is extrapolated, add the order of convergence. If no model met the tolerance, return
+    "never" or, if more steps might have helped, something like "not within 600 ms".
     """
     if side.time is not None:
         time = f"{side.model}, {_number(1e3 * side.time)} ms"
@@ -205,10 +212,11 @@ def told(side: Side) -> str:
 
 
 def told_ratio(found: Row) -> str:
-    """Say how many times as long as our model pymunk takes, as in "5.51", "~ 5.51" or "> 120".
+    """Format the ratio of pymunk's time to ours, as in "5.51", "~ 5.51" or "> 120".
 
     A "~" means that pymunk's time is extrapolated, and ">" or "<" that the ratio is only a bound.
-    The result is empty if neither of the two reached the tolerance, or if one of them never can.
+    The text is empty if neither pymunk nor our models reached the tolerance, or if one of them
+    never can.
     """
     low, high = found.bounds
     if found.ratio:
@@ -226,8 +234,8 @@ def _number(value: float) -> str:
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
     """Choose a color and a marker for each model in a chart.
 
-    Pymunk's models are black and gray, and the book's are red. The integrators of chapter 6 keep
-    their colors from chart to chart, and all other models share what is left.
+    Pymunk's models are black and gray, and the textbook's are red. The integrators of chapter 6
+    have the same colors in all charts, and the remaining colors go to the other models.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)

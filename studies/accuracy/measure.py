@@ -1,8 +1,8 @@
-"""Measure the error, work and time of every model in some scenes.
+"""Measure the error, the work and the time of every model in a list of scenes.
 
-The error and work of a model never vary, so they are measured only once. Times do vary, so they are
-measured in several rounds. Each round times all models in random order, so that a burst of load on
-the machine does not always hit the same one.
+A model is one way to simulate a scene, such as an integrator. Its error and work never vary, so
+they are measured only once. Times do vary, so they are measured in several rounds. Each round times
+all models in random order, so that a burst of load on the machine does not always hit the same one.
 
 The results are saved after every round. If a run is interrupted, the next one picks up from there,
 as long as the code and the versions have not changed.
@@ -36,10 +36,10 @@ LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW r
 
 @dataclass
 class Point:
-    """The error and time of one model in a scene, at one number of steps.
+    """The error, work and time of one model in one scene, at one number of steps per frame.
 
-    ``steps`` is the number of steps per frame or, for a model that takes a tolerance, 1 /
-    tolerance. ``times`` holds the time of each round in s.
+    A chart shows it as one mark. A model that chooses its own steps takes a tolerance instead, and
+    its ``steps`` is 1 / tolerance. ``times`` holds the processor time of each timing round in s.
     """
 
     scene: str
@@ -52,18 +52,21 @@ class Point:
 
     @property
     def time(self) -> float:
-        """The median of the measured times in s."""
+        """The median of the processor times that were measured for this run, in s."""
         return statistics.median(self.times)
 
     @property
     def spread(self) -> tuple[float, float]:
-        """The lower and upper quartiles of the measured times, in s."""
+        """The lower and upper quartiles of the processor times measured for this run, in s."""
         return quartiles(self.times)
 
 
 @dataclass
 class Measured:
-    """The points measured in the accuracy study so far, and how many rounds have been timed."""
+    """The points that `make charts` has measured so far, and the number of timing rounds.
+
+    They are saved after every round, so that an interrupted run can resume.
+    """
 
     points: list[Point]
     rounds: int = 0
@@ -72,10 +75,11 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Measure the error and work of every model in ``scenes``, without timing them yet.
+    """Simulate each scene with all of its models to measure their errors and work, but not times.
 
-    Each model is run with more and more steps until it is exact, or until a run takes longer than
-    ``slowest`` seconds, or ``theirs`` seconds for pymunk's models.
+    Each model runs with more and more steps per frame until it is exact, or until a run takes
+    longer than ``slowest`` seconds, or ``theirs`` seconds for pymunk's models. Before a model runs,
+    its name is passed to ``hear``, which shows it.
     """
     points = []
     for scene in scenes:
@@ -93,9 +97,9 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model with this many steps per frame, and return None if the run fails.
+    """Simulate a scene with one of its models, and return None if the simulation fails.
 
-    For example, a run fails if its steps are so long that the motion explodes.
+    It fails, for example, if the steps are so long that the motion explodes.
     """
     try:
         return model.run(steps)
@@ -104,9 +108,10 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Run one more timing round: time every point once, in random order.
+    """Run one more timing round: time every model at every number of steps, in random order.
 
-    A run that takes longer than LONG is timed only in the first FEW rounds.
+    A run that takes longer than LONG is timed only in the first FEW rounds. After each run,
+    ``hear`` is called to advance a progress bar.
     """
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
@@ -117,9 +122,9 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 
 
 def seconds_of(model: Model, steps: int) -> float:
-    """Return the processor time in s of a run with ``steps`` steps per frame.
+    """Measure the processor time in s of one simulation with ``steps`` steps per frame.
 
-    A short run cannot be timed precisely, so it is repeated and the times are averaged.
+    A short simulation cannot be timed precisely, so it is repeated and the times are averaged.
     """
     count = 0
     start = time.process_time()
@@ -130,19 +135,20 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save the measured points, so that an interrupted study can resume where it left off.
+    """Save the measured points in a file, so that an interrupted run of `make charts` can resume.
 
-    ``sign`` is the study's signature, from ``sign_of``. The file is replaced atomically, so an
-    interruption cannot corrupt it.
+    ``sign`` is the signature from ``sign_of``. The file is replaced atomically, so an interruption
+    cannot corrupt it.
     """
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     replace_bytes(path, json.dumps(data).encode())
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Load the results of an interrupted study from ``path``.
+    """Load the points that an interrupted run of `make charts` has measured.
 
-    Return None if the file does not exist or its signature is not ``sign``.
+    Return None if the file cannot be read, or if its signature is not ``sign``, which means that
+    the points are out of date.
     """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
@@ -154,10 +160,10 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Return a signature that changes whenever saved results are out of date.
+    """Compute a signature that changes whenever the saved points of `make charts` are out of date.
 
     It depends on the names of the scenes, the time limits, the code of the engine and the studies,
-    and the versions of Python and pymunk.
+    the platform, and the versions of Python and pymunk.
     """
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):

@@ -1,6 +1,8 @@
-"""Find the fastest model that meets a tolerance, among ours and among pymunk's.
+"""Find the fastest model that simulates a scene accurately enough, among ours and pymunk's.
 
-A "side" of the comparison is either all of our models or all of pymunk's.
+A model is one way to simulate a scene, such as an integrator. Each side of the comparison, ours or
+pymunk's, has several models. The fastest model of one side is compared with the fastest of the
+other, at the same error tolerance.
 """
 
 from __future__ import annotations
@@ -20,11 +22,11 @@ FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the sma
 
 @dataclass(frozen=True)
 class Side:
-    """The fastest model of one side, ours or pymunk's, that meets a tolerance. Its time is in s.
+    """The fastest model that meets an error tolerance in a scene, among ours or among pymunk's.
 
-    ``model`` and ``time`` are None if no model meets the tolerance. In that case, every model that
-    might have met it with more steps has been run for at least ``longest`` seconds. ``never`` is
-    true if no number of steps would have been enough for any model.
+    ``time`` is in s. ``model`` and ``time`` are None if no model meets the tolerance. In that case,
+    every model that might have met it with more steps has been run for at least ``longest``
+    seconds. ``never`` is true if no number of steps would have been enough for any model.
 
     If ``order`` is not None, no run met the tolerance, and ``time`` is extrapolated with that order
     of convergence.
@@ -39,7 +41,10 @@ class Side:
 
 @dataclass(frozen=True)
 class Row:
-    """The comparison of our models with pymunk's in one scene, at one tolerance."""
+    """A comparison of our fastest model with pymunk's in one scene, at one error tolerance.
+
+    The tolerance is a fraction of the scene's scale.
+    """
 
     scene: str
     tolerance: float
@@ -48,22 +53,23 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """Pymunk's time as a multiple of ours, or None if either time is unknown."""
+        """How many times as long as our model pymunk takes, or None if either time is unknown."""
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time
 
     @property
     def is_extrapolated(self) -> bool:
-        """Whether pymunk's time is extrapolated from its order of convergence."""
+        """Whether pymunk's time is an estimate, since none of its runs was accurate enough."""
         return self.pymunk.order is not None
 
     @property
     def bounds(self) -> tuple[float, float]:
         """The lower and upper bounds on the ratio of pymunk's time to ours.
 
-        They are needed when one side missed the tolerance. All that is known then is that it needs
-        more time than its longest run took, so the ratio is bounded on one side only.
+        They are needed when pymunk or our models missed the tolerance. All that is known then is
+        that meeting it takes longer than the longest run did, so only one of the two bounds is
+        useful.
         """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
@@ -75,10 +81,11 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Return the index of the first point that meets ``tolerance`` along with all points after it.
+    """Find the run with the fewest steps that reliably meets an error tolerance.
 
-    ``ordered`` is sorted by number of steps. One point inside the tolerance is not enough, because
-    its error may be small by chance. If even the last point is outside, return None.
+    ``ordered`` holds a model's runs, sorted by number of steps. Return the index of the first run
+    that meets the tolerance along with all runs after it, since a single error may be small by
+    chance. If even the last run misses the tolerance, return None.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -86,9 +93,9 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s that a model takes to meet ``tolerance``, or None if it never does.
+    """Return the time in s that a model takes to meet an error tolerance, or None if it never does.
 
-    The time is interpolated between two measured step counts, on logarithmic scales.
+    The time is interpolated between two measured runs, on logarithmic scales.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     first = first_within(ordered, tolerance)
@@ -107,7 +114,7 @@ def stalls(points: Sequence[Point]) -> bool:
 
     A model stalls if eight times as many steps do not even halve its error, when at order 1 they
     would cut it to an eighth. We assume that its error never gets any smaller. While the error is
-    still a tenth of the scale or more, it is too early to tell.
+    still a tenth of the scene's scale or more, it is too early to tell.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -119,7 +126,7 @@ def order_of(points: Sequence[Point]) -> float | None:
 
     The order is the exponent p of an error proportional to 1 / steps^p, measured over an eightfold
     increase in the number of steps. Return None if the error does not fall steadily, if it is a
-    tenth of the scale or more, or if there are fewer than four points.
+    tenth of the scene's scale or more, or if there are fewer than four runs.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -138,7 +145,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
     The number of steps follows from the model's order of convergence, and each step is assumed to
     take as long as in the run with the most steps. Return None if the model has no steady order, or
-    if its smallest error is more than FARTHEST times the tolerance.
+    if that run's error is more than FARTHEST times the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -148,7 +155,10 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group measured points by model, keeping each model's points in their order."""
+    """Group measured points by model, without changing the order of each model's points.
+
+    A chart shows each group as a line.
+    """
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -156,7 +166,10 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Find the fastest of these models that meets ``tolerance``."""
+    """Find the fastest model that meets ``tolerance``, among ours or among pymunk's.
+
+    ``points`` are the measured runs of all of our models in a scene, or of all of pymunk's.
+    """
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
@@ -166,10 +179,11 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Return the cheapest point that reliably meets a tolerance, and the next cheaper point.
+    """Find the cheapest run that reliably meets an error tolerance, and the next cheaper run.
 
-    A point is reliable if its model also meets the tolerance at every larger number of steps. If
-    there is no such point, None takes its place.
+    The cheapest run is the one that takes the least time. A run is reliable if its model also meets
+    the tolerance at every larger number of steps. The next cheaper run is for comparison, and is
+    not reliable. Either result is None if there is no such run.
     """
     within = []
     for own in models_of(points).values():
@@ -182,13 +196,19 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Split the points into ours and pymunk's, counting the book's own step as ours."""
+    """Separate the measured points of our models from those of pymunk's.
+
+    The textbook's own integrator counts as one of ours.
+    """
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
 
 def row(points: Sequence[Point], tolerance: float) -> Row:
-    """Compare our models with pymunk's in one scene, for one tolerance."""
+    """Compare our fastest model with pymunk's fastest in one scene, at one error tolerance.
+
+    If pymunk missed the tolerance in all of its runs, its time is extrapolated if possible.
+    """
     ours, theirs = split(points)
     side = side_of(theirs, tolerance)
     if side.time is None:
@@ -197,10 +217,10 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 
 
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
-    """Estimate how long a side that missed ``tolerance`` would have taken to meet it.
+    """Estimate how long pymunk would take to meet a tolerance that none of its runs met.
 
     The estimate is that of its fastest model, extrapolated from the model's order of convergence.
-    If no model has a steady order, return the side unchanged.
+    If no model has a steady order, return ``side`` unchanged.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
@@ -212,7 +232,10 @@ def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
 
 
 def table(points: Sequence[Point]) -> list[Row]:
-    """Compare our models with pymunk's in every scene, for every tolerance."""
+    """Compare our fastest model with pymunk's in every scene, at every error tolerance.
+
+    `make charts` prints the result as a table, and draws it as the overview picture.
+    """
     scenes: dict[str, list[Point]] = {}
     for point in points:
         scenes.setdefault(point.scene, []).append(point)
@@ -220,9 +243,9 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Return the points that no other point beats in both time and error, sorted by time.
+    """Find the runs with the best trade-offs between speed and accuracy, sorted by time.
 
-    These points are the best trade-offs between speed and accuracy. Errors that are due only to
+    No other run is both faster and more accurate than one of these. Errors that come only from
     rounding count as equal.
     """
     kept: list[Point] = []

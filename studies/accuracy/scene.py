@@ -1,9 +1,10 @@
-"""Define what makes up a scene of the accuracy study: its exact solution, and its models.
+"""Define what a scene is when our engine is compared with pymunk, and the models that simulate it.
 
-A model returns the positions at the end of every frame, at 60 frames per second, and may take any
-number of steps per frame. Its error is the largest deviation of any coordinate from the exact
-solution at the end of any frame, as a fraction of the scene's scale. A model therefore has to be
-accurate all along, not just at the end of the run.
+A scene, such as a pendulum, has an exact solution. A model is one way to simulate the scene, such
+as an integrator, and may take any number of steps per frame. It returns the positions at the end of
+every frame, at 60 frames per second. Its error is the largest deviation of any coordinate from the
+exact solution at the end of any frame, as a fraction of the scene's scale. A model therefore has to
+be accurate all along, not just at the end of the run.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x,
 
 @dataclass(frozen=True)
 class Outcome:
-    """The result of a run: the positions at the end of every frame, and the work.
+    """The result of simulating a scene: the positions at the end of every frame, and the work.
 
     The work is the number of force evaluations, unless the scene's ``counted`` says otherwise.
     """
@@ -45,7 +46,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Model:
-    """A way to run a scene, such as an integrator, at a given number of steps per frame.
+    """One way to simulate a scene, such as an integrator, at a given number of steps per frame.
 
     ``by`` says whose method it is: "ours", "the book" or "pymunk". An exact model has no step count
     to choose, so its ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own
@@ -62,10 +63,10 @@ class Model:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene with its number of frames, its exact solution and its models.
+    """A scene to simulate, such as a pendulum, with its exact solution and its models.
 
     ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m.
-    ``counted`` says what the models count as work.
+    ``models`` are the ways to simulate it, and ``counted`` says what they count as work.
 
     The exact solution is usually a closed form, or SciPy's solution of a single equation. When it
     is neither, ``differs`` checks it by solving the scene in two independent ways, and returns the
@@ -81,9 +82,10 @@ class Scene:
     differs: Callable[[], float] | None = None
 
     def error(self, outcome: Outcome) -> float:
-        """Return the largest error of any coordinate in any frame, as a fraction of the scale.
+        """Compute the error of a simulation, as a fraction of the scene's scale.
 
-        If a coordinate is not finite, the error is infinite.
+        It is the largest deviation of any coordinate from the exact solution at the end of any
+        frame. If a coordinate is not finite, the error is infinite.
         """
         worst = 0.0
         for frame, place in enumerate(outcome.places, 1):
@@ -98,12 +100,12 @@ def solved(
     place: Callable[[Any], Place],
     frames: int,
 ) -> Callable[[float], Place]:
-    """Return the exact solution of a scene without a closed form, from its equations of motion.
+    """Return the exact motion of a scene that has no closed form, as a function of time.
 
-    ``rates`` are the equations, as a function of time and state in the form that SciPy expects.
-    ``start`` is the initial state, and ``place`` converts a state to positions. The first call
-    makes SciPy solve the equations for the end of every frame. Its error of about 1e-11 is far
-    below the tightest tolerance.
+    SciPy solves the equations of motion for the end of every frame when the function is first
+    called. Its error of about 1e-11 is far below the tightest tolerance. ``rates`` are the
+    equations, as a function of time and state in the form that SciPy expects. ``start`` is the
+    initial state, and ``place`` converts a state to positions.
     """
 
     @cache
@@ -121,9 +123,9 @@ def solved(
 def in_frames(
     step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
 ) -> list[Place]:
-    """Run ``frames`` frames of ``steps`` steps each, and return the positions after every frame.
+    """Simulate a scene with ``steps`` steps per frame, and return its positions after every frame.
 
-    ``step`` advances the scene by a time in s, and ``place`` returns its current positions.
+    ``step`` advances the simulation by a time in s, and ``place`` returns its current positions.
     """
     places: list[Place] = []
     duration = 1.0 / (RATE * steps)
@@ -135,9 +137,10 @@ def in_frames(
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
-    """Return one model per integrator of chapter 6, each of which moves a single particle.
+    """Create a model for each integrator of chapter 6, to simulate a single particle.
 
-    The last model is the adaptive integrator, which chooses its own steps.
+    ``make`` returns the particle and its force generators. The last model is the adaptive
+    integrator, which chooses its own steps.
     """
     fixed = [
         Model(
@@ -151,7 +154,11 @@ def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
 
 
 def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
-    """Return the model that takes a tolerance and chooses its own steps within every frame."""
+    """Create a model that simulates a particle with chapter 6's adaptive integrator.
+
+    The integrator chooses its own steps within every frame, so the model takes a tolerance instead
+    of a number of steps.
+    """
 
     def run(finer: int) -> Outcome:
         return by_forces(make, adaptive(1.0 / finer), frames)(1)
@@ -162,9 +169,10 @@ def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
 def by_forces(
     make: Callable[[], Made], integrator: Integrator, frames: int
 ) -> Callable[[int], Outcome]:
-    """Return a function that runs a particle in the X-Y plane and counts the force evaluations.
+    """Return a function that simulates a particle in the X-Y plane and counts force evaluations.
 
-    ``make`` returns a new particle and its force generators for each run.
+    Its argument is the number of steps per frame. ``make`` returns a new particle and its force
+    generators for each run.
     """
 
     def run(steps: int) -> Outcome:
@@ -191,7 +199,10 @@ def by_forces(
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Return a model that needs no steps, since it evaluates a closed form once per frame."""
+    """Create a model without time steps, which evaluates a closed form once per frame.
+
+    ``place_at`` returns the position at a time in s.
+    """
 
     def run(_: int) -> Outcome:
         return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)
@@ -205,10 +216,10 @@ def by_pymunk(
     frames: int,
     pull: Pull | None = None,
 ) -> Model:
-    """Return a model that steps a pymunk body, evaluating its forces once per step.
+    """Create a model that simulates one body with pymunk, evaluating its forces once per step.
 
-    ``pull`` is a force that the model applies before every step. Without it, only gravity and
-    pymunk's own springs act on the body.
+    ``make`` returns a space and the body. ``pull`` is a force that the model applies before every
+    step. Without it, only gravity and pymunk's own springs act on the body.
     """
 
     def run(steps: int) -> Outcome:
@@ -228,7 +239,7 @@ def by_pymunk(
 
 
 def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
-    """Create a pymunk space without gravity and with a single body, and return both."""
+    """Create a pymunk space without gravity that has a single body, and return both."""
     import pymunk  # here, because a chapter's plots do not need it
 
     space = pymunk.Space()

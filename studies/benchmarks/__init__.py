@@ -1,1 +1,4 @@
-"""The measurements of make bench, one subject per module, each with a function ``lines``."""
+"""The benchmarks of `make bench`, with one module per subject, such as springs or rotations.
+
+Each module has a function ``lines`` that sets up its benchmarks.
+"""

@@ -1,12 +1,12 @@
-"""Compare the speed of our models with pymunk's at equal accuracy.
+"""Compare how long our engine and pymunk take to simulate a scene with the same accuracy.
 
-Each figure is pymunk's time divided by that of one of our models. The positions must be accurate in
-every frame, within a tolerance that is a fraction of the scene's size. Each side takes the fewest
-steps per frame that meet the tolerance, out of the powers of two. If even MOST steps are too few
-for pymunk, its time is extrapolated from its order of convergence, and the report says so. If
-pymunk's error does not fall steadily either, the figure is a lower bound.
+Each result is pymunk's time divided by that of one of our models. The positions must be accurate in
+every frame, within a tolerance that is a fraction of the scene's size. Both take the fewest steps
+per frame that meet the tolerance, out of the powers of two. If even MOST steps are too few for
+pymunk, its time is extrapolated from its order of convergence, and the report says so. If pymunk's
+error does not fall steadily either, the result is a lower bound.
 
-The last two figures compare `adaptive` with fixed steps on an orbit.
+The last two benchmarks compare the integrator `adaptive` with fixed steps on an orbit.
 """
 
 from __future__ import annotations
@@ -30,7 +30,10 @@ MOST = 2_000_000  # steps per run, which take pymunk a few seconds
 
 
 def lines() -> list[Measurement]:
-    """Return all measurements of speed at equal accuracy."""
+    """Set up the benchmarks that compare our engine with pymunk at the same accuracy.
+
+    Their scenes include a spring, an orbit and a double pendulum.
+    """
     return [
         line("projectile with linear drag", None, "pymunk", 31, Target("at least", 150)),
         line("spring, k = 100 N/m", RK4, "pymunk's spring", 15, Target("at least", 250)),
@@ -50,11 +53,12 @@ def lines() -> list[Measurement]:
 
 
 def lines_of_adaptive() -> list[Measurement]:
-    """Compare the cost of Runge-Kutta 4 with that of `adaptive` on a comet's orbit.
+    """Set up two benchmarks of Runge-Kutta 4 against the integrator `adaptive` on a comet's orbit.
 
-    Each method uses the coarsest setting that keeps its error within 1e-6 of the semi-major axis in
-    every frame. For Runge-Kutta 4, that setting is the number of steps per frame. For `adaptive`,
-    it is a tolerance, chosen from four per decade.
+    One of them compares the evaluations of the forces, and the other the times. Each integrator
+    uses the coarsest setting that keeps its error within 1e-6 of the semi-major axis in every
+    frame. For Runge-Kutta 4, that setting is the number of steps per frame. For `adaptive`, it is a
+    tolerance, chosen from four per decade.
     """
     (scene,) = scenes_with("orbit of eccentricity 0.9")
     fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
@@ -76,7 +80,11 @@ def lines_of_adaptive() -> list[Measurement]:
 def coarsest(
     scene: Scene, model: Model, choices: Sequence[int], tolerance: float
 ) -> tuple[int, Outcome]:
-    """Find by bisection the coarsest setting that meets ``tolerance``. Return it and its run."""
+    """Find by bisection the coarsest setting with which a model meets ``tolerance``.
+
+    ``choices`` lists the settings from the coarsest to the finest, such as numbers of steps per
+    frame. Return the setting and the result of its run.
+    """
 
     def is_within(choice: int) -> bool:
         outcome = run(model, choice)
@@ -94,7 +102,7 @@ def line(
     target: Target | None = None,
     tolerance: float = TOLERANCE,
 ) -> Measurement:
-    """Measure pymunk's time as a multiple of ours at the same tolerance.
+    """Set up a benchmark of pymunk's time divided by ours in one scene, at the same accuracy.
 
     ``part`` is part of the scene's name, and ``ours`` and ``theirs`` are the names of the two
     models. If ``ours`` is None, use our fastest exact model.
@@ -120,35 +128,39 @@ def line(
 
 
 def model_of(scene: Scene, name: str) -> Model:
-    """Return the model of ``scene`` that has this name."""
+    """Find one of the models that simulate ``scene`` by its name, such as "leapfrog"."""
     return next(model for model in scene.models if model.name == name)
 
 
 def fastest_exact(scene: Scene) -> Model:
-    """Return our fastest exact model: one that has no number of steps to choose."""
+    """Find our fastest exact model of a scene, such as a closed form.
+
+    An exact model has no number of steps to choose.
+    """
     exact = [model for model in scene.models if model.by == "ours" and is_exact(model)]
     return min(exact, key=lambda model: seconds_of(model, 1))
 
 
 def is_exact(model: Model) -> bool:
-    """Return whether a model has no step count to choose."""
+    """Return whether a model is exact, as a closed form is, with no number of steps to choose."""
     return tuple(model.steps) == (1,)
 
 
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
-    """Find the fewest steps per frame that meet ``tolerance``. Return that number and the error.
+    """Find the fewest steps per frame with which a model meets ``tolerance``.
 
-    The number is a power of two. If even MOST steps per run are not enough, return the largest
-    number that was tried.
+    Return that number, which is a power of two, and the error. If even MOST steps per run are not
+    enough, return the largest number that was tried.
     """
     finest = tried_steps(scene, model, tolerance)[-1]
     return finest.steps, finest.error
 
 
 def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
-    """Run a model with 1, 2, 4 and more steps per frame, and return one point per run.
+    """Run a model with 1, 2, 4 and more steps per frame until its error is small enough.
 
-    The number of steps doubles until a run meets ``tolerance`` or takes MOST steps.
+    Return one point per run. The number of steps doubles until a run meets ``tolerance``, or until
+    the next run would take more than MOST steps.
     """
     tried: list[Point] = []
     steps = 1
@@ -162,6 +174,6 @@ def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
 
 
 def told(model: Model, steps: int, error: float) -> str:
-    """Describe a model by its number of steps per frame and its error."""
+    """Describe a model and its accuracy, as in "leapfrog (8 steps per frame, error 3e-05)"."""
     chosen = "" if is_exact(model) else f"{steps:,} {'step' if steps == 1 else 'steps'} per frame, "
     return f"{model.name} ({chosen}error {error:.1g})"

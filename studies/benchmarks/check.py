@@ -1,4 +1,4 @@
-"""Measure how long a student waits for `make check`."""
+"""Measure how long students wait for `make check`, which checks their work on a chapter."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ from studies.timing import Measurement, Target, Timer, timer, versus
 
 
 def lines() -> list[Measurement]:
-    """Measure how long make check takes for one chapter, relative to importing pytest."""
+    """Set up the benchmark of `make check`, the command with which students check their work.
+
+    Its time for one chapter is divided by the time that Python takes to import pytest.
+    """
     check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles the modules
         check()
@@ -20,6 +23,6 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a timer for a run of Python with these arguments."""
+    """Return a timer that starts Python with these arguments and waits until it ends."""
     call = [sys.executable, *command]
     return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

@@ -1,4 +1,8 @@
-"""Measure the cost of contacts: with and without a heap, between spheres, and in a chain."""
+"""Measure how long it takes to find contacts, to resolve them, and to simulate a chain of rods.
+
+A resolver that keeps the contacts in a heap is compared with one that scans all of them, and two
+direct solvers are compared with each other and with pymunk.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +32,7 @@ RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of what contacts cost."""
+    """Set up the benchmarks of finding contacts, of resolving them, and of chains of rods."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [
@@ -70,7 +74,7 @@ def lines() -> list[Measurement]:
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
-    """Return a timer for resolving the contacts of a rope that has just been stretched.
+    """Return a timer for resolving the contacts of a rope whose cables are stretched too far.
 
     ``kind`` is the class of the resolver, and ``count`` is the number of contacts.
     """
@@ -89,9 +93,10 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 
 
 def spread(count: int) -> ParticlePairs:
-    """Scatter ``count`` spheres in a cube, and return the detector of their contacts.
+    """Scatter ``count`` spheres in a cube, and return the detector that finds the touching pairs.
 
-    The spheres have a radius of 0.5 m, with an average of one per 8 m^3.
+    The spheres have a radius of 0.5 m, with an average of one per 8 m^3, so that they are equally
+    dense for any ``count``.
     """
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)
@@ -100,7 +105,7 @@ def spread(count: int) -> ParticlePairs:
 
 
 def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Simulate a chain for 1 s as a DirectChain, and return the position of its tip.
+    """Simulate a swinging chain of rods for 1 s with DirectChain, and return where its tip is.
 
     ``rate`` is in steps per second.
     """
@@ -113,7 +118,10 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Simulate the chain for 1 s as a net of rods, and return the position of its tip."""
+    """Simulate a swinging chain of rods for 1 s with DirectNet, and return where its tip is.
+
+    ``rate`` is in steps per second.
+    """
     particles = chain_particles(LINKS, ANGLE)[1:]
     first = AnchoredRod(particles[0], Vector3(), LINK)
     net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
@@ -124,9 +132,10 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Simulate the chain for 1 s with pymunk's pin joints, and return the position of its tip.
+    """Simulate a swinging chain of rods for 1 s with pymunk, and return where its tip is.
 
-    The solver makes 10 iterations, its default.
+    Pin joints act as the rods, and pymunk's solver makes 10 iterations per step, its default.
+    ``rate`` is in steps per second.
     """
     space = pymunk.Space()
     space.gravity = (0.0, -GRAVITY)
@@ -143,7 +152,7 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 
 
 def matching_rate() -> int:
-    """Find the step rate at which pymunk places the chain's tip as accurately as DirectChain.
+    """Find the steps per second that pymunk needs to place a chain's tip as well as DirectChain.
 
     Starting from four times our rate, the search doubles the rate until pymunk is accurate enough.
     DirectChain at 16 times its rate stands in for the exact position, since its error is then 256

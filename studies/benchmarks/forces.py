@@ -1,4 +1,8 @@
-"""Measure the cost of forces, relative to the step of chapter 3 and to plain arithmetic."""
+"""Measure how much time forces add to the step of a particle.
+
+A particle of chapter 5, which accepts forces, is compared with one of chapter 3, which does not,
+and with plain arithmetic.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +18,10 @@ FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of what forces cost."""
+    """Set up the benchmarks of what it costs to apply forces to a particle.
+
+    One of them compares gravity as a force generator with gravity as a constant acceleration.
+    """
     chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
     free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
     forced = timer(lambda: forced_steps(FRAMES))
@@ -51,7 +58,10 @@ def make_particle_with_forces() -> Particle:
 
 
 def forced_steps(frames: list[float]) -> Numbers:
-    """Step a particle with one force acting on it, and return its final position."""
+    """Move a particle on which a constant force acts, and return its final position.
+
+    ``frames`` lists the lengths of the time steps in s.
+    """
     particle = make_particle_with_forces()
     force = Vector3(*FORCE)
     for frame in frames:
@@ -61,7 +71,10 @@ def forced_steps(frames: list[float]) -> Numbers:
 
 
 def generator_steps(frames: list[float]) -> Numbers:
-    """Step a particle with gravity as a force generator, and return its final position."""
+    """Move a particle with gravity as a force generator, and return its final position.
+
+    ``frames`` lists the lengths of the time steps in s.
+    """
     particle = make_particle_with_forces()
     particle.acceleration = Vector3()
     registry = ForceRegistry()
@@ -75,7 +88,8 @@ def generator_steps(frames: list[float]) -> Numbers:
 def forced_arithmetic(frames: list[float]) -> Numbers:
     """Take the same steps as ``forced_steps`` in local variables, and return the final position.
 
-    Like the engine, each step adds the force to a sum, uses that sum, and then clears it.
+    Like the engine, each step adds the force to a sum, uses that sum, and then clears it. Comparing
+    the two times shows what the engine's objects and calls cost.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -1,6 +1,7 @@
-"""Measure what it costs to check students' code in isolated workers.
+"""Measure how much longer the autograder takes because it isolates students' code.
 
-For comparison, the same checks also import the students' code into their own process.
+The code runs in isolated worker processes. For comparison, the same checks also import the
+students' code into their own process.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ AT_A_TIME = 2
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of a single check, a class of twenty, and the sample class."""
+    """Set up the benchmarks of the autograder: one check, twenty submissions, the sample class."""
     behind = Behind(vars(best_level()))
     _, second, *_, last = load_chapters()
     # The target was set for chapter 3. Later chapters import more modules and do more work.
@@ -32,9 +33,9 @@ def lines() -> list[Measurement]:
 
 
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
-    """Measure how many milliseconds longer a check takes in an isolated worker.
+    """Set up a benchmark of how many milliseconds longer a check takes in an isolated worker.
 
-    The result includes its share of the time it takes to start the worker.
+    The time to start the worker process is divided among all checks of the chapter.
     """
 
     def checked(where: Behind | None) -> int:
@@ -69,7 +70,7 @@ def _twenty(behind: Behind) -> Measurement:
 
 
 def _sample_class(behind: Behind) -> Measurement:
-    """Compare the time to grade the sample class with and without isolated workers.
+    """Set up a benchmark that grades the sample class with and without isolated workers.
 
     Some of its submissions contain endless loops, which run until the time limit stops them.
     """

@@ -1,7 +1,7 @@
-"""Store the figures of the last `make bench`, and update the READMEs that quote them.
+"""Store the results of the last `make bench`, and update the READMEs that quote them.
 
-A README quotes the median of a measurement between two comments. The first comment contains the
-beginning of the measurement's description, which must be long enough to identify it:
+A README quotes the median of a benchmark between two comments. The first comment contains the
+beginning of the benchmark's description, which must be long enough to identify it:
 
     takes <!-- bench: a cloth of 180 springs by connect -->1.8<!-- end --> times as long
 """
@@ -25,7 +25,10 @@ QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTA
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Save the results of make bench with the date, the Python version and the type of machine."""
+    """Save the results of `make bench` with the date, the Python version and the type of machine.
+
+    The READMEs quote their numbers from this file.
+    """
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),
@@ -45,12 +48,12 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Round ``figure`` to three digits, since any further digits would vary from run to run."""
+    """Round a benchmark's result to three digits, since more would vary from run to run."""
     return float(f"{figure:.3g}")
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Return the stored ratios of the last run, keyed by description.
+    """Load the medians of the last `make bench`, keyed by the descriptions of the benchmarks.
 
     The dict is empty if nothing has been stored yet.
     """
@@ -61,12 +64,13 @@ def kept(file: Path = FILE) -> dict[str, float]:
 
 
 def with_quotations(page: str, ratios: dict[str, float]) -> str:
-    """Return the text of ``page`` with the figures it quotes updated to ``ratios``.
+    """Return the text of a README with the benchmark results that it quotes brought up to date.
 
-    The figures are rounded to two digits.
+    ``ratios`` maps the description of each benchmark to its median. The results are rounded to two
+    digits.
 
     Raises:
-        ValueError: A quotation matches the descriptions of several ratios, or of none.
+        ValueError: A quotation matches the descriptions of several benchmarks, or of none.
     """
 
     def renewed(match: re.Match[str]) -> str:
@@ -80,15 +84,15 @@ def with_quotations(page: str, ratios: dict[str, float]) -> str:
 
 
 def pages() -> list[Path]:
-    """Return the READMEs and lessons that may quote figures of make bench."""
+    """List the READMEs and lessons that may quote results of `make bench`."""
     return [path for pattern in PAGES for path in sorted(ROOT.glob(pattern))]
 
 
 def write_quotations() -> None:
-    """Update the figures quoted on all pages to those of the last run.
+    """Update the benchmark results that READMEs and lessons quote to those of the last run.
 
     Raises:
-        ValueError: A quotation matches the descriptions of several ratios, or of none.
+        ValueError: A quotation matches the descriptions of several benchmarks, or of none.
     """
     ratios = kept()
     for path in pages():

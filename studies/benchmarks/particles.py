@@ -1,4 +1,7 @@
-"""Compare a particle's step with plain arithmetic, with vector operators and with pymunk."""
+"""Measure how long one time step of a particle takes in our engine.
+
+The step is compared with plain arithmetic, with vector operators and with pymunk.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,10 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of what a particle's step costs."""
+    """Set up the benchmarks of how long a particle takes for one time step.
+
+    They compare Particle.integrate with plain arithmetic, with vector operators and with pymunk.
+    """
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
     step = timer(lambda: steps(make_particle(PROJECTILE), even))
@@ -52,7 +58,7 @@ def lines() -> list[Measurement]:
 
 
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
-    """Compare pymunk with our engine on ``bodies`` bodies that fall with damping.
+    """Set up a benchmark of pymunk against our engine, with bodies that fall with damping.
 
     If ``read`` is true, every x and y is read after each step. That is cheap for our engine, whose
     positions are Python objects, while pymunk has to fetch each position from its C library.
@@ -93,7 +99,7 @@ def steps(particle: Particle, frames: list[float]) -> None:
 
 
 def operator_steps(particle: Particle, frames: list[float]) -> None:
-    """Step a particle with vector operators, each of which creates a new vector.
+    """Move a particle with operators such as + and *, each of which creates a new vector.
 
     The particle also checks and copies every vector assigned to it.
     """
@@ -104,7 +110,10 @@ def operator_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def in_place_steps(particle: Particle, frames: list[float]) -> None:
-    """Step a particle with those methods of Vector3 that change a vector in place."""
+    """Move a particle with methods of Vector3 that change a vector in place, such as add_scaled.
+
+    ``frames`` lists the lengths of the time steps in s.
+    """
     position, velocity = particle.position, particle.velocity
     for frame in frames:
         position.add_scaled(velocity, frame)

@@ -1,4 +1,4 @@
-"""Compare the cost of quaternions and matrices, both with each other and with other libraries."""
+"""Compare the speed of our quaternions and matrices with each other and with other libraries."""
 
 from __future__ import annotations
 
@@ -63,7 +63,10 @@ RIVALS = (  # two statements, the description of their ratio, and its target
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Return the measurements of what quaternions and matrices cost."""
+    """Set up the benchmarks of quaternions and matrices.
+
+    If pyglet or NumPy is not installed, it is left out, and ``console`` shows how to install it.
+    """
     found = [
         Measurement(what, versus(_timer(first), _timer(second)), ROUNDS, target)
         for first, second, what, target in RIVALS

@@ -1,6 +1,6 @@
-"""Compare two ways to compute where sparks are: frame by frame, and in closed form.
+"""Compare two ways to compute a firework's sparks: frame by frame, and in closed form.
 
-Either way, the coordinates are returned as lists, ready for drawing.
+Both ways return the coordinates of the sparks as lists, ready for drawing.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements that compare two ways of computing sparks."""
+    """Set up the benchmarks that compare stepping a firework's sparks with a closed form."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)
@@ -61,20 +61,29 @@ def lines() -> list[Measurement]:
 
 
 def burst() -> FireworksShow:
-    """Return a show with SPARKS sparks, all of them just lit at START."""
+    """Create a fireworks show with SPARKS sparks, all of them just lit at START.
+
+    START is so high that no spark lands while it is timed.
+    """
     show = FireworksShow([RULE], SPARKS, seed=1)
     show.light([(1, SPARKS, Particle(Vector3(*START)))])
     return show
 
 
 def speeds_of(show: FireworksShow) -> list[list[float]]:
-    """Return the velocity components of all sparks along X, Y and Z as three lists."""
+    """List the velocities of all sparks as three lists, one each for x, y and z.
+
+    This is the form that their closed form takes.
+    """
     velocities = [firework.particle.velocity for firework in show.fireworks]
     return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]
 
 
 def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
-    """Advance a show by ``frames`` frames, and return the sparks' coordinates along ``axes``."""
+    """Advance a fireworks show by ``frames`` frames, and return the coordinates of its sparks.
+
+    ``axes`` is "xy" or "xyz", and there is one list of coordinates per axis.
+    """
     for _ in range(frames):
         show.update(FRAME)
     places = [firework.particle.position for firework in show.fireworks]
@@ -83,7 +92,10 @@ def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
 
 
 def positions(speeds: list[list[float]], time: float, axes: str) -> list[list[float]]:
-    """Compute the sparks' coordinates along ``axes`` at ``time`` from the closed form."""
+    """Compute the coordinates of a firework's sparks at ``time`` from the closed form.
+
+    ``axes`` is "xy" or "xyz", and there is one list of coordinates per axis.
+    """
     return [
         burst_positions(START[axis], speeds[axis], GRAVITY[axis], DAMPING, time)
         for axis in range(len(axes))

@@ -1,4 +1,4 @@
-"""Compare Vector3 with the vectors of other libraries, if they are installed."""
+"""Measure how fast Vector3 is, compared with the vectors of pyglet, NumPy and pymunk."""
 
 from __future__ import annotations
 
@@ -8,7 +8,11 @@ from studies.timing import Measurement, Statements, Target, against_peers
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Measure each library's time relative to Vector3's, for the operations they share."""
+    """Set up a benchmark for each of the other libraries: its time divided by Vector3's.
+
+    The ratio is a mean over all operations that both have, such as the cross product. If a library
+    is not installed, it is left out, and ``console`` shows how to install it.
+    """
     peers = (
         ("pyglet", "pyglet Vec3", Target("at least", 2.4)),
         ("numpy", "NumPy array", Target("at least", 4.5)),

@@ -1,4 +1,7 @@
-"""Measure the cost of a world, of a world with sleeping particles, and of a rope of rods."""
+"""Measure what a ParticleWorld costs, how much time sleeping saves, and how long a rope takes.
+
+The rope is simulated in two ways: as rods in a ParticleWorld, and as a DirectChain.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of what worlds and ropes cost."""
+    """Set up the benchmarks of ParticleWorld, of sleeping particles and of hanging ropes."""
     bare = flying()
     return [
         Measurement(
@@ -56,7 +59,11 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Measure how much slower a world is with all balls awake than with nine in ten asleep."""
+    """Set up a benchmark of how much time a world saves when nine in ten balls are asleep.
+
+    The result is the time of a ParticleWorld, which keeps all balls awake, divided by that of a
+    SleepingWorld. ``make`` builds the world from its class.
+    """
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
@@ -69,7 +76,10 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Measure how much longer a rope takes as rods than as a DirectChain."""
+    """Set up a benchmark of a rope: its time as rods divided by its time as a DirectChain.
+
+    The report also shows by how many meters the sag of each rope differs from the exact sag.
+    """
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)
@@ -84,36 +94,47 @@ def rope(links: int, rounds: int) -> Measurement:
 
 
 def flying() -> list[Particle]:
-    """Return particles that fly freely, each with its own velocity."""
+    """Create COUNT particles that fly freely, each with its own velocity.
+
+    Gravity acts on them, but there are no force generators and no contacts.
+    """
     return [
         Particle(Vector3(i), Vector3(1.0, 0.001 * i, 2.0), DOWN, damping=0.99) for i in range(COUNT)
     ]
 
 
 def integrate(particles: Sequence[Particle]) -> None:
-    """Advance particles by one frame without using a world."""
+    """Advance particles by one frame in a plain loop, without a world.
+
+    A ParticleWorld is compared with this loop to show what the world itself costs.
+    """
     for particle in particles:
         particle.integrate(FRAME)
 
 
 def stepping(world: ParticleWorld) -> Callable[[], None]:
-    """Return a function that advances a world by one frame."""
     return lambda: world.step(FRAME)
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that advances particles by one frame with nothing but an integrator."""
+    """Return a function that moves particles by one frame with an integrator but no world."""
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return a world of balls on the ground, of which a tenth roll and the rest lie still."""
+    """Create a world of balls on the ground, of which a tenth roll and the rest lie still.
+
+    ``kind`` is ParticleWorld, which keeps all balls awake, or SleepingWorld.
+    """
     balls = [Particle(Vector3(2.0 * i), acceleration=DOWN) for i in range(BALLS)]
     return settled(kind(balls, [GroundPlane(balls)]))
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return a world of balls on springs, of which a tenth fly away and the rest hang still."""
+    """Create a world of balls on springs, of which a tenth fly away and the rest hang still.
+
+    ``kind`` is ParticleWorld, which keeps all balls awake, or SleepingWorld.
+    """
     balls = [Particle(Vector3(2.0 * i)) for i in range(BALLS)]
     world = kind(balls)
     for i, ball in enumerate(balls):
@@ -122,7 +143,10 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Run ``world`` long enough for resting balls to fall asleep, and return it."""
+    """Set a tenth of the balls in motion, and give the others enough time to fall asleep.
+
+    Return the world after these FRAMES frames.
+    """
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0
     for _ in range(FRAMES):

@@ -1,4 +1,4 @@
-"""Compare speed and accuracy: run every scene with all of our models and with pymunk.
+"""Compare speed and accuracy: simulate every scene with all of our models and with pymunk.
 
 The results go to build/charts/: one page with all charts, a picture and its numbers for each scene,
 and a table of all scenes. A full run also updates the page and the overview that are checked in. If
@@ -37,7 +37,7 @@ FULL = (9, 0.6, 6.0)
 
 
 def main(arguments: list[str]) -> int:
-    """Time every model of the accuracy study, and draw the charts of error against time.
+    """Measure the error and time of every model in every scene, and draw the charts.
 
     Return 0, or exit with a usage error if no scene has the given name.
     """
@@ -114,7 +114,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _how(rounds: int, is_quick: bool) -> str:
-    """Say when and how the numbers were measured, for a note on the page."""
+    """Say when and how the times were measured, for a note on the page with the charts."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (

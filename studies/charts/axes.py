@@ -11,9 +11,10 @@ MOST = 5  # labels on an axis
 
 @dataclass(frozen=True)
 class Axis:
-    """A logarithmic axis for values from ``low`` to ``high``.
+    """A logarithmic axis of a chart, for values from ``low`` to ``high``.
 
-    It is drawn from coordinate ``start`` to coordinate ``end``.
+    It is drawn from coordinate ``start`` to coordinate ``end``. Since y points down in SVG,
+    ``start`` is larger than ``end`` for a vertical axis.
     """
 
     low: float
@@ -22,7 +23,7 @@ class Axis:
     end: float
 
     def at(self, value: float) -> float:
-        """Return the coordinate of ``value``, rounded to 0.1.
+        """Return the coordinate at which to draw ``value``, rounded to 0.1.
 
         Values outside the axis are clamped to its nearest end.
         """
@@ -30,9 +31,9 @@ class Axis:
         return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return where to label the axis, at no more than MOST powers of ten.
+        """Choose where to label the axis, at no more than MOST powers of ten.
 
-        Each label is a tuple of its coordinate and its text.
+        Return the coordinate and the text of each label.
         """
         first, last = math.ceil(math.log10(self.low)), math.floor(math.log10(self.high))
         stride = max(1, math.ceil((last - first + 1) / MOST))
@@ -41,7 +42,7 @@ class Axis:
 
 
 def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
-    """Create an axis that covers the positive ``values`` and at least one power of ten."""
+    """Create a logarithmic axis for the positive ``values``, wide enough for at least one label."""
     seen = [*values]
     low, high = min(seen) / 1.6, max(seen) * 1.6
     while math.ceil(math.log10(low)) > math.floor(math.log10(high)):
@@ -50,5 +51,5 @@ def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
 
 
 def shown(power: int) -> str:
-    """Format a power of ten for a label, as in 0.01, 100 or 1e-6."""
+    """Format a power of ten as a label of an axis, such as "0.01", "100" or "1e-6"."""
     return f"{10.0**power:g}" if -3 <= power <= 4 else f"1e{power}"

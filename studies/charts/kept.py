@@ -1,6 +1,6 @@
-"""Update the checked-in files that come from a full `make charts`.
+"""Copy the results of a full `make charts` into the repository.
 
-They are the page with all charts, the overview picture, and its description in the READMEs.
+These are the page with all charts, the overview picture, and its description in the READMEs.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 
 
 def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
-    """Copy the overview picture and the page from ``out`` into the repository.
+    """Copy the overview picture and the page with all charts from ``out`` into the repository.
 
     Also update the description of the picture in the READMEs.
     """
@@ -39,7 +39,11 @@ def _wrapped(alt: str) -> str:
 
 
 def described(rows: Sequence[Row]) -> str:
-    """Describe the overview picture in words for readers who cannot see it."""
+    """Describe in words what the overview picture shows, for readers who cannot see it.
+
+    The picture compares pymunk's time with ours in many scenes. The description becomes the
+    alternative text of the picture in the READMEs.
+    """
     scenes = len({row.scene for row in rows})
     ratios = {row.ratio: row for row in rows if row.ratio}
     told = [
@@ -64,6 +68,6 @@ def described(rows: Sequence[Row]) -> str:
 
 
 def _rounded(value: float) -> str:
-    """Format ``value`` with two digits, since the picture shows no more than that."""
+    """Format a ratio with two digits, since the overview picture shows no more than that."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"

@@ -1,4 +1,7 @@
-"""Write all charts to one self-contained page, and their data to a CSV file."""
+"""Write the charts of all scenes to one self-contained page, and their data to a CSV file.
+
+Each chart compares how accurately and how fast our engine and pymunk simulate a scene.
+"""
 
 from __future__ import annotations
 
@@ -25,9 +28,9 @@ COLUMNS = (
 
 
 def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
-    """Write ``index.html`` and ``points.csv`` to the folder ``out``.
+    """Write the charts to ``index.html``, and their data to ``points.csv``, in the folder ``out``.
 
-    ``how`` is a sentence on how the points were measured.
+    ``how`` is a sentence for the page on how the times were measured.
     """
     own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
     panels = [panel(scene, own[scene.name]) for scene in scenes]
@@ -58,7 +61,7 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
 
 
 def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
-    """Return all measured points in CSV format, scene by scene."""
+    """Format the measured points as CSV, scene by scene, for readers to download from the page."""
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(COLUMNS)

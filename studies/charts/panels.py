@@ -1,4 +1,7 @@
-"""Prepare what the page shows for each scene: a chart of error over time, and a table."""
+"""Prepare what the page of charts shows for each scene: a chart and a table.
+
+The chart shows how the error of every model depends on its time, and the table lists the numbers.
+"""
 
 from __future__ import annotations
 
@@ -62,7 +65,7 @@ SIDES = {"pymunk": "pymunk", "the book": "the book's step"}  # our own models ne
 
 @dataclass(frozen=True)
 class Drawn:
-    """The line of one model in a scene's chart.
+    """The line of one model in a scene's chart, with its color and its marks.
 
     Each of its ``points`` is a tuple of two coordinates and the index of its row in the table.
     """
@@ -77,7 +80,7 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Panel:
-    """Everything that the page shows about one scene."""
+    """Everything that the page of charts shows about one scene: its texts, chart and table."""
 
     name: str
     id: str
@@ -92,7 +95,10 @@ class Panel:
 
 
 def panel(scene: Scene, points: Sequence[Point]) -> Panel:
-    """Prepare a scene's chart and table from its measured points."""
+    """Prepare the chart and the table of a scene from its measured points.
+
+    The chart leaves out simulations whose error is so large that they are useless.
+    """
     # Errors that come only from rounding are drawn at the floor. Useless runs are not drawn.
     seen = [point for point in points if point.error < CEILING]
     x = axis_for([1e3 * point.time for point in seen] or [1.0], LEFT, RIGHT)
@@ -127,14 +133,18 @@ def panel(scene: Scene, points: Sequence[Point]) -> Panel:
 
 
 def _path(places: Sequence[tuple[float, float]]) -> str:
-    """Return an SVG path through the points ``places``, or a dot if there is only one point."""
+    """Build an SVG path through the points ``places``, or a dot if there is only one point."""
     if len(places) == 1:
         return f"M{places[0][0]:g},{places[0][1]:g}h0"
     return "M" + "L".join(f"{a:g},{b:g}" for a, b in places) if places else ""
 
 
 def _row(scene: Scene, point: Point) -> tuple[str, ...]:
-    """Return a row of the table: model, steps or tolerance, error, time, quartiles and work."""
+    """Format one measured point as a row of the table.
+
+    The columns are the model, its steps per frame or its tolerance, its error, its time with
+    quartiles, and its work.
+    """
     model = next(model for model in scene.models if model.name == point.model)
     choice = "1 step" if point.steps == 1 else f"{point.steps:,} steps"
     low, high = point.spread

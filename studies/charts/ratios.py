@@ -1,4 +1,4 @@
-"""Prepare the last table of the page, which compares pymunk's time with ours.
+"""Prepare the table that compares pymunk's time with ours, the last one on the page of charts.
 
 It shows each ratio both as a number and as a mark on an axis.
 """
@@ -16,10 +16,10 @@ from studies.charts.axes import Axis, axis_for
 
 @dataclass(frozen=True)
 class Ratio:
-    """One comparison of pymunk's time with ours, as a row of the table.
+    """One row of a table: a comparison of pymunk's time with ours in a scene.
 
-    ``at`` is the position of its mark in percent, or None if it has no mark. ``kind`` is "exact" or
-    "extrapolated", or "more" or "less" if the ratio is only a bound.
+    ``at`` is the position of the row's mark in percent, or None if it has no mark. ``kind`` is
+    "exact" or "extrapolated", or "more" or "less" if the ratio is only a bound.
     """
 
     scene: str
@@ -32,7 +32,10 @@ class Ratio:
 
 
 def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
-    """Prepare the table from its rows, and return the axis of the marks and a Ratio per row."""
+    """Prepare the table that compares pymunk's times with ours.
+
+    Return the axis on which the ratios are marked, and one Ratio per row.
+    """
     marks = [_mark(row) for row in rows]
     axis = axis_for([1.0, *(value for value, _ in marks if value)], 0.0, 100.0)
     return axis, [
@@ -50,7 +53,10 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Return the value (a ratio or a bound) at which to draw a row's mark, and the kind of mark."""
+    """Choose at which value to draw a row's mark, and which kind of mark it is.
+
+    The value is the ratio of pymunk's time to ours, or a bound on it, or None if neither is known.
+    """
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"
     low, high = row.bounds

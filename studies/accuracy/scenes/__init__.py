@@ -1,1 +1,1 @@
-"""The scenes of the accuracy study, with their exact solutions and the models that run them."""
+"""The scenes in which our engine is compared with pymunk, each with its exact solution."""

@@ -1,8 +1,8 @@
-"""Test how well each model keeps the loaded rope bridge of chapter 8 at rest.
+"""Test how well our models and pymunk's keep the loaded rope bridge of chapter 8 at rest.
 
 Every model starts at rest, slightly below the position with the least potential energy. At that
-exact position, rounding errors would decide which cables are taut. The work is the number of
-contacts resolved, and pymunk resolves all of its joints in each iteration of a step.
+exact position, rounding errors would decide which cables are taut. The work of a model is the
+number of contacts that it resolves. Pymunk resolves all of its joints in each iteration of a step.
 
 Pymunk is two-dimensional, so positions are compared in a side view. Its bridge has both sides in
 one plane, with cables as long as they appear in that view, and without the rods that connect the
@@ -53,10 +53,10 @@ Links = Callable[[list[Row]], list[ContactGenerator]]
 
 
 def bridge() -> Scene:
-    """Return the scene of the bridge with 5 kg on its third row, at rest for 1 s.
+    """Create the scene of the rope bridge at rest for 1 s, with 5 kg on its third row of planks.
 
-    The scale is the length of a cable between two rows. In pymunk, slide joints act as the cables,
-    and the solver makes either 10 iterations, its default, or 50.
+    Errors are measured relative to the length of a cable between two rows. In pymunk, slide joints
+    act as the cables, and the solver makes either 10 iterations per step, its default, or 50.
     """
     few, some = STEPS[:5], STEPS[:8]
 
@@ -84,10 +84,7 @@ def bridge() -> Scene:
 
 
 def sleeping() -> Scene:
-    """Return the scene of the rope bridge sleeping for 10 s, undisturbed.
-
-    Pymunk's bridge is asleep too.
-    """
+    """Create the scene of the rope bridge asleep for 10 s, in our engine as well as in pymunk."""
     models = [
         Model("asleep", by_sleep, (1,)),
         Model("found by equilibrium, then asleep", partial(by_equilibrium, LONG), (1,)),
@@ -97,15 +94,18 @@ def sleeping() -> Scene:
 
 
 def truth(_: float) -> Place:
-    """Return the exact side-view positions of both ends of each row, which do not move."""
+    """Return where the ends of the planks are when the rope bridge hangs at rest, in a side view.
+
+    The planks do not move, so the positions do not depend on the time.
+    """
     return tuple(part for place in hanging() for part in place * 2)
 
 
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
-    """List the cables on one side of the bridge as tuples of start, end and length.
+    """List the cables on one side of the rope bridge as tuples of start, end and length.
 
-    A cable starts at an anchor, given by its position, or at a row, given by its index. It ends at
-    a row. Its length is that seen from the side, in m.
+    A cable leads to a plank from an anchor or from the plank before it. Planks are given by their
+    indices, and anchors by their positions. The length is that seen from the side, in m.
     """
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):
@@ -117,17 +117,18 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Compute where the rows on one side come to rest by minimizing their potential energy.
+    """Compute with SciPy where the planks' ends on one side of the rope bridge come to rest.
 
-    At rest all cables are taut, and their tensions balance the weights. ``extra`` is added to the
+    At rest, all cables are taut, and their tensions balance the weights. ``extra`` is added to the
     length of each cable, in m.
     """
     held = cables()
 
     def off(state: Any) -> Any:
-        """Return the net force on each row in N, and the excess length of each cable in m.
+        """Return the net force on each plank's end in N, and each cable's excess length in m.
 
-        If the bridge is at rest with all cables taut, all of these values are 0.
+        SciPy looks for the state in which all of these values are 0. The bridge is then at rest
+        with all cables taut.
         """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
@@ -149,7 +150,11 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Return the bridge's links as two-sided rods, which is valid while all cables are taut."""
+    """Create two-sided rods in place of the rope bridge's cables and rods.
+
+    The rods push as well as pull, while cables only pull. They may replace the cables only as long
+    as all cables are taut.
+    """
     found: list[ContactGenerator] = []
     for link in links_of(rows):
         if isinstance(link, AnchoredCable):
@@ -165,9 +170,10 @@ def two_sided(rows: list[Row]) -> list[ContactGenerator]:
 def by_world(
     integrator: Integrator, links: Links, resolver: ContactResolver, steps: int
 ) -> Outcome:
-    """Run the bridge as a ParticleWorld whose links are resolved by ``resolver``.
+    """Simulate the rope bridge as a ParticleWorld, which treats cables and rods as contacts.
 
-    The particles have the bridge's own damping.
+    ``links`` creates the cables and rods, and ``resolver`` resolves their contacts after each step.
+    The particles have the damping of the bridge in chapter 8.
     """
     ends, _, held = hung(links)
     world, work = ParticleWorld(ends, held, integrator=integrator), 0
@@ -186,9 +192,9 @@ def by_world(
 
 
 def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
-    """Build the bridge slightly below its rest position, so that all cables are taut.
+    """Build the rope bridge slightly below its rest position, so that all cables are taut.
 
-    Return the ends of its rows, the rows themselves, and the links.
+    Return the ends of its planks, the planks as pairs of ends, and the cables and rods.
     """
     rows = make_rows()
     held = links(rows)  # the links get their lengths from the positions before the shift
@@ -199,13 +205,13 @@ def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator
 
 
 def whole() -> tuple[list[Particle], list[Any]]:
-    """Build the bridge as in chapter 8, and return the ends of its rows and all of its links."""
+    """Build both sides of chapter 8's rope bridge. Return the planks' ends, and cables and rods."""
     ends, _, held = hung(links_of)
     return ends, held
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Build the bridge in one plane and out of cables only, like the one in pymunk."""
+    """Build a flat rope bridge without rods, as in pymunk. Return the planks' ends and cables."""
     ends, rows, _ = hung(links_of)
     links: list[Any] = []
     for side in zip(*rows, strict=True):
@@ -220,10 +226,10 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 
 
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
-    """Run the bridge as a net, which solves for the tensions of all links at once.
+    """Simulate the rope bridge with DirectNet, which solves for all of its tensions at once.
 
-    ``make`` builds the bridge. Since the bridge is at rest, the tensions of one step still hold in
-    the next.
+    ``make`` builds the bridge. Since the bridge is at rest, the tensions of one step are still
+    right in the next, so there are no equations to solve.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
@@ -231,7 +237,10 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 
 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
-    """Place the bridge at its computed rest position, and let it sleep there."""
+    """Compute the rest position of the rope bridge directly, and let the bridge sleep there.
+
+    The work counts each cable and rod only once, since no other frame needs a computation.
+    """
     ends, links = whole()
     world = SleepingWorld(ends, links)
     equilibrium(world)
@@ -239,7 +248,7 @@ def by_equilibrium(frames: int, steps: int) -> Outcome:
 
 
 def by_sleep(steps: int) -> Outcome:
-    """Run the bridge asleep from the start, just like pymunk's."""
+    """Simulate the rope bridge for 10 s with all of its planks asleep from the start."""
     ends, links = whole()
     world = SleepingWorld(ends, links, sleep_frames=1)
     world.fall_asleep(world.contacts())
@@ -247,12 +256,12 @@ def by_sleep(steps: int) -> Outcome:
 
 
 def place_of(ends: list[Particle]) -> Place:
-    """Return the x and y coordinates of every rod end: a side view, with z dropped."""
+    """List the x and y coordinates of the planks' ends, which show the bridge from the side."""
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 
 def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False) -> Outcome:
-    """Run the bridge in pymunk, with slide joints as its cables.
+    """Simulate the rope bridge with pymunk, with slide joints as its cables.
 
     Pymunk's solver makes ``iterations`` iterations per step. If ``sleeps`` is true, the bridge
     falls asleep after the first step.

@@ -1,8 +1,8 @@
-"""Run a chain of rods with each of our models and with pymunk, and compute its exact path.
+"""Simulate a swinging chain of rods with our models and with pymunk, and compute its exact path.
 
-The work is the number of contacts resolved. A model that solves for all rods at once counts every
-rod once per evaluation. In pymunk, pin joints act as the rods, and each one counts in every
-iteration.
+The work of a model is the number of contacts that it resolves. A model that solves for all rods at
+once counts every rod once per evaluation. In pymunk, pin joints act as the rods, and each joint
+counts in every iteration.
 """
 
 from __future__ import annotations
@@ -41,10 +41,11 @@ COUNTED = "contacts resolved, or rods solved for"
 
 @dataclass(frozen=True)
 class Chain:
-    """A straight chain of rods, hung from the origin and released from rest.
+    """A straight chain of rods that hangs from the origin and is released from rest.
 
-    Every rod has the same ``length`` in m. ``masses`` are in kg, from the first particle to the
-    tip. ``angle`` is measured from straight down, in radians, and ``gravity`` is in m/s^2.
+    Every rod has the same ``length`` in m, and a particle at its lower end. ``masses`` are those of
+    the particles in kg, from the uppermost particle to the tip. ``angle`` is measured from straight
+    down, in radians, and ``gravity`` is in m/s^2.
     """
 
     length: float
@@ -54,7 +55,7 @@ class Chain:
     frames: int
 
     def particles(self) -> list[Particle]:
-        """Create the chain's particles at their initial positions, from the first to the tip."""
+        """Create the particles of the chain at their initial positions, from the top to the tip."""
         x, y = self.length * math.sin(self.angle), -self.length * math.cos(self.angle)
         down = Vector3(0.0, -self.gravity)
         return [
@@ -63,17 +64,17 @@ class Chain:
         ]
 
     def rods(self, particles: Sequence[Particle]) -> list[Any]:
-        """Return the book's rods, connecting these particles to each other and to the origin."""
+        """Create chapter 7's rods, which connect the particles to each other and to the origin."""
         first = AnchoredRod(particles[0], Vector3(), self.length)
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
     def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
-        """Return each rod's length, mass and initial angle, which an AngleChain is built from."""
+        """List the rods' lengths, masses and initial angles, from which an AngleChain is built."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
 
     def by_its_angles(self) -> AngleChain:
-        """Describe the chain by the angles of its rods rather than by its particles.
+        """Describe the chain of rods by the angles of its rods instead of by its particles.
 
         If all masses are equal, the result is an AngleRope, which takes less time per step.
         """
@@ -83,7 +84,7 @@ class Chain:
         return AngleChain(*self.angles(), gravity=self.gravity)
 
     def truth(self) -> Callable[[float], Place]:
-        """Return the exact path, which SciPy computes from Lagrange's equations for the angles.
+        """Return the exact path of a chain of rods, computed with SciPy from Lagrange's equations.
 
         The equation for each angle a_i is sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) =
         -M_i g sin a_i. For two rods i and j, M adds up all masses from the rod farther from the
@@ -109,9 +110,9 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Return all models that can simulate ``chain``, with pymunk's at the end.
+    """Create every model that can simulate a chain of rods: first ours, and then pymunk's.
 
-    ``steps`` lists the numbers of steps per frame to try.
+    ``steps`` lists the numbers of steps per frame at which most of our models run.
     """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
@@ -136,16 +137,19 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Integrate the angles of the chain's rods with Runge-Kutta 4 (four evaluations per step)."""
+    """Simulate a chain of rods by the angles of its rods, with Runge-Kutta 4.
+
+    The work counts every rod once per evaluation, and there are four evaluations per step.
+    """
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Integrate the rods' angles in steps longer than a frame, and interpolate with cubics.
+    """Simulate the angles of a chain's rods in steps that are longer than a frame.
 
-    Each block of LONG frames is covered by ``steps`` steps. Cubics through those steps give the
+    Each block of LONG frames is covered by ``steps`` steps. Cubics between the steps give the
     positions at the end of every frame.
     """
     angles = chain.by_its_angles()
@@ -170,7 +174,7 @@ def by_long_steps(chain: Chain, steps: int) -> Outcome:
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
-    """Run the chain with Runge-Kutta 4, treating the tensions of the rods as forces."""
+    """Simulate a chain of rods with Runge-Kutta 4, treating the rods' tensions as forces."""
     particles = chain.particles()
     rods = RodTensions(particles, Vector3())
     places = in_frames(
@@ -183,7 +187,7 @@ def by_tensions(chain: Chain, steps: int) -> Outcome:
 
 
 def by_direct_chain(chain: Chain, steps: int) -> Outcome:
-    """Run the chain with a DirectChain, which solves for the impulses of all rods at once."""
+    """Simulate a chain of rods with DirectChain, which solves for all of its tensions at once."""
     particles = chain.particles()
     solver = DirectChain(particles, Vector3())
     places = in_frames(solver.step, lambda: places_of(particles), chain.frames, steps)
@@ -196,7 +200,7 @@ def by_resolver(
     rods: Callable[[Sequence[Particle]], list[Any]],
     steps: int,
 ) -> Outcome:
-    """Run the chain with an integrator, resolving the contacts of its rods after each step."""
+    """Simulate a chain of rods with an integrator, and resolve its contacts after each step."""
     particles = chain.particles()
     resolver, work = ContactResolver(), 0
 
@@ -211,9 +215,9 @@ def by_resolver(
 
 
 def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
-    """Run the chain in pymunk, with pin joints as its rods.
+    """Simulate a chain of rods with pymunk, with pin joints as the rods.
 
-    ``iterations`` is how many iterations pymunk's solver makes.
+    Pymunk's solver makes ``iterations`` iterations per step.
     """
     import pymunk
 
@@ -236,10 +240,16 @@ def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
 
 
 def places_of(particles: Sequence[Particle]) -> Place:
-    """Return the x and y coordinates of all particles as one flat tuple."""
+    """List the coordinates of all particles in one flat tuple: x1, y1, x2, y2 and so on.
+
+    In this form, positions are compared with the exact solution.
+    """
     return flat([particle.position for particle in particles])
 
 
 def flat(vectors: Sequence[Vector3]) -> Place:
-    """Return the x and y coordinates of all vectors as one flat tuple."""
+    """List the coordinates of all vectors in one flat tuple: x1, y1, x2, y2 and so on.
+
+    In this form, positions are compared with the exact solution.
+    """
     return tuple([part for vector in vectors for part in (vector.x, vector.y)])

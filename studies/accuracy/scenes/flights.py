@@ -1,4 +1,7 @@
-"""Scenes with a single body: a shot, a fall, two orbits, and a floating block."""
+"""Define five scenes with a single body, in which our engine is compared with pymunk.
+
+They are a projectile, a fall with drag, two orbits, and a block that floats in water.
+"""
 
 from __future__ import annotations
 
@@ -38,10 +41,10 @@ G = 9.81  # m/s^2
 
 
 def projectile() -> Scene:
-    """Return the scene of a shot with linear drag.
+    """Create the scene of a projectile with linear drag.
 
-    Some of its models use the closed form. The others treat the drag as the particle's damping or
-    as a force.
+    Some of its models evaluate the closed form. The others simulate the flight, and treat the drag
+    as damping or as a force.
     """
     frames = round(PROJECTILE.duration * RATE)
     k1 = -math.log(PROJECTILE.damping)
@@ -83,7 +86,10 @@ def projectile() -> Scene:
 
 
 def quadratic_drag() -> Scene:
-    """Return the scene of a fall from rest with quadratic drag, almost up to terminal speed."""
+    """Create the scene of a fall from rest with quadratic drag, almost up to terminal speed.
+
+    The drag is proportional to the square of the speed, and the motion has a closed form.
+    """
     frames, k2 = 180, 0.05
 
     def place_at(time: float) -> Place:
@@ -107,10 +113,10 @@ def quadratic_drag() -> Scene:
 
 
 def orbit(e: float, turns: int, period: float) -> Scene:
-    """Return the scene of an orbit with eccentricity ``e`` and a semi-major axis of 1 m.
+    """Create the scene of an orbit with eccentricity ``e`` and a semi-major axis of 1 m.
 
-    The orbit starts at the point nearest to the center of attraction, and each revolution takes
-    ``period`` s.
+    The body starts at the point nearest to the center of attraction, and makes ``turns``
+    revolutions of ``period`` s each.
     """
     frames = math.floor(turns * period * RATE)
     rate = 2.0 * math.pi / period
@@ -138,9 +144,10 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 
 
 def floating_block() -> Scene:
-    """Return the scene of a block bobbing in water.
+    """Create the scene of a block that bobs up and down in water.
 
-    The block is always partly submerged, so it moves as if it hung from a spring.
+    The block is always partly submerged, so its buoyancy grows linearly with depth, and it moves as
+    if it hung from a spring.
     """
     frames, s, volume, mass = 240, 0.05, 0.001, 0.5
     stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth

@@ -1,8 +1,9 @@
-"""Scenes of bouncing balls: one with and one without losses, and a ball on top of another.
+"""Define three scenes with bouncing balls, in which our engine is compared with pymunk.
 
-The work is the number of searches for contacts. Most models search once per step, but time division
-searches once per impact and once per frame. A model that computes a ball's height from its impacts
-alone counts those heights instead.
+One ball bounces without losing energy, one loses energy, and a light ball is dropped on a heavy
+one. The work of a model is the number of searches for contacts. Most models search once per step,
+but time division searches once per impact and once per frame. A model that computes a ball's height
+from its impacts alone counts those heights instead.
 """
 
 from __future__ import annotations
@@ -27,9 +28,10 @@ RADIUS = 0.1  # m
 
 
 class Balls:
-    """One or more balls, one above the other and starting at rest, with the lowest ball first.
+    """One or more balls, one above the other, that are dropped from rest.
 
-    A height is that of a ball's center, in m.
+    ``heights`` are those of the balls' centers in m, and the lowest ball comes first. ``ground`` is
+    the restitution at the ground, and ``pair`` that between two balls.
     """
 
     def __init__(
@@ -39,21 +41,21 @@ class Balls:
         self.ground, self.pair = ground, pair  # restitutions
 
     def particles(self) -> list[Particle]:
-        """Return the balls as new particles of the engine."""
+        """Create the falling balls as particles of the engine, at rest at their initial heights."""
         return [
             Particle(Vector3(0.0, y), acceleration=Vector3(0.0, -G), mass=mass)
             for y, mass in zip(self.heights, self.masses, strict=True)
         ]
 
     def detectors(self, particles: list[Particle]) -> Detectors:
-        """Return detectors for contacts with the ground and between the balls."""
+        """Create detectors for the contacts of the balls with the ground and with each other."""
         ground = GroundPlane(particles, radius=RADIUS, restitution=self.ground)
         if len(particles) == 1:
             return Detectors(ground)
         return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
 
     def places_at(self, times: Sequence[float]) -> list[Place]:
-        """Compute the exact heights at ``times`` by following the balls from impact to impact.
+        """Compute the exact heights of the balls at ``times``, from one impact to the next.
 
         The computation does not use the engine, so a bug in the engine cannot affect it.
         """
@@ -71,7 +73,11 @@ class Balls:
         return found
 
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
-        """Return the time until the next impact, and the index of the upper ball in that impact."""
+        """Find the next impact of a ball with the ground or with the ball below it.
+
+        Return the time until the impact in s, and the index of the upper ball, which is 0 at the
+        ground.
+        """
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
         for i in range(1, len(heights)):
@@ -98,7 +104,10 @@ def _fall(
 
 
 def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Run the balls with time division, which advances from one impact to the next."""
+    """Simulate bouncing balls with time division, which advances from one impact to the next.
+
+    The work counts the searches for the next impact.
+    """
     particles = balls.particles()
     detectors, work = balls.detectors(particles), 0
 
@@ -120,7 +129,7 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
-    """Compute the height of a single ball at the end of each frame from its impacts alone.
+    """Compute the height of a single bouncing ball in every frame from its impacts alone.
 
     Between two impacts the height has a closed form, so no steps are needed.
     """
@@ -130,7 +139,7 @@ def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
 
 
 def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
-    """Run the balls with an integrator, detecting and resolving contacts after each step."""
+    """Simulate bouncing balls with an integrator, and resolve their contacts after each step."""
     particles = balls.particles()
     detectors, resolver = balls.detectors(particles), ContactResolver()
     step = resolving(integrator, particles, [detectors], resolver.resolve_contacts)
@@ -142,7 +151,11 @@ def _heights(particles: list[Particle]) -> Place:
 
 
 def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Run the balls in pymunk, where the restitution is the product of the two elasticities."""
+    """Simulate bouncing balls with pymunk.
+
+    Pymunk has no restitution for a pair of bodies, but multiplies the elasticities of the two
+    bodies. The elasticities are chosen so that the products are the restitutions of this scene.
+    """
     import pymunk
 
     space = pymunk.Space()
@@ -166,7 +179,10 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
-    """Return the scene of these balls falling, with every model that can run it."""
+    """Create a scene in which ``balls`` fall and bounce, with every model that can simulate it.
+
+    ``scale`` is the size of the scene in m, as a fraction of which errors are given.
+    """
     exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
 
     def truth(time: float) -> Place:
@@ -193,13 +209,16 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
 
 
 def bouncing_ball(restitution: float) -> Scene:
-    """Return the scene of a ball that is dropped from 2 m and bounces for 3 s."""
+    """Create the scene of a ball that is dropped from 2 m and bounces for 3 s.
+
+    With a ``restitution`` of 1, the ball loses no energy at the ground.
+    """
     balls = Balls((2.0 + RADIUS,), (1.0,), restitution, 1.0)
     return scene_of(f"bouncing ball, restitution {restitution:g}", balls, 180, 2.0)
 
 
 def two_balls() -> Scene:
-    """Return the scene of a light ball on a heavy ball, both dropped from 1 m (exercise 7.3).
+    """Create the scene of a light ball on a heavy ball, both dropped from 1 m (exercise 7.3).
 
     The scene lasts 1.5 s.
     """

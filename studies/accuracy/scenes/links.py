@@ -1,4 +1,7 @@
-"""Scenes with rods: a pendulum, a double pendulum, a heavy tip on five rods, and a rope."""
+"""Define four scenes with rods, in which our engine is compared with pymunk.
+
+They are a pendulum, a double pendulum, five rods with a heavy tip, and a rope.
+"""
 
 from __future__ import annotations
 
@@ -22,13 +25,14 @@ ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope
 
 
 def pendulum() -> Scene:
-    """Return the scene of a 1 m pendulum released from horizontal, which lasts 5 s."""
+    """Create the scene of a pendulum of 1 m that is released from horizontal and swings for 5 s."""
     chain = Chain(1.0, [1.0], 0.5 * math.pi, ROUND_G, frames=300)
 
     def truth(time: float) -> Place:
-        """Compute the exact position of a pendulum at ``time`` with Jacobi's elliptic functions.
+        """Compute the exact position of the pendulum's bob at ``time`` with elliptic functions.
 
-        With t in s, sin(angle / 2) is sin(start / 2) times cn / dn of t sqrt(g / l).
+        With t in s, sin(angle / 2) is sin(start / 2) times cn / dn of t sqrt(g / l), where cn and
+        dn are Jacobi's elliptic functions.
         """
         m = math.sin(0.25 * math.pi) ** 2
         _, cn, dn, _ = ellipj(math.sqrt(ROUND_G) * time, m)
@@ -46,7 +50,7 @@ def pendulum() -> Scene:
 
 
 def double_pendulum() -> Scene:
-    """Return the scene of a double pendulum that swings for 2 s.
+    """Create the scene of a double pendulum that swings for 2 s.
 
     It has two bobs of 1 kg on two rods of 1 m, both released at 60 degrees from straight down.
     """
@@ -62,7 +66,7 @@ def double_pendulum() -> Scene:
 
 
 def heavy_tip() -> Scene:
-    """Return the scene of a chain with a heavy tip that swings for 2 s.
+    """Create the scene of a chain with a heavy tip that swings for 2 s.
 
     The chain has five rods of 1 m, with 1 kg at each joint and a bob of 10 kg at the tip. It is
     released at 60 degrees from straight down.
@@ -73,7 +77,7 @@ def heavy_tip() -> Scene:
 
 
 def rope() -> Scene:
-    """Return the scene of a rope that swings for 1 s.
+    """Create the scene of a rope that swings for 1 s.
 
     The rope has thirty rods of 0.1 m, each with a particle of 0.1 kg at its end. It is released at
     30 degrees from straight down.

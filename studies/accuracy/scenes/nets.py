@@ -1,4 +1,7 @@
-"""Scenes with nets: a swinging bridge, a bridge with a walker, and a net that catches a ball."""
+"""Define three scenes with nets of cables, in which our engine is compared with pymunk.
+
+A rope bridge swings, a ball walks across the bridge, and a net catches a ball.
+"""
 
 from __future__ import annotations
 
@@ -34,10 +37,10 @@ FINE = 8  # steps per frame of our own run, with which the truth is compared
 
 
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
-    """Return the scene of a net in a plane, built only when one of its models first runs.
+    """Create the scene of a net of cables, which is not built until one of its models first runs.
 
-    SciPy computes the exact solution, and ``differs`` compares that with a run of our own net in
-    short steps.
+    SciPy computes the exact solution. To check it, ``differs`` compares it with a run of our own
+    net in short steps.
     """
     plane = cache(make)
 
@@ -65,19 +68,25 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """Return the cables on one side of the rope bridge, with their lengths in a side view."""
+    """List the cables on one side of the rope bridge, with their lengths as seen from the side.
+
+    Pymunk is two-dimensional, so the bridge has to fit into a plane.
+    """
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
 def hung() -> list[tuple[float, float]]:
-    """Return where the rows hang on one side of the bridge, with a load on the third row."""
+    """Return the positions at which the planks on one side of the rope bridge hang at rest.
+
+    There is a load on the third plank.
+    """
     return [(x, y) for x, y in hanging()]
 
 
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
-    """Let a net come to rest in a steady wind, and return it with its knots where they settle.
+    """Let a net of cables come to rest, and return it with its knots where they have settled.
 
-    ``wind`` is an acceleration along X in m/s^2. The net that is returned no longer feels it.
+    ``wind`` is an acceleration along X in m/s^2 that acts until then, but not on the returned net.
     """
     knots = plane.particles()
     for knot in knots:
@@ -91,10 +100,10 @@ def settled(plane: Plane, wind: float = 0.0) -> Plane:
 
 
 def swinging() -> Scene:
-    """Return the scene of one side of the bridge swinging for 2 s after a wind has died down.
+    """Create the scene of a rope bridge that swings for 2 s after a wind has died down.
 
-    The side starts out where a steady wind of 3 m/s^2 held it at rest. All of its cables stay taut,
-    and there is no damping.
+    Only one side of the bridge is simulated. It starts where a steady wind of 3 m/s^2 held it at
+    rest. All of its cables stay taut, and there is no damping.
     """
 
     def make() -> Plane:
@@ -104,10 +113,11 @@ def swinging() -> Scene:
 
 
 def walked_over() -> Scene:
-    """Return the scene of one side of the bridge with a ball walking across it for 3.6 s.
+    """Create the scene of a ball that walks across a rope bridge for 3.6 s.
 
-    The ball has a mass of 5 kg and walks at 2 m/s. This side of the bridge carries half of its
-    weight, shared by the two rows next to the ball, and all cables stay taut.
+    The ball has a mass of 5 kg and walks at 2 m/s. Only one side of the bridge is simulated. It
+    carries half of the ball's weight, shared by the two planks next to the ball, and all cables
+    stay taut.
     """
 
     def make() -> Plane:
@@ -118,7 +128,7 @@ def walked_over() -> Scene:
 
 
 def catching() -> Scene:
-    """Return the scene of a net of 6 by 6 knots catching a ball, which lasts 0.6 s.
+    """Create the scene of a net of 6 by 6 knots that catches a ball, which lasts 0.6 s.
 
     The net hangs between two poles, and each knot has a mass of 0.2 kg. The horizontal cables are
     0.55 m long in the top row, and 0.59 m in the rows below, where they hang slack. Vertical cables

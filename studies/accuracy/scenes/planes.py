@@ -1,8 +1,9 @@
-"""Run a net in a plane with our nets and with pymunk, and compute its exact motion.
+"""Simulate a net of cables with our engine and with pymunk, and compute its exact motion.
 
-Our nets have order 2 or 4. The work is the number of links solved for. A net of order 4 solves for
-all of its links four times per step. In pymunk, slide joints act as the links, and each one is
-solved for in every iteration of a step.
+The net moves in a plane, because pymunk is two-dimensional. Our DirectNet has order 2, and our
+SmoothNet has order 4. The work of a model is the number of links that it solves for. A SmoothNet
+solves for all of its links four times per step. In pymunk, slide joints act as the links, and each
+joint is solved for in every iteration of a step.
 """
 
 from __future__ import annotations
@@ -31,12 +32,13 @@ FAR = 1e3  # m, more than the length that any slide joint reaches
 
 @dataclass(frozen=True)
 class Plane:
-    """A net in the X-Y plane: knots with masses in kg, and the ties between them (see TautMotion).
+    """A net of cables in the X-Y plane: its knots, and the cables and struts between them.
 
-    ``places`` are the initial positions of the knots. ``walker`` is a load that moves across the
-    knots in order, given as a tuple of its initial x in m, its speed in m/s and its weight in N.
-    The two knots on either side of the walker share the weight, and the nearer knot carries more of
-    it.
+    ``masses`` are those of the knots in kg, and ``places`` are their initial positions. ``ties``
+    are the cables and struts, as described for TautMotion. ``walker`` is a load that moves across
+    the knots in order, given as a tuple of its initial x in m, its speed in m/s and its weight in
+    N. The two knots on either side of the walker share the weight, and the nearer knot carries more
+    of it.
     """
 
     masses: Sequence[float]
@@ -47,7 +49,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the load on each knot in N: its own weight plus its part of the walker's."""
+        """Return the load on each knot in N: its weight plus its part of the walker's weight."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -57,14 +59,14 @@ class Plane:
         return forces.ravel()
 
     def exact(self) -> Any:
-        """Compute the exact positions at the end of each frame with SciPy."""
+        """Compute with SciPy where exactly the net's knots are at the end of each frame."""
         motion = TautMotion(self.masses, self.ties, self.load)
         times = [frame / RATE for frame in range(1, self.frames + 1)]
         still = numpy.zeros((len(self.masses), 2))
         return motion.run(numpy.array(self.places), still, times)
 
     def particles(self) -> list[Particle]:
-        """Return new particles for the knots, in their initial positions."""
+        """Create a new particle for each knot of the net, at the knot's initial position."""
         down = Vector3(0.0, -self.gravity)
         return [
             Particle(Vector3(x, y), acceleration=down, mass=mass)
@@ -72,7 +74,7 @@ class Plane:
         ]
 
     def links(self, knots: Sequence[Particle]) -> list[Any]:
-        """Create chapter 7's cables and struts for the ties between ``knots``."""
+        """Create chapter 7's cables and struts, which connect the particles ``knots`` to a net."""
         found: list[Any] = []
         for start, end, length, kind in self.ties:
             if not isinstance(start, int):
@@ -85,17 +87,18 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Find which two knots carry a walker at ``x``, with the knots at ``xs``.
+    """Find the two knots of a net that carry a walker at ``x``, and how they share the weight.
 
-    Return the index of the knot behind the walker, and how far the walker has come from there
-    toward the next knot, as a fraction between 0 and 1.
+    ``xs`` are the x coordinates of the knots. Return the index of the knot behind the walker, and
+    the fraction of the weight that the knot ahead carries. This fraction grows linearly from 0 to 1
+    on the way from the one knot to the other.
     """
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
 
 class Walker:
-    """A force generator that puts a walker's weight on the knots of a net.
+    """A force generator that puts the weight of a walker, such as a ball, on the knots of a net.
 
     Register it for one knot only, since it adds forces to both knots next to the walker.
     """
@@ -104,7 +107,7 @@ class Walker:
         self.knots, self.walker, self.weight = knots, walker, weight
 
     def update_force(self, _: Particle, __: float) -> None:
-        """Split the walker's weight between the knots on either side. The nearer knot gets more."""
+        """Split the walker's weight between the two knots next to it. The nearer knot gets more."""
         xs = [knot.position.x for knot in self.knots]
         knot, share = borne(xs, self.walker.position.x)
         self.knots[knot].add_force(Vector3(0.0, (share - 1.0) * self.weight))
@@ -112,7 +115,11 @@ class Walker:
 
 
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
-    """Create the knots of a net, along with a function that advances the net by one step."""
+    """Create the particles of a net, along with a function that advances them by one time step.
+
+    ``kind`` is the class of the net. If there is a walker on the net, each step also moves it and
+    adds its weight.
+    """
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
     if plane.walker:
@@ -134,7 +141,7 @@ def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Pa
 
 
 def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
-    """Run the net in steps, and return its knots' positions at the end of every frame."""
+    """Simulate a net with DirectNet or SmoothNet, two solvers that handle all cables at once."""
     knots, step = made(plane, kind)
 
     def place() -> Place:
@@ -146,7 +153,7 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
-    """Run the net in steps longer than a frame, and interpolate between them with cubics.
+    """Simulate a net in steps longer than a frame, and interpolate between them with cubics.
 
     Each block of LONG frames is covered by ``steps`` steps of order 4. The cubics are accurate only
     while the motion is smooth, because they cannot follow the jump in velocity at an impact.
@@ -171,9 +178,9 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
 
 
 def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
-    """Run the net in pymunk, with slide joints as its links.
+    """Simulate a net with pymunk, with slide joints as its cables and struts.
 
-    ``iterations`` is how many iterations pymunk's solver makes per step.
+    Pymunk's solver makes ``iterations`` iterations per step.
     """
     import pymunk
 

@@ -1,4 +1,7 @@
-"""Scenes of a body on a spring: along a line at four stiffnesses, and as an elastic pendulum."""
+"""Define scenes with a body on a spring, in which our engine is compared with pymunk.
+
+The body oscillates along a line, at four stiffnesses, or swings as an elastic pendulum.
+"""
 
 from __future__ import annotations
 
@@ -36,16 +39,16 @@ FRAMES = 120
 
 
 def spring(stiffness: float, damping: float) -> Scene:
-    """Return the scene of a body of 1 kg released 1 m from the anchor of a spring.
+    """Create the scene of a body of 1 kg that oscillates along a line on a damped spring.
 
-    The rest length of the spring is 0.
+    The body is released 1 m from the anchor of the spring, whose rest length is 0.
     """
 
     def place_at(time: float) -> Place:
         return damped_spring_state(1.0, 0.0, stiffness, damping, 1.0, time)[0], 0.0
 
     def truth(time: float) -> Place:
-        """Return the exact motion as the sum of two complex exponentials.
+        """Compute the exact position of the body as the sum of two complex exponentials.
 
         The formula breaks down at critical damping, but no spring in these scenes is critically
         damped.
@@ -90,10 +93,11 @@ def spring(stiffness: float, damping: float) -> Scene:
 
 
 def elastic_pendulum() -> Scene:
-    """Return the scene of a body of 1 kg swinging on an undamped spring for 2 s.
+    """Create the scene of an elastic pendulum: a body of 1 kg that swings on a spring for 2 s.
 
-    The spring has a stiffness of 200 N/m and a rest length of 1 m. The body starts 1.2 m to the
-    side of the anchor, moving upward at 1.5 m/s. Its motion has no closed form.
+    The spring is undamped, and has a stiffness of 200 N/m and a rest length of 1 m. The body starts
+    1.2 m to the side of the anchor, moving upward at 1.5 m/s. Its motion has no closed form, so
+    SciPy computes it.
     """
     stiffness, rest, gravity = 200.0, 1.0, 9.81
     place, velocity = (1.2, 0.0), (0.0, 1.5)
@@ -135,7 +139,10 @@ def elastic_pendulum() -> Scene:
 
 
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
-    """Run a linear spring with ``solver``, which evaluates one formula per step."""
+    """Simulate a body on a spring with a solver for linear springs, such as backward Euler.
+
+    The solver evaluates one formula per step.
+    """
     x, v = 1.0, 0.0
 
     def step(duration: float) -> None:

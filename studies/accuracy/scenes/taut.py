@@ -1,4 +1,4 @@
-"""Compute the exact motion of cables in a plane with SciPy, from one event to the next.
+"""Compute the exact motion of a net of cables in a plane with SciPy, from one event to the next.
 
 The computation shares no code with the engine, which makes it an independent test. While the same
 cables stay taut, the positions follow from ordinary differential equations in which tensions keep
@@ -29,10 +29,10 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """The exact motion of knots in a plane, held by cables and struts that are here called ties.
+    """The exact motion of a net in a plane: knots held by cables and struts, here called ties.
 
-    The masses are in kg. ``load`` returns the external forces in N, which may depend on the time
-    and on the positions.
+    The masses of the knots are in kg. ``load`` returns the external forces on them in N, which may
+    depend on the time and on the positions.
     """
 
     def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
@@ -51,19 +51,20 @@ class TautMotion:
         self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Return how far each tie still is from its limit, in m.
+        """Compute how far each cable or strut still is from its limit, in m.
 
-        The gap is how much longer a cable could get, or how much shorter a strut could get. The
-        number is negative once the tie is past its limit.
+        The gap is how much longer a cable could get, or how much shorter a strut could get. It is
+        negative once the limit has been passed.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
-        """Return the derivatives of the ties' lengths that the equations of motion need.
+        """Compute the derivatives of the cables' and struts' lengths for the equations of motion.
 
-        The first result is the Jacobian matrix of the lengths, with one row per tie. The second is
-        the part of each length's second derivative that comes from the rotation of the tie.
+        The first result is the Jacobian matrix of the lengths, with one row per cable or strut. The
+        second is the part of each length's second derivative that comes from the rotation of the
+        cable or strut.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
@@ -75,10 +76,10 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Find the pulls that keep the ties within their limits, given that no tie can push.
+        """Find the pulls that keep all cables and struts within their limits.
 
-        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted. A tie pulls only where the two sides
-        are equal, so p (A p - wanted) = 0.
+        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted, and none of them is negative. A
+        cable pulls only where the two sides are equal, so p (A p - wanted) = 0.
         """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
@@ -86,7 +87,7 @@ class TautMotion:
         return pulls
 
     def accelerations(self, time: float, state: Any, taut: Any) -> tuple[Any, Any]:
-        """Return the accelerations of the knots, and the pulls of the taut ties that hold them."""
+        """Compute the accelerations of all knots, and the pulls of the taut cables and struts."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         free = self.inverse * self.load(time, places)
@@ -96,9 +97,10 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve any impacts at ``time``, and find out which ties are taut afterward.
+        """Resolve any impacts at ``time``, and find out which cables and struts are taut afterward.
 
-        Return the positions and velocities after the impacts, and the indices of the taut ties.
+        Return the positions and velocities after the impacts, and the indices of the taut cables
+        and struts.
         """
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
@@ -115,7 +117,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Compute the motion from time 0, and return the positions at ``times`` as rows."""
+        """Compute the motion from time 0, and return the knots' positions at ``times``, as rows."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

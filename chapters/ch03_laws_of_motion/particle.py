@@ -52,7 +52,7 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Store an attribute, after checking and copying it if it is one of the three vectors."""
+        """Set an attribute, after checking and copying a position, velocity or acceleration."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)
@@ -86,7 +86,11 @@ class Particle:
 
     @inverse_mass.setter
     def inverse_mass(self, inverse_mass: float) -> None:
-        """Set the number 1 / mass in 1/kg. Raises ValueError if it is negative or not finite."""
+        """Set the inverse of the mass, 1 / mass, in 1/kg.
+
+        Raises:
+            ValueError: if the inverse mass is negative or not finite.
+        """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
@@ -101,7 +105,11 @@ class Particle:
 
     @damping.setter
     def damping(self, damping: float) -> None:
-        """Set the damping, a fraction. Raises ValueError if it is negative or not finite."""
+        """Set the fraction of the velocity that the particle keeps per second.
+
+        Raises:
+            ValueError: if the damping is negative or not finite.
+        """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     def kinetic_energy(self) -> float:

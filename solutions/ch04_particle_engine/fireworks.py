@@ -23,9 +23,7 @@ POLICIES = ("keep_old", "drop_oldest")
 
 @dataclass(frozen=True)
 class Payload:
-    """A number of fireworks of one ``type``, which another firework lights when it burns out.
-
-    ``count`` is how many there are, as in five sparks.
+    """The ``count`` fireworks of one ``type`` that another firework lights when it burns out.
 
     Raises:
         ValueError: if the count is below 1.

@@ -1,11 +1,11 @@
-"""Find the fastest way to simulate a scene within a given error, by trying every method we have.
+"""Find the fastest way to simulate a scene, such as a pendulum, within a given error.
 
-The methods, called models, are integrators, closed forms and contact solvers. The command times
-each of them, and reports the fastest one whose error is small enough. It also shows the next faster
-one, and how large its error is. SCENE is either part of the name of a built-in scene, such as
-"pendulum", or a Python file that describes a scene of your own, such as studies/choose/example.py.
-Your own scene has no exact solution to compare with, so its error is estimated by running it again
-with shorter time steps.
+The command tries every method that it knows. These methods, called models, are integrators, closed
+forms and contact solvers. It times each of them, and reports the fastest one whose error is small
+enough. It also shows the next faster one, and how large its error is. SCENE is either part of the
+name of a built-in scene, such as "pendulum", or a Python file that describes a scene of your own,
+such as studies/choose/example.py. Your own scene has no exact solution to compare with, so its
+error is estimated by running it again with shorter time steps.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
-    """Print the fastest model that is accurate enough for the scene that the user chose.
+    """Print the fastest method that simulates the user's scene accurately enough.
 
-    Return 1 if no model is accurate enough, and 0 otherwise.
+    Return 1 if no method is accurate enough, and 0 otherwise.
     """
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
@@ -93,7 +93,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _told(scene: Scene, point: Point) -> str:
-    """Describe one measured run of a model in a line of the report.
+    """Format one timed run of a simulation as a line of the report.
 
     The line states the number of time steps per frame, the processor time, the number of force
     evaluations or other work, and the error.

@@ -26,7 +26,7 @@ def build() -> ParticleWorld:
 
 
 def measure(world: ParticleWorld) -> Vector3:
-    """Return the lamp's position, which is what `make choose` compares between runs.
+    """Return the position of the lamp, which `make choose` compares between runs.
 
     It is called after every frame. A scene file without this function is compared by the positions
     of all particles that can move.

@@ -41,7 +41,7 @@ class Halved:
 def halved(
     runs: Sequence[Run | None], ratio: float, order: float, *, may_repeat: bool = False
 ) -> Halved:
-    """Estimate the error of each run from the differences between the runs.
+    """Estimate the error of each run of a simulation from the differences between the runs.
 
     The runs are of the same scene with the same method, and each has a time step that is shorter
     than the one before it by the factor ``ratio``. The error of a run is its distance from the
@@ -89,7 +89,7 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
 
 
 def distance(a: Run, b: Run) -> float:
-    """Find the largest difference between two runs, over all measured values in all frames."""
+    """Find the largest difference between two runs of a simulation, over all values and frames."""
     return max(
         abs(x - y)
         for mine, other in zip(a, b, strict=True)

@@ -56,10 +56,10 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Prepare ``world`` for a run with one of the model's choices.
+        """Prepare a world for a run with a given number of steps per frame, or a given tolerance.
 
-        Return the function that advances the world by one time step, and how often to call it per
-        frame.
+        ``choice`` is one of ``choices``. Return the function that advances the world by one time
+        step, and how often to call it per frame.
         """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)

@@ -22,10 +22,10 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 
 @dataclass
 class Tried:
-    """A model that was tried on the user's scene, with the values measured in each of its runs.
+    """A method of simulation that was tried on the user's scene, with the results of its runs.
 
-    ``times`` holds the processor times of each run in s. ``halved`` holds the estimated errors. If
-    the last run failed, ``failure`` says why.
+    ``runs`` holds the values measured in each run, and ``times`` its processor times in s.
+    ``halved`` holds the estimated errors. If the last run failed, ``failure`` says why.
     """
 
     model: Model
@@ -148,11 +148,11 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Time once more, in random order, the runs that the report may choose.
+    """Time those runs again that the report may choose, in random order.
 
     For each model whose error is known, they are the runs up to the first one that reliably meets
-    the tolerance. In random order, a moment in which the computer is busy with something else does
-    not slow down the runs of only one model.
+    the tolerance. Thanks to the random order, a moment in which the computer is busy with something
+    else does not slow down the runs of only one model.
     """
     every = []
     for tried in found:

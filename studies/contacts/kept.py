@@ -20,7 +20,7 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def rounded(points: Sequence[Point]) -> list[Point]:
-    """Round the measurements to three digits, and convert each time to a median in ms per frame."""
+    """Round the measurements of the contact solvers to three digits, with times in ms per frame."""
 
     def digits(value: float) -> float:
         return float(f"{value:.3g}")
@@ -32,7 +32,10 @@ def rounded(points: Sequence[Point]) -> list[Point]:
 
 
 def keep(points: Sequence[Point], file: Path = FILE) -> None:
-    """Write the measurements to ``file``, one per line, with the date and the Python version."""
+    """Write the measurements of the contact solvers to ``file``, one per line.
+
+    The file also records today's date and the version of Python that ran the solvers.
+    """
     start = {"measured": date.today().isoformat(), "python": platform.python_version()}
     lines = [json.dumps([p.scene, p.model, p.by, p.steps, p.error, p.time]) for p in points]
     text = json.dumps(start, indent=1)[:-2] + ',\n "points": [\n  ' + ",\n  ".join(lines)
@@ -40,7 +43,7 @@ def keep(points: Sequence[Point], file: Path = FILE) -> None:
 
 
 def kept(file: Path = FILE) -> list[Point]:
-    """Load the stored measurements of the last complete run, with their times in ms per frame."""
+    """Load the stored measurements of the contact solvers, with times in ms per frame."""
     rows = json.loads(file.read_text(encoding="utf-8"))["points"]
     return [
         Point(scene, model, by, steps, error, 0, [time])

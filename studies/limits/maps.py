@@ -101,10 +101,9 @@ def draw_maps(png: Path) -> None:
 def divergence() -> list[Loss]:
     """Measure how soon each integrator diverges on a spring that is too stiff, and predict it.
 
-    The prediction comes from the eigenvalues of one time step.
-
-    Return a row for each integrator and stiffness, with the predicted number of time steps and the
-    two numbers that ``steps_to_loss`` counts.
+    Return a row for each integrator and stiffness. It contains the number of time steps predicted
+    from the eigenvalues of one step, and the two numbers that ``steps_to_loss`` counts in a
+    simulation.
     """
     rows = []
     for name, damping in LOST.items():

@@ -110,16 +110,17 @@ def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull,
 
 
 def growth_at(name: str, damping: float, kappa: float) -> float:
-    """Compute the factor by which oscillations grow per time step at k h^2 / m = ``kappa``.
+    """Compute the factor by which oscillations grow per time step with the integrator ``name``.
 
-    ``name`` is the integrator, and ``damping`` has the same meaning as in ``stepping``.
+    ``kappa`` is the dimensionless stiffness k h^2 / m of the spring, and ``damping`` has the same
+    meaning as in ``stepping``.
     """
     integrator, pull, d = stepping(name, kappa, damping)
     return growth(integrator, pull, FRAME, d)
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest k h^2 / m at which a spring is stable in theory.
+    """Return the largest dimensionless stiffness k h^2 / m at which a spring is stable in theory.
 
     ``damping`` has the same meaning as in ``stepping``. Pymunk steps its spring by p' = p + v h, v'
     = (v + a' h) e^(-c h / m), which is semi-implicit Euler with D = e^(-c h / m). With the force
@@ -136,7 +137,10 @@ def theory_at(name: str, damping: float) -> float:
 
 
 def spring_limits() -> list[Bound]:
-    """Measure the largest stable k h^2 / m of each integrator, with and without damping."""
+    """Measure how stiff a spring each integrator tolerates, with and without damping.
+
+    The limits are values of the dimensionless stiffness k h^2 / m.
+    """
     rows = []
     for name in INTEGRATORS:
         rows += [spring_limit(name, kept, f"d^h = {kept:g}") for kept in KEPT]
@@ -153,7 +157,7 @@ def spring_limits() -> list[Bound]:
 
 
 def spring_limit(name: str, damping: float, at: str) -> Bound:
-    """Measure the largest stable k h^2 / m of the integrator ``name``.
+    """Measure the largest k h^2 / m at which a spring is stable with the integrator ``name``.
 
     ``damping`` has the same meaning as in ``stepping``, and ``at`` describes it in the table.
     """

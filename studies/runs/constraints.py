@@ -79,7 +79,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is each particle's own acceleration."""
+    """Apply no forces, for simulations in which gravity is each particle's own acceleration."""
     del duration
 
 

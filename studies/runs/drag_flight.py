@@ -84,7 +84,7 @@ def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def make_particle(flight: DragFlight) -> Particle:
-    """Create the particle of a flight in its initial state."""
+    """Create a particle of the engine in the initial state of a flight."""
     return Particle(
         Vector3(*flight.start.position),
         Vector3(*flight.start.velocity),
@@ -94,7 +94,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Create a pymunk space with one or more bodies, each in the initial state of the flight."""
+    """Create a pymunk space for a flight, with one or more bodies in the initial state."""
     import pymunk  # here, because plots of a student's engine do not need it
 
     space = pymunk.Space()

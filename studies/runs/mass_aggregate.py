@@ -45,7 +45,7 @@ class MassAggregate(Protocol):
 
 
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
-    """Advance a bridge, a wheel or the like step by step, and record several values over time.
+    """Simulate a mass aggregate, such as the rope bridge, and record several values over time.
 
     Each function in ``measures`` is called at the start and after every time step. An error in the
     student's engine ends the recording early.
@@ -76,7 +76,11 @@ def loaded_platform() -> TiltingPlatform:
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Record the total mechanical energy of a bridge, a wheel or the like, in J over time."""
+    """Simulate a mass aggregate, such as the rope bridge, and record its energy over time.
+
+    It is the mechanical energy in J. The contact resolver is replaced by a faster one with the same
+    results.
+    """
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
     return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
@@ -145,14 +149,17 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return the positions of all particles of a world as plain numbers."""
+    """Return the positions of all particles of a world as plain numbers.
+
+    Unlike the vectors of the particles, these numbers do not change in the next time step.
+    """
     return [numbers(particle.position) for particle in world.particles]
 
 
 def in_frames(
     aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Run a bridge, a wheel or the like in frames of varying length.
+    """Simulate a mass aggregate, such as the rope bridge, in frames of varying length.
 
     If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
     step. Return the measured values over time and, for each frame, the number of steps so far and
@@ -208,7 +215,7 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
-    """Create a world of balls that land on the ground one by one, and return both.
+    """Create a world in which balls land on the ground one by one, and return it with the balls.
 
     The last ball arrives late: it falls from LATE_HEIGHT between two other balls, and pushes all of
     the balls apart. A world that puts resting balls to sleep has to wake them then.
@@ -223,10 +230,11 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Drop the balls on the ground, and record how much work their contacts cause.
+    """Drop balls on the ground, and record how much work their contacts cause.
 
-    Return three values over time: the number of awake balls, the contact resolutions per time step,
-    and the kinetic energy in J.
+    ``kind`` is the class of the world, and decides whether resting balls fall asleep. Return three
+    values over time: the number of awake balls, the contact resolutions per time step, and the
+    kinetic energy in J.
     """
     world, balls = balls_on_ground(kind)
 
@@ -247,7 +255,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Find the largest distance between two lists of positions, compared one by one."""
+    """Find the largest distance between corresponding positions in two lists."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

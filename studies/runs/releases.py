@@ -75,7 +75,10 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Insert a NaN wherever the angle jumps, so that plots draw no line across the gap."""
+    """Insert a NaN wherever the release angle jumps, so that a plot leaves a gap there.
+
+    A jump is a change by more than ``degrees``.
+    """
     shown = list(found[:1])
     for before, release in pairwise(found):
         if before.angle - release.angle > degrees:

@@ -46,7 +46,7 @@ def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
 
 
 def catenary_radius(span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the parameter a, in m, of the catenary a cosh(x / a) with this span and length."""
+    """Compute the parameter a, in m, of the catenary a cosh(x / a), the curve of a hanging rope."""
     return _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
 
 

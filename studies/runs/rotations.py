@@ -98,7 +98,7 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Measure by how many degrees the worst pair of rotated axes is off perpendicular."""
+    """Measure how far the worst pair of rotated axes is from perpendicular, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
@@ -114,7 +114,7 @@ def off_directions(found: Arrows, wanted: Arrows) -> float:
 
 
 def largest(values: list[float]) -> float:
-    """Return the largest value, or NaN if any value is NaN or there are none."""
+    """Return the largest of several errors, or NaN if any of them is NaN or there are none."""
     return max(values, default=math.nan) if not any(map(math.isnan, values)) else math.nan
 
 
@@ -172,7 +172,10 @@ def disc_acceleration(time: float) -> Numbers:
 
 
 def throw_disc(rate: int) -> Throw:
-    """Throw the disc, which integrate_rotation turns in ``rate`` time steps per second."""
+    """Throw a spinning disc, and let the engine rotate it with integrate_rotation.
+
+    ``rate`` is the number of time steps per second.
+    """
     orientation = Quaternion(*TILTED)
     velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
     times: list[float] = []
@@ -191,18 +194,18 @@ def throw_disc(rate: int) -> Throw:
 
 
 def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` by one step of the book's first-order formula, Eq. 9.5."""
+    """Rotate the quaternion ``q`` by one time step of the book's first-order formula, Eq. 9.5."""
     q.add_scaled(Vector3(*velocity), duration)
 
 
 def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` by one step of Eq. 9.5, and then normalize it."""
+    """Rotate the quaternion ``q`` by one time step of Eq. 9.5, and then normalize it."""
     q.add_scaled(Vector3(*velocity), duration)
     q.normalize()
 
 
 def by_exponential(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` by one step, using the exponential of the rotation vector."""
+    """Rotate the quaternion ``q`` by one step, using the exponential of the rotation vector."""
     q.rotate_by(Vector3(*(component * duration for component in velocity)))
 
 
@@ -217,23 +220,23 @@ CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
 
 
 def steady_velocity(_: float) -> Numbers:
-    """Return the angular velocity of the steady rotation, which does not change."""
+    """Return the angular velocity of the steady test rotation, which is the same at all times."""
     return STEADY
 
 
 def steady_orientation(time: float) -> Components:
-    """Compute the exact orientation of the steady rotation."""
+    """Compute the exact orientation of a body in the steady test rotation at ``time``."""
     return product(turn(STEADY, TAU * time), START)
 
 
 def coning_velocity(time: float) -> Numbers:
-    """Compute the angular velocity of the rotation whose axis moves around Z."""
+    """Compute the angular velocity of the test rotation whose axis moves around Z."""
     x, y, z = rotated(turn(Z, CONING * time), SLANTING)
     return x, y, z + CONING
 
 
 def coning_orientation(time: float) -> Components:
-    """Compute the exact orientation of the rotation whose axis moves around Z.
+    """Compute the exact orientation of a body in the test rotation whose axis moves around Z.
 
     It is a rotation about a fixed axis, followed by one about Z.
     """
@@ -261,9 +264,10 @@ def turn_by_steps(
 
 
 def worst_axis(distance: float, z: float) -> Numbers:
-    """Return the axis with the largest Euler rates when y is ``distance`` below 90 degrees.
+    """Find the rotation axis for which the Euler angles change fastest, close to gimbal lock.
 
-    It lies halfway between the world's Z axis and the rotated X axis.
+    The angle y is ``distance`` below 90 degrees. The axis lies halfway between the world's Z axis
+    and the rotated X axis.
     """
     up = math.sin(0.5 * distance)
     along = math.cos(0.5 * distance)

@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """The positions and velocities of an oscillating body, and any error that ended its motion."""
+    """Positions and velocities of an oscillating body, and any error that ended the simulation."""
 
     places: list[float]
     velocities: list[float]
@@ -153,7 +153,7 @@ def step_matrix(
 
 
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
-    """Compute the growth per time step with the integrator ``name`` at k h^2 / m = kappa.
+    """Compute the growth of oscillations per time step with an integrator, at k h^2 / m = kappa.
 
     ``damping`` is the spring's c h / m for a solver, and the particle's d^h for an integrator.
     """
@@ -247,9 +247,10 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Measure the limit of k h^2 / m for several d^h. Return each d^h, its limit and its theory.
+    """Measure the largest stable k h^2 / m of an integrator for several dampings d^h.
 
-    Undamped explicit Euler is left out, because its limit is 0.
+    Return each d^h with the measured limit and the theoretical one. Undamped explicit Euler is left
+    out, because its limit is 0.
     """
     found = []
     for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):

@@ -75,7 +75,7 @@ def state_by_steps(
 
     Each step first moves the position with the old velocity (Eq. 2.7) and then changes the velocity
     (Eq. 2.8), as ``Particle.integrate`` does when the damping is 1. ``duration`` is the duration of
-    one step in s. Both results are vectors.
+    one step in s. Both results are new vectors.
 
     Raises:
         ValueError: if the duration is not positive and finite, or if ``steps`` is below 1.

@@ -14,10 +14,12 @@ def screen_angle(start: float, rate: float, time: float) -> float:
 
     The angle is ``start`` at time 0 and grows by ``rate`` per second. All angles are in radians,
     and ``time`` is in s. Remove full turns from the result, so that it is from -pi to pi, because
-    they make no difference on the screen. Going further.
+    they make no difference on the screen.
 
     Raises:
         ValueError: if an argument is not finite.
+
+    Exercise G4.1.
 
     >>> screen_angle(0.5, 2.0, 0.25)
     1.0
@@ -31,10 +33,12 @@ def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
     The sides of the square have the length ``size``. At an angle of 0 they are horizontal and
     vertical, and a positive angle rotates the square from X toward Y. Start with the corner that is
     at the upper right at an angle of 0, and continue in the direction of rotation. The angle is in
-    radians. Going further.
+    radians.
 
     Raises:
         ValueError: if a coordinate or the angle is not finite, or if the size is not positive.
+
+    Exercise G4.1.
 
     >>> screen_corners((10.0, 20.0), 2.0, 0.0)
     [(11.0, 21.0), (9.0, 21.0), (9.0, 19.0), (11.0, 19.0)]

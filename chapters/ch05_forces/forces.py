@@ -59,10 +59,10 @@ class ForceRegistry:
         raise NotImplementedError("Exercise B5.3: The force registry")
 
     def remove(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Remove a pair, so that ``generator`` no longer acts on ``particle``.
+        """Remove one (particle, generator) pair from the registry, to undo one call of ``add``.
 
-        One call removes one pair, which undoes one call of ``add``. Compare with ``is``, because
-        two different objects can be equal. If there is no such pair, do nothing.
+        Compare with ``is``, because two different objects can be equal. If there is no such pair,
+        do nothing.
         """
         raise NotImplementedError("Exercise B5.3: The force registry")
 
@@ -86,7 +86,7 @@ class ForceRegistry:
 
 
 class Gravity:
-    """The weight of a particle, m g.
+    """A force generator for the weight of a particle, m g.
 
     ``acceleration`` is g, a vector in m/s^2. You do not need this generator if g is the same
     everywhere and at all times. Setting ``Particle.acceleration`` then has the same effect at a
@@ -137,10 +137,12 @@ class Uplift:
     """A vertical column of rising air, without an upper or lower end, that pushes particles.
 
     ``force`` is the force in N on every particle inside the column. The axis of the column passes
-    through ``origin``, and its ``radius`` is in m. Exercise 5.1.
+    through ``origin``, and its ``radius`` is in m.
 
     Raises:
         ValueError: if the radius is negative or not finite.
+
+    Exercise 5.1.
     """
 
     def __init__(self, origin: Vector3, radius: float, force: Vector3) -> None:
@@ -161,10 +163,12 @@ class Airbrake:
     """Strong drag that can be switched on and off, with the force -k v.
 
     ``k`` is in N s/m. Set the attribute ``on`` to True or False to switch the brake. It is off at
-    first. Exercise 5.2.
+    first.
 
     Raises:
         ValueError: if k is negative or not finite.
+
+    Exercise 5.2.
     """
 
     # The share of a full stop that the brake takes at most: rounding cannot make it more than all.
@@ -194,10 +198,12 @@ class PointGravity:
     """Gravity toward a point, with the same strength at every distance.
 
     ``strength`` is the acceleration toward the point in m/s^2. If it is negative, the point pushes
-    particles away. Exercise 5.3.
+    particles away.
 
     Raises:
         ValueError: if the strength is not finite.
+
+    Exercise 5.3.
     """
 
     def __init__(self, center: Vector3, strength: float) -> None:
@@ -217,10 +223,12 @@ class InverseSquareGravity:
     """Gravity toward a point that gets weaker with distance, in proportion to 1 / r^2.
 
     Use it for orbits, such as a planet around the sun. ``mu`` is G times the attracting mass, in
-    m^3/s^2. If it is negative, the center pushes particles away. Exercise 5.4, Eq. 3.3.
+    m^3/s^2. If it is negative, the center pushes particles away.
 
     Raises:
         ValueError: if ``mu`` is not finite.
+
+    Exercise 5.4, Eq. 3.3.
     """
 
     def __init__(self, center: Vector3, mu: float) -> None:

@@ -282,12 +282,14 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
     perpendicular to the plane of ``a`` and ``b``. The second vector lies in that plane, as close to
     ``b`` as it can be while it is perpendicular to ``a``. All three are new vectors, and the vector
     product of the first and the second is the third. Only the directions of ``a`` and ``b`` matter,
-    not their lengths. Book 2.1.9.
+    not their lengths.
 
     Raises:
         ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, because such
             vectors do not determine a basis. They count as parallel if the sine of the angle
             between them is below 1e-12.
+
+    Book 2.1.9.
     """
     first = a.normalized()
     third = first.cross(b.normalized())

@@ -83,7 +83,7 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 
 
 def is_spent(shot: Shot) -> bool:
-    """Return True if a shot can no longer hit anything and must be removed from the range.
+    """Return True if a shot has left the range or flown for too long, and must be removed.
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
     ``END_OF_RANGE`` in z. If spent shots were never removed, the range would have to simulate more
@@ -111,8 +111,9 @@ def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> 
     """Return the shots that replace ``shot`` after it has moved from ``start`` by one time step.
 
     If the shot has hit a target on its path, the list is empty, because the shot disappears.
-    Otherwise the result depends on the type of the shot: ``grenade_after`` decides what happens to
-    a grenade, and any other shot flies on until it is spent.
+    Otherwise the result depends on the type of the shot. ``grenade_after`` decides what happens to
+    a grenade. Any other shot flies on, so the list contains only the shot itself, or nothing if it
+    is spent (``is_spent``).
     """
     if targets and strike_first(start, shot.particle, targets):
         return []

@@ -2,10 +2,10 @@
 
 The command tries every method that it knows. These methods, called models, are integrators, closed
 forms and contact solvers. It times each of them, and reports the fastest one whose error is small
-enough. It also shows the next faster one, and how large its error is. The scene is either part of the
-name of a built-in scene, such as "pendulum", or a Python file that describes a scene of your own,
-such as studies/choose/example.py. Your own scene has no exact solution to compare with, so its
-error is estimated by running it again with shorter time steps.
+enough. It also shows the next faster one, and how large its error is. Choose a built-in scene by
+part of its name, such as "pendulum", or describe your own scene in a Python file, such as
+studies/choose/example.py. Your own scene has no exact solution to compare with, so its error is
+estimated by running it again with shorter time steps.
 """
 
 from __future__ import annotations

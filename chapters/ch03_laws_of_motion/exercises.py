@@ -1,7 +1,7 @@
-"""The exercises of the book's chapter 3, each as a function. Exercise 3.3 is in particle.py.
+"""The exercises of the book's chapter 3, with one function for each.
 
-None of these functions changes its arguments. All of them raise TypeError if an argument that must
-be a number is something else.
+Exercise 3.3 is in particle.py. None of these functions changes its arguments. All of them raise
+TypeError if an argument that must be a number is something else.
 """
 
 from __future__ import annotations
@@ -14,12 +14,15 @@ GRAVITATIONAL_CONSTANT = 6.67428e-11  # N m^2/kg^2
 
 
 def speed_ratio(first_mass: float, second_mass: float) -> float:
-    """Exercise 3.1: return the ratio of the speeds that a force gives to two particles.
+    """Compare the speeds that the same force gives to two particles with different masses.
 
     Both particles start at rest, and then the same force acts on both for the same time. The result
     is the speed of the first particle divided by the speed of the second. The masses are in kg.
 
-    Raises ValueError if a mass is not positive and finite.
+    Raises:
+        ValueError: if a mass is not positive and finite.
+
+    Exercise 3.1.
 
     >>> speed_ratio(3.0, 1.5)
     0.5
@@ -28,12 +31,15 @@ def speed_ratio(first_mass: float, second_mass: float) -> float:
 
 
 def gravity_between(first_mass: float, second_mass: float, distance: float) -> float:
-    """Exercise 3.2: return the gravitational force in N between two masses (Eq. 3.3).
+    """Compute the force in N with which two masses attract each other.
 
     The masses are in kg and the distance is in m. For the gravitational constant G, use the book's
     value, 6.67428e-11 N m^2/kg^2.
 
-    Raises ValueError if a mass or the distance is not positive and finite.
+    Raises:
+        ValueError: if a mass or the distance is not positive and finite.
+
+    Exercise 3.2, Eq. 3.3.
 
     >>> force = gravity_between(100.0, 100.0, 1.0)
     >>> f"{force:.6g}"
@@ -45,13 +51,16 @@ def gravity_between(first_mass: float, second_mass: float, distance: float) -> f
 def position_by_equation(
     position: Vector3, velocity: Vector3, acceleration: Vector3, time: float
 ) -> Vector3:
-    """Exercise 3.4a: return the position after ``time`` s with constant acceleration (Eq. 2.9).
+    """Compute the position of a particle after ``time`` s of constant acceleration, without steps.
 
     The result is p' = p + v t + a t^2 / 2 in m, as a new vector. It is exact, so you can measure
     the error of time steps against it. In this example and the following ones, the start position
     and two components of the acceleration differ from the book's.
 
-    Raises ValueError if the time is not positive and finite.
+    Raises:
+        ValueError: if the time is not positive and finite.
+
+    Exercise 3.4a, Eq. 2.9.
 
     >>> position_by_equation(Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5), 5)
     Vector3(-18.0, 12.5, 15.25)
@@ -62,13 +71,16 @@ def position_by_equation(
 def state_by_steps(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> tuple[Vector3, Vector3]:
-    """Exercise 3.4b and c: return the position and the velocity after ``steps`` equal steps.
+    """Compute the position and the velocity of a particle after ``steps`` equal time steps.
 
     Each step first moves the position with the old velocity (Eq. 2.7) and then changes the velocity
     (Eq. 2.8), as ``Particle.integrate`` does when the damping is 1. ``duration`` is the duration of
-    one step in s.
+    one step in s. Both results are new vectors.
 
-    Raises ValueError if the duration is not positive and finite, or if ``steps`` is below 1.
+    Raises:
+        ValueError: if the duration is not positive and finite, or if ``steps`` is below 1.
+
+    Exercise 3.4b and c.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> state_by_steps(p, v, a, 1, steps=1)
@@ -82,10 +94,11 @@ def state_by_steps(
 def stepping_error(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> Vector3:
-    """Exercise 3.4d: return how far the time steps end from the exact position, as a new vector.
+    """Measure how far from the exact position a particle ends up when it moves in time steps.
 
-    The result is the position after the steps minus the exact position, in m. The arguments are the
-    same as those of ``state_by_steps``, and so are the errors that it raises.
+    The result is the position after the steps minus the exact position, in m, as a new vector. The
+    arguments are the same as those of ``state_by_steps``, and so are the errors that it raises.
+    Exercise 3.4d.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)
@@ -95,14 +108,17 @@ def stepping_error(
 
 
 def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
-    """Exercise 3.5a: return random frame durations in s that add up to ``total``.
+    """Make up random frame durations in s, which imitate a game whose frame rate varies.
 
-    Use them to imitate a game whose frame rate varies. Each duration is drawn uniformly between
-    mean * (1 - jitter) and mean * (1 + jitter). The last duration is shortened so that the sum
-    equals ``total``, except for rounding. The same ``seed`` gives the same durations.
+    Each duration is drawn uniformly between mean * (1 - jitter) and mean * (1 + jitter). The last
+    duration is shortened so that the sum equals ``total``, except for rounding. The same ``seed``
+    gives the same durations.
 
-    Raises ValueError if the mean or the total is not positive and finite, or if the jitter is
-    negative or not below 1.
+    Raises:
+        ValueError: if the mean or the total is not positive and finite, or if the jitter is
+            negative or not below 1.
+
+    Exercise 3.5a.
 
     >>> random_frames(0.25, 0.0, 1.0, seed=7)
     [0.25, 0.25, 0.25, 0.25]
@@ -113,16 +129,18 @@ def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[f
 def damping_difference(
     velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
 ) -> float:
-    """Exercise 3.5b: return how much the results of the two damping equations differ on average.
+    """Measure how much the results of the book's two damping equations differ on average, in m/s.
 
     Each item of ``runs`` is one run: a list of step durations in s. In each run, two particles
     start with the same ``velocity`` in m/s and make the same steps with the same damping. One of
     them follows Eq. 3.5, and the other follows Eq. 3.6. At the end of the run, take the length of
-    the difference between their velocities. The result is the mean of these lengths over all runs,
-    in m/s.
+    the difference between their velocities. The result is the mean of these lengths over all runs.
 
-    Raises ValueError if there are no runs, if the damping is negative or not finite, or if a
-    duration is not positive and finite.
+    Raises:
+        ValueError: if there are no runs, if the damping is negative or not finite, or if a duration
+            is not positive and finite.
+
+    Exercise 3.5b.
 
     >>> gravity = Vector3(0, -10, 0)
     >>> difference = damping_difference(Vector3(), gravity, 0.99, [[0.5, 0.5], [0.25] * 4])

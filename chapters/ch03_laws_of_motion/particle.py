@@ -52,33 +52,45 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute. A position, velocity or acceleration is first validated and copied."""
+        """Set an attribute, after checking and copying a position, velocity or acceleration."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)
 
     @property
     def mass(self) -> float:
-        """The mass in kg. It is positive, or ``math.inf`` for an immovable particle (3.2)."""
+        """The mass of the particle in kg, which is ``math.inf`` if the particle is immovable.
+
+        The mass is always positive. Book 3.2.
+        """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @mass.setter
     def mass(self, mass: float) -> None:
         """Set the mass in kg. Use ``math.inf`` to make the particle immovable.
 
-        Raises ValueError if the mass is not positive. Like every setter of this class, it raises
-        TypeError for anything that is not a number.
+        Like every setter of this class, it raises TypeError for anything that is not a number.
+
+        Raises:
+            ValueError: if the mass is not positive.
         """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
     def inverse_mass(self) -> float:
-        """The stored number 1 / mass in 1/kg. It is 0 for an immovable particle."""
+        """The inverse of the mass, 1 / mass, in 1/kg. It is 0 for an immovable particle.
+
+        The particle stores this number instead of the mass.
+        """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @inverse_mass.setter
     def inverse_mass(self, inverse_mass: float) -> None:
-        """Set the inverse mass. Raises ValueError if it is negative or not finite."""
+        """Set the inverse of the mass, 1 / mass, in 1/kg.
+
+        Raises:
+            ValueError: if the inverse mass is negative or not finite.
+        """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
@@ -88,32 +100,36 @@ class Particle:
 
     @property
     def damping(self) -> float:
-        """The fraction d of the velocity that is kept per second (Eq. 3.6)."""
+        """The fraction d of the velocity that the particle keeps per second (book Eq. 3.6)."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @damping.setter
     def damping(self, damping: float) -> None:
-        """Set the damping. Raises ValueError if it is negative or not finite."""
+        """Set the fraction of the velocity that the particle keeps per second.
+
+        Raises:
+            ValueError: if the damping is negative or not finite.
+        """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     def kinetic_energy(self) -> float:
-        """Exercise 3.3: return the kinetic energy m |v|^2 / 2 in J.
+        """Return the kinetic energy of the particle, m |v|^2 / 2, in J.
 
-        An immovable particle does not move, so its kinetic energy is 0.
+        An immovable particle does not move, so its kinetic energy is 0. Exercise 3.3.
         """
         raise NotImplementedError("Exercise 3.3: Kinetic energy")
 
     def momentum(self) -> Vector3:
-        """Return the momentum m v in kg m/s as a new vector (3.2).
+        """Return the momentum of the particle, m v, in kg m/s as a new vector.
 
         Momentum stays constant as long as no force acts. An immovable particle does not move, so
-        its momentum is zero.
+        its momentum is zero. Book 3.2.
         """
         raise NotImplementedError("Exercise B3.2: Momentum")
 
     @property
     def last_acceleration(self) -> Vector3:
-        """The total acceleration of the last step, as a new vector.
+        """The total acceleration of the particle in its last time step, in m/s^2 as a new vector.
 
         No forces act in this chapter, so it equals the constant acceleration. In chapter 5 it also
         includes force / mass.
@@ -121,24 +137,25 @@ class Particle:
         raise NotImplementedError("Exercise B3.4: The step")
 
     def drift(self, duration: float) -> None:
-        """Move the particle with its velocity: p' = p + v h (Eq. 2.7). ``duration`` is h in s.
+        """Move the particle with its velocity for ``duration`` s, leaving the velocity unchanged.
 
-        Only the position changes, and an immovable particle does not move at all. The duration may
-        be 0 or negative, because some integrators of chapter 6 split a step into several drifts,
-        and a few of them even drift back.
+        With h = ``duration``, the new position is p' = p + v h. An immovable particle does not move
+        at all. The duration may be 0 or negative, because some integrators of chapter 6 split a
+        step into several drifts, and a few of them even drift back.
 
         The duration is not checked here. The caller, such as ``integrate``, checks it once per
-        step.
+        step. Book Eq. 2.7.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
     def kick(self, duration: float) -> None:
-        """Change the velocity by the acceleration: v' = (v + a h) d^h. ``duration`` is h in s.
+        """Change the velocity of the particle by its acceleration and damping over ``duration`` s.
 
-        As in the book's listing, the acceleration is applied first, and the damping then acts on
-        the result. The book's Eq. 3.6 damps only the old velocity: v d^h + a h (E-16). A kick does
-        not change the position, and an immovable particle also keeps its velocity. As in ``drift``,
-        the duration may be 0 or negative and is not checked.
+        With h = ``duration`` and the damping d, the new velocity is v' = (v + a h) d^h. As in the
+        book's listing, the acceleration is applied first, and the damping then acts on the result.
+        The book's Eq. 3.6 damps only the old velocity: v d^h + a h (erratum E-16). A kick does not
+        change the position, and an immovable particle also keeps its velocity. As in ``drift``, the
+        duration may be 0 or negative and is not checked.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
@@ -146,8 +163,8 @@ class Particle:
         """Move the particle by one time step of explicit Euler: first drift, then kick.
 
         ``duration`` is in s. Because the drift comes first, the position changes with the velocity
-        from before the step. The term a h^2 / 2 is left out on purpose (3.3.2). This is the book's
-        integrator, although the book gives it another name (E-17).
+        from before the step. The term a h^2 / 2 is left out on purpose (book 3.3.2). This is the
+        book's integrator, although the book gives it another name (erratum E-17).
 
         The new velocity must come from ``self.kick(duration)``, because the particle of chapter 5
         overrides ``kick`` to add forces. An immovable particle does not change.

@@ -22,8 +22,9 @@ class CatherineWheel:
     speed ``jet`` in m/s. ``angle`` is the current angle of the nozzle from the X axis, and
     ``thrown`` counts the sparks that have left it.
 
-    Raises ValueError if the show has no such type, the center is not finite, the radius or the rate
-    is not positive, or another number is negative.
+    Raises:
+        ValueError: if the show has no such type, the center is not finite, the radius or the rate
+            is not positive, or another number is negative.
     """
 
     def __init__(
@@ -50,17 +51,17 @@ class CatherineWheel:
         self.thrown = 0
 
     def nozzle(self) -> Particle:
-        """Mini-project 4.4: return a new particle at the nozzle, to be the parent of sparks.
+        """Return a new particle at the nozzle of the wheel, to be the parent of sparks.
 
         Sparks start with the position and velocity of their parent. So place the particle on the
         rim, at the wheel's angle, with a velocity perpendicular to the spoke. The rim moves at
         ``rate`` times ``radius``, but the sparks are thrown backward, so the speed of the particle
-        is the speed of the rim minus ``jet``.
+        is the speed of the rim minus ``jet``. Mini-project 4.4.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")
 
     def update(self, duration: float) -> None:
-        """Mini-project 4.4: rotate for ``duration`` s, and light the sparks that are due.
+        """Rotate the wheel for ``duration`` s, and light the sparks that leave its nozzle.
 
         After a total of t seconds, the wheel has thrown ``sparks_per_second`` times t sparks,
         rounded down. The number therefore does not depend on the length of the steps, apart from
@@ -68,6 +69,9 @@ class CatherineWheel:
         step, and they count as thrown even if the show has no room for them. Update the show
         separately, because this method only lights the sparks.
 
-        Raises ValueError if the duration is not positive and finite. In that case nothing moves.
+        Raises:
+            ValueError: if the duration is not positive and finite. In that case nothing moves.
+
+        Mini-project 4.4.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")

@@ -1,4 +1,4 @@
-"""The state of a particle at any time, without time steps.
+"""Compute the state of a particle at any time with a formula, without time steps.
 
 If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v, with a
 constant acceleration a and k = -ln d. This equation has an exact solution, which gives the position
@@ -15,33 +15,37 @@ from ch03_laws_of_motion.particle import Particle
 
 
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
-    """Return the three factors of the exact solution: kept, gone and fallen.
+    """Compute the three factors from which the exact motion of a particle with drag follows.
 
-    With these factors, v(t) = v kept + a gone and p(t) = p + v gone + a fallen:
+    With these factors, called kept, gone and fallen, v(t) = v kept + a gone and p(t) = p + v gone +
+    a fallen:
 
     - kept = d^t, which has no unit, is the fraction of the velocity that remains.
     - gone = (1 - d^t) / k, in s, is the distance traveled at an initial speed of 1 m/s.
     - fallen = (t - gone) / k, in s^2, is the distance traveled at an acceleration of 1 m/s^2.
 
-    As the damping approaches 1, the factors approach 1, t and t^2 / 2. Close to this limit the
-    formulas divide almost 0 by almost 0, which loses digits. The result must still have at least 9
-    correct digits, even for a damping as close to 1 as a float can be. At the other extreme, a
-    damping of 0 stops everything at once, so all three factors are 0 for any time above 0.
+    Here d is the damping, k = -ln d, and t is the time in s. As the damping approaches 1, the
+    factors approach 1, t and t^2 / 2. Close to this limit the formulas divide almost 0 by almost 0,
+    which loses digits. The result must still have at least 9 correct digits, even for a damping as
+    close to 1 as a float can be. At the other extreme, a damping of 0 stops everything at once, so
+    all three factors are 0 for any time above 0.
 
-    Raises ValueError if the damping or the time is negative or not finite, and OverflowError if a
-    factor does not fit in a float.
+    Raises:
+        ValueError: if the damping or the time is negative or not finite.
+        OverflowError: if a factor does not fit in a float.
     """
     raise NotImplementedError("Exercise B4.8: A state without steps")
 
 
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
-    """Return the position and velocity of ``particle`` after ``time`` s, as new vectors.
+    """Predict the position and velocity of ``particle`` after ``time`` s, without moving it.
 
-    Use this function for a prediction, such as where a shell will land. It does not change the
-    particle. For an immovable particle, return copies of its current position and velocity.
+    Use this function for a prediction, such as where a shell will land. Both results are new
+    vectors. For an immovable particle, return copies of its current position and velocity.
 
-    Raises ValueError if the time is negative or not finite, and OverflowError as ``drag_factors``
-    does.
+    Raises:
+        ValueError: if the time is negative or not finite.
+        OverflowError: if a factor does not fit in a float, as in ``drag_factors``.
 
     >>> shell = Particle(Vector3(0, 1.5, 0), Vector3(0, 30, 40), Vector3(0, -20, 0), damping=0.99)
     >>> position, _ = state_after(shell, 3.0347583)
@@ -54,16 +58,18 @@ def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
 def burst_positions(
     start: float, speeds: Sequence[float], acceleration: float, damping: float, time: float
 ) -> list[float]:
-    """Return the positions of all sparks of a burst along one axis, in m, after ``time`` s.
+    """Compute where all sparks of a burst are along one axis, in m, after ``time`` s.
 
     All sparks start at the same position and time, with the same acceleration and damping. They
     differ only in their ``speeds`` along the axis, in m/s. So compute everything that they share
     once per call: the factors, and the position of a spark with a speed of 0. Each call handles
-    only one axis, because a picture on the screen needs just two of the three.
+    only one axis, because a picture on the screen needs just two of the three. The speeds are not
+    checked.
 
-    The speeds are not checked. Raises ValueError if the start or the acceleration is not finite, or
-    if the damping or the time is negative or not finite, and OverflowError as ``drag_factors``
-    does.
+    Raises:
+        ValueError: if the start or the acceleration is not finite, or if the damping or the time is
+            negative or not finite.
+        OverflowError: if a factor does not fit in a float, as in ``drag_factors``.
 
     >>> burst_positions(9.0, [-2.0, 0.0, 3.0], -10.0, damping=1.0, time=1.0)
     [2.0, 4.0, 7.0]

@@ -1,8 +1,8 @@
-"""A bullet that is slow enough to be seen (book 4.1.1): how its mass and gravity must change.
+"""Slow down a bullet so that the player can see it, by changing its mass and gravity (book 4.1.1).
 
 A real bullet is too fast to be seen, so a game slows it down. ``factor`` is the real speed divided
 by the speed in the game. For example, if a bullet of 500 m/s flies at 25 m/s in the game, the
-factor is 20. The book defines this ratio in two opposite ways (E-19).
+factor is 20. The book defines this ratio in two opposite ways (erratum E-19).
 
 Every function of this chapter raises TypeError if an argument that must be a number is something
 else.
@@ -12,13 +12,14 @@ from __future__ import annotations
 
 
 def muzzle_energy(mass: float, speed: float) -> float:
-    """Return the kinetic energy m v^2 / 2 of a shot in J.
+    """Compute the kinetic energy of a shot, m v^2 / 2, in J.
 
     This energy decides how much work the shot can do on a target. The mass is in kg and the speed
     in m/s.
 
-    Raises ValueError if the mass is not positive and finite, or if the speed is negative or not
-    finite.
+    Raises:
+        ValueError: if the mass is not positive and finite, or if the speed is negative or not
+            finite.
 
     >>> muzzle_energy(0.005, 500.0)
     625.0
@@ -27,12 +28,13 @@ def muzzle_energy(mass: float, speed: float) -> float:
 
 
 def slowed_mass(mass: float, factor: float) -> float:
-    """Return the mass in kg that gives a slowed shot the kinetic energy of the real shot.
+    """Compute the mass in kg that gives a slowed shot the kinetic energy of the real shot.
 
     The shot is slower by ``factor``, so it needs a larger mass to have the same energy. It then
     does as much work on a target as the real shot.
 
-    Raises ValueError if the mass or the factor is not positive and finite.
+    Raises:
+        ValueError: if the mass or the factor is not positive and finite.
 
     >>> slowed_mass(0.005, 20.0)  # muzzle_energy(2.0, 25.0) is 625 J again
     2.0
@@ -41,13 +43,14 @@ def slowed_mass(mass: float, factor: float) -> float:
 
 
 def slowed_gravity(gravity: float, factor: float) -> float:
-    """Return the gravity in m/s^2 that gives a slowed shot the trajectory of the real shot.
+    """Compute the gravity in m/s^2 that gives a slowed shot the trajectory of the real shot.
 
     The slower shot needs more time for the same distance, so gravity acts on it for longer. Gravity
     must therefore be weaker if the slow shot should drop no farther than the real one. The book
-    divides gravity by the factor only once, which is not enough (E-2).
+    divides gravity by the factor only once, which is not enough (erratum E-2).
 
-    Raises ValueError if the gravity is not finite, or if the factor is not positive and finite.
+    Raises:
+        ValueError: if the gravity is not finite, or if the factor is not positive and finite.
 
     >>> slowed_gravity(10.0, 20.0)
     0.025

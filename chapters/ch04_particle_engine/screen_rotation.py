@@ -1,6 +1,7 @@
-"""Sparks that rotate on the screen at a constant rate: a picture without physics (4.2.3, E-35).
+"""Sparks that rotate on the screen at a constant rate, for a picture without physics (book 4.2.3).
 
 A rotation at a constant rate needs no time steps, because a formula gives the angle at any time.
+See also erratum E-35.
 """
 
 from __future__ import annotations
@@ -9,12 +10,16 @@ Point = tuple[float, float]
 
 
 def screen_angle(start: float, rate: float, time: float) -> float:
-    """Going further: return the angle after ``time`` s, in radians, from -pi to pi.
+    """Compute the angle of a spark that rotates on the screen at a constant rate.
 
-    The angle is ``start`` at time 0 and grows by ``rate`` per second. Full turns are removed from
-    the angle, because they make no difference on the screen.
+    The angle is ``start`` at time 0 and grows by ``rate`` per second. All angles are in radians,
+    and ``time`` is in s. Remove full turns from the result, so that it is from -pi to pi, because
+    they make no difference on the screen.
 
-    Raises ValueError if an argument is not finite.
+    Raises:
+        ValueError: if an argument is not finite.
+
+    Exercise G4.1.
 
     >>> screen_angle(0.5, 2.0, 0.25)
     1.0
@@ -23,13 +28,17 @@ def screen_angle(start: float, rate: float, time: float) -> float:
 
 
 def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
-    """Going further: return the four corners of a square on the screen, in order.
+    """Compute the four corners of a rotated square on the screen, in order.
 
     The sides of the square have the length ``size``. At an angle of 0 they are horizontal and
     vertical, and a positive angle rotates the square from X toward Y. Start with the corner that is
-    at the upper right at an angle of 0, and continue in the direction of rotation.
+    at the upper right at an angle of 0, and continue in the direction of rotation. The angle is in
+    radians.
 
-    Raises ValueError if a coordinate or the angle is not finite, or if the size is not positive.
+    Raises:
+        ValueError: if a coordinate or the angle is not finite, or if the size is not positive.
+
+    Exercise G4.1.
 
     >>> screen_corners((10.0, 20.0), 2.0, 0.0)
     [(11.0, 21.0), (9.0, 21.0), (9.0, 19.0), (11.0, 19.0)]

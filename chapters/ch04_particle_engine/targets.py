@@ -1,8 +1,8 @@
-"""Target blocks for the ballistic range (mini-project 4.3), and a test of whether a shot hits them.
+"""Target blocks for the shooting range (mini-project 4.3), and a test of whether a shot hits them.
 
-A shot moves more than half a meter in a step. If you tested only its position at the end of each
-step, it could jump over a thin block without hitting it. That is why the test uses the whole path
-of the shot during the step.
+A shot moves more than half a meter in a time step. If you tested only its position at the end of
+each step, it could jump over a thin block without hitting it. That is why the test uses the whole
+path of the shot during the step.
 """
 
 from __future__ import annotations
@@ -15,15 +15,16 @@ from ch03_laws_of_motion.particle import Particle
 
 
 class TargetBlock:
-    """A box that stands on the ground or on a post, and can slide. Its sides are along the axes.
+    """A box that stands on the ground or on a post, and slides when a shot hits it.
 
-    ``particle`` is at the center of the box. If its mass is ``math.inf``, a shot cannot move the
-    block. ``size`` contains the lengths of the sides along X, Y and Z in m. ``damping`` imitates
-    friction, so that the block comes to rest after a hit, and ``hits`` counts the shots that have
-    hit it.
+    The sides of the box are parallel to the axes, and ``size`` contains their lengths along X, Y
+    and Z in m. ``particle`` is at the center of the box. If its mass is ``math.inf``, a shot cannot
+    move the block. ``damping`` imitates friction, so that the block comes to rest after a hit, and
+    ``hits`` counts the shots that have hit it.
 
-    Raises ValueError if a side or the mass is not positive, or if the damping is negative or not
-    finite.
+    Raises:
+        ValueError: if a side or the mass is not positive, or if the damping is negative or not
+            finite.
     """
 
     def __init__(
@@ -40,12 +41,12 @@ class TargetBlock:
 
 
 def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
-    """Exercise 4.3b: return where the straight path from ``start`` to ``end`` first hits ``block``.
+    """Find where the straight path of a shot, from ``start`` to ``end``, first hits a target block.
 
     The result is the fraction of the path that the shot has covered when it hits the block: 0 at
     the start, 0.25 after a quarter of the path, and 1 at the end. If the path already starts inside
     the block, the result is 0. A path that only touches the block counts as a hit, and a path that
-    misses it gives None. Positions are in m and have finite components.
+    misses it gives None. Positions are in m and have finite components. Exercise 4.3b.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)
@@ -59,12 +60,12 @@ def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | No
 def strike_first(
     start: Vector3, particle: Particle, targets: Sequence[TargetBlock]
 ) -> TargetBlock | None:
-    """Exercise 4.3c: let a shot hit the first target on its path, and return that target.
+    """Let a shot hit the first target on its path, and return that target.
 
-    In this step the shot has moved from ``start`` to the position of ``particle``. If it hits a
-    target, the momentum of the particle along X and Z goes to the target, and the momentum along Y
-    goes into the ground. The target's ``hits`` also grows by 1. If the shot reaches two targets at
-    the same time, it hits the one that comes first in the list. Return None if the shot misses
-    every target.
+    In this time step the shot has moved from ``start`` to the position of ``particle``. If it hits
+    a target, the momentum of the particle along X and Z goes to the target, and the momentum along
+    Y goes into the ground. The target's ``hits`` also grows by 1. If the shot reaches two targets
+    at the same time, it hits the one that comes first in the list. Return None if the shot misses
+    every target. Exercise 4.3c.
     """
     raise NotImplementedError("Exercise 4.3c: Blocks of several masses")

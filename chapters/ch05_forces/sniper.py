@@ -1,9 +1,9 @@
-"""A sniper range (project 4.2): targets of one size, and a wind that changes between shots.
+"""The rules of a sniper game (project 4.2), in which the wind changes between shots.
 
-This file contains the rules of the game, which do not need a screen. The Z axis points down the
-range, Y points up, and X points to the left of an observer who faces along Z. The player aims with
-two angles in radians: the azimuth from Z toward X, and the elevation above the horizontal.
-Everything here raises TypeError for an argument that is not a number.
+The player shoots at four discs of the same size. The rules do not need a screen. The Z axis points
+down the range, Y points up, and X points to the left of an observer who faces along Z. The player
+aims with two angles in radians: the azimuth from Z toward X, and the elevation above the
+horizontal. Everything here raises TypeError for an argument that is not a number.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ SHOTS = 10
 
 @dataclass(frozen=True)
 class Target:
-    """A disc that faces the rifle.
+    """A disc that faces the rifle, for the player to shoot at.
 
     Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring times
     ``factor``, which rewards shots at distant targets.
@@ -52,7 +52,10 @@ RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # radius in m and points, from the inn
 
 @dataclass(frozen=True)
 class Hole:
-    """The position of a hit, in m from the center of the target, and the points that it scored."""
+    """The hole that a bullet makes in a target, and the points that it scores.
+
+    ``x`` and ``y`` are its position in m from the center of the target.
+    """
 
     target: Target
     x: float
@@ -61,9 +64,10 @@ class Hole:
 
 
 class Wind:
-    """The drag of moving air: a force generator for Eq. 5.1.
+    """The drag of moving air: a force generator that pushes a particle along with the wind.
 
-    ``velocity`` is the velocity of the air in m/s. ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
+    ``velocity`` is the velocity of the air in m/s. ``k1`` is in N s/m and ``k2`` in N s^2/m^2, as
+    in Eq. 5.1.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.
@@ -75,16 +79,19 @@ class Wind:
         self.velocity = Vector3()
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Project 4.2: add the drag for the particle's velocity relative to the air.
+        """Add the drag for the velocity of the particle relative to the air.
 
         Compute the drag with ``drag_force``. A particle that moves with the air therefore feels no
-        force, and in still air the force is the same as that of ``Drag``.
+        force, and in still air the force is the same as that of ``Drag``. Project 4.2.
         """
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 
 
 class SniperRange:
-    """A round of ``SHOTS`` shots: the bullet in flight, the wind, the holes and the score."""
+    """A round of the sniper game: the bullet in flight, the wind, the holes and the score.
+
+    The player has ``SHOTS`` shots in a round.
+    """
 
     def __init__(self, seed: int) -> None:
         self.random = Random(seed)
@@ -101,15 +108,16 @@ class SniperRange:
         return self.shots_left == 0 and self.bullet is None
 
     def change_wind(self) -> None:
-        """Project 4.2: draw a new horizontal wind from ``self.random``.
+        """Draw a new horizontal wind at random, with numbers from ``self.random``.
 
         Draw the component along X first, and then the component along Z, both from -STRONGEST_WIND
         to STRONGEST_WIND. The order matters, because the same seed must always give the same winds.
+        Project 4.2.
         """
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Project 4.2: fire a bullet if possible, and return whether it was fired.
+        """Fire a bullet in the direction of the two angles, and return True if it was fired.
 
         The rifle does not fire while another bullet is in flight, or if no shots are left.
         Otherwise a bullet starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and ``shots_left`` decreases
@@ -119,11 +127,13 @@ class SniperRange:
         Raises:
             ValueError: if an angle is not finite, or more than ``SWING`` to either side. In that
                 case no bullet is fired.
+
+        Project 4.2.
         """
         raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
 
     def update(self, duration: float) -> None:
-        """Project 4.2: make one time step for the bullet in flight. ``duration`` is in s.
+        """Move the bullet by one time step of ``duration`` s, and score it if it hits a target.
 
         If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and
         call ``hit_on_the_way`` to find out whether it has passed through a target. If it has, add
@@ -135,24 +145,27 @@ class SniperRange:
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing moves.
+
+        Project 4.2.
         """
         raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
 
 
 def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
-    """Project 4.2: return the first hole on the straight path from ``start`` to ``end``, or None.
+    """Find the first hole that a bullet makes on its straight path from ``start`` to ``end``.
 
     A target is a flat disc, and the path crosses its plane if start.z < distance <= end.z. If the
     crossing point lies inside a ring, the bullet makes a hole there, which earns the points of the
-    ring times the factor of the target.
+    ring times the factor of the target. Return None if the bullet hits no target. Project 4.2.
     """
     raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
 
 
 def ring_points(x: float, y: float) -> int:
-    """Project 4.2: return the points of the smallest ring in ``RINGS`` that contains (x, y).
+    """Return the points for a bullet that hits a target at (x, y), in m from its center.
 
-    ``x`` and ``y`` are in m from the center of a target. A point on the edge of a ring counts as
-    inside. If no ring contains the point, the bullet has missed the target, so return 0.
+    They are the points of the smallest ring in ``RINGS`` that contains the point. A point on the
+    edge of a ring counts as inside. If no ring contains it, the bullet has missed the target, so
+    return 0. Project 4.2.
     """
     raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")

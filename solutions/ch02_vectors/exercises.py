@@ -1,4 +1,4 @@
-"""The exercises of the book's chapter 2, and exercise B2.11, each as a function.
+"""The exercises of the book's chapter 2, and exercise B2.11, with one function for each.
 
 None of these functions changes its arguments. Angles are in radians.
 """
@@ -14,10 +14,10 @@ _UNIT_TOLERANCE = 1e-6
 
 
 def split(v: Vector3) -> tuple[float, Vector3]:
-    """Exercise 2.1: return the magnitude and the direction of ``v``.
+    """Split a vector into its magnitude and its direction.
 
     The direction is a new unit vector. For the zero vector, which has no direction, return 0 and a
-    new zero vector.
+    new zero vector. Exercise 2.1.
 
     >>> magnitude, direction = split(Vector3(2, -2, -2))
     >>> round(magnitude, 6), [round(component, 6) for component in direction]
@@ -27,12 +27,16 @@ def split(v: Vector3) -> tuple[float, Vector3]:
 
 
 def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
-    """Exercise 2.2a: return a . b, and whether the angle is acute, right or obtuse.
+    """Compute the scalar product a . b, and say whether the angle is acute, right or obtuse.
 
-    An acute angle is smaller than a right angle, and an obtuse angle is larger. You do not have to
-    compute the angle, because the sign of the scalar product already tells you which kind it is. If
-    the product is NaN, it has no sign, so the function raises ValueError. The numbers in this
-    example differ from the book's.
+    An acute angle between ``a`` and ``b`` is smaller than a right angle, and an obtuse angle is
+    larger. You do not have to compute the angle, because the sign of the scalar product already
+    tells you which kind it is. The numbers in the example differ from the book's.
+
+    Raises:
+        ValueError: if the scalar product is NaN, because then it has no sign.
+
+    Exercise 2.2a.
 
     >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
     (-3.0, 'obtuse')
@@ -46,9 +50,14 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 
 
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
-    """Exercise 2.4: return the z that makes (x, y, z) perpendicular to ``a``.
+    """Find the component z that makes the vector (x, y, z) perpendicular to ``a``.
 
-    Raises ValueError if ``a.z`` is zero, because then no choice of z changes the scalar product.
+    Two vectors are perpendicular if their scalar product is zero.
+
+    Raises:
+        ValueError: if ``a.z`` is zero, because then no choice of z changes the scalar product.
+
+    Exercise 2.4.
 
     >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
     -1.0
@@ -59,10 +68,14 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 
 
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
-    """Exercise 2.5: compute the angle between ``a`` and ``b`` from their scalar product.
+    """Compute the angle between two vectors from their scalar product.
 
-    The result is between 0 and pi, or NaN if a component is NaN. Raises ValueError if ``a`` or
-    ``b`` is zero, because a zero vector has no direction.
+    The result is in radians, between 0 and pi, or NaN if a component is NaN.
+
+    Raises:
+        ValueError: if ``a`` or ``b`` is zero, because a zero vector has no direction.
+
+    Exercise 2.5.
 
     >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
     2.356194
@@ -74,12 +87,16 @@ def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
 
 
 def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
-    """Exercise 2.5: return the two angles that fit the length |a x b|, the smaller one first.
+    """Compute the two possible angles between two vectors from the length of their vector product.
 
-    The length of the vector product depends on the sine of the angle. Two angles that add up to pi
-    have the same sine, so the length alone cannot distinguish them. If a component is NaN, both
-    angles are NaN. Raises ValueError if ``a`` or ``b`` is zero, because a zero vector has no
-    direction.
+    The length |a x b| depends on the sine of the angle. Two angles that add up to pi have the same
+    sine, so the length alone cannot distinguish them. Return both angles in radians, the smaller
+    one first. If a component is NaN, both angles are NaN.
+
+    Raises:
+        ValueError: if ``a`` or ``b`` is zero, because a zero vector has no direction.
+
+    Exercise 2.5.
 
     >>> angles = angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))
     >>> [round(angle, 6) for angle in angles]  # 45 and 135 degrees
@@ -93,15 +110,17 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 
 
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
-    """Exercise 2.6: return c = a . b, d = b - c a, and the angle between ``a`` and d.
+    """Remove from the unit vector ``b`` the part that points along the unit vector ``a``.
 
-    The vector c a is the projection of ``b`` onto ``a``. Subtracting it from ``b`` removes the part
-    of ``b`` that points along ``a``, so the remainder d should be perpendicular to ``a``. Both
-    arguments must be unit vectors. The numbers in the example differ from the book's.
+    That part is the projection of ``b`` onto ``a``, which is c a with c = a . b. The remainder is d
+    = b - c a, and should be perpendicular to ``a``. Return c, d, and the angle between ``a`` and d
+    in radians. The numbers in the example differ from the book's.
 
     Raises:
         ValueError: if the length of ``a`` or ``b`` differs from 1 by more than 1e-6 or is NaN, or
             if d is shorter than 1e-6, which means that ``a`` and ``b`` are parallel.
+
+    Exercise 2.6.
 
     >>> c, d, angle = remove_projection(Vector3(1, 0, 0), Vector3(0.6, 0.8, 0))
     >>> c, d, round(angle, 6)  # 90 degrees
@@ -118,15 +137,17 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
 
 
 def checked_duration(duration: float) -> float:
-    """Exercise B2.11: return ``duration`` as a float, or raise an error if it is invalid.
+    """Check that ``duration`` is a valid length for a time step in s, and return it as a float.
 
-    A time step needs a duration in s that is positive and finite. Call this function before you
-    compute anything, so that a rejected call changes nothing. The error message names the argument,
-    says what it must be, and shows the value: ``duration must be positive and finite, got -1.5``.
+    A valid duration is positive and finite. Call this function before you compute anything, so that
+    a rejected call changes nothing. The error message names the argument, says what it must be, and
+    shows the value: ``duration must be positive and finite, got -1.5``.
 
     Raises:
         ValueError: for zero, a negative number, an infinity or NaN.
         TypeError: for anything that is not a number, such as None or the text "0.5".
+
+    Exercise B2.11.
 
     >>> checked_duration(2)
     2.0
@@ -140,10 +161,15 @@ def checked_duration(duration: float) -> float:
 
 
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
-    """Exercise 2.7: return the position after moving with a constant velocity (Eq. 2.7).
+    """Compute where a body is after it has moved at a constant velocity for some time.
 
-    ``position`` is in m, ``velocity`` in m/s and ``duration`` in s. Raises ValueError if the
-    duration is not positive and finite. The start position in the example differs from the book's.
+    ``position`` is in m, ``velocity`` in m/s and ``duration`` in s. The result is the new position,
+    p' = p + v t. The start position in the example differs from the book's.
+
+    Raises:
+        ValueError: if the duration is not positive and finite.
+
+    Exercise 2.7, Eq. 2.7.
 
     >>> position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     Vector3(13.0, -5.0, 16.0)

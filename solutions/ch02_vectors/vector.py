@@ -53,7 +53,7 @@ class Vector3:
         yield self.z
 
     def __eq__(self, other: object) -> bool:
-        """Return whether all components are exactly equal. NaN is unequal to itself."""
+        """Check whether both vectors have exactly the same components. NaN is unequal to itself."""
         if not isinstance(other, Vector3):
             return NotImplemented
         return self.x == other.x and self.y == other.y and self.z == other.z
@@ -66,11 +66,11 @@ class Vector3:
         return Vector3(self.x, self.y, self.z)
 
     def clear(self) -> None:
-        """Set all three components to zero, in place."""
+        """Set all three components of the vector to zero, in place."""
         self.x = self.y = self.z = 0.0
 
     def invert(self) -> None:
-        """Reverse the direction, in place, by changing the sign of every component (2.1)."""
+        """Reverse the direction, in place, by changing the sign of every component (book 2.1)."""
         self.x = -self.x
         self.y = -self.y
         self.z = -self.z
@@ -80,27 +80,27 @@ class Vector3:
         return Vector3(-self.x, -self.y, -self.z)
 
     def magnitude(self) -> float:
-        """Return the length of the vector, |v|, which is never negative (2.1).
+        """Return the length of the vector, |v|, which is never negative.
 
         The length must also be correct for components as large as 1e200 or as small as 1e-200,
         although the squares of such numbers overflow or underflow. If a component is NaN, the
-        length is NaN.
+        length is NaN. Book 2.1.
         """
         return math.hypot(self.x, self.y, self.z)
 
     def squared_magnitude(self) -> float:
-        """Return the squared length |v|^2 (2.1).
+        """Return the squared length of the vector, |v|^2.
 
         To find the longer of two vectors, compare their squared lengths. That saves two square
-        roots.
+        roots. Book 2.1.
         """
         return self.x * self.x + self.y * self.y + self.z * self.z
 
     def __mul__(self, scale: float) -> Vector3:
-        """Multiply every component by a number, and return a new vector (2.1.3).
+        """Multiply every component by a number, and return a new vector.
 
         Both ``v * scale`` and ``scale * v`` call this method. Raises TypeError if ``scale`` is a
-        vector, because there are three different products of two vectors.
+        vector, because there are three different products of two vectors. Book 2.1.3.
         """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)
@@ -132,7 +132,7 @@ class Vector3:
     def __itruediv__(self, divisor: float) -> Vector3:
         """Divide every component by a number, in place, and return ``self``.
 
-        Raises the same errors as ``v / divisor``.
+        Raises TypeError if the divisor is a vector, and ZeroDivisionError if it is zero.
         """
         if isinstance(divisor, Vector3):
             raise TypeError("a vector cannot be divided by a vector")
@@ -140,10 +140,10 @@ class Vector3:
         return self
 
     def normalize(self) -> None:
-        """Scale the vector to length 1 without changing its direction, in place (2.1.3).
+        """Scale the vector to length 1 without changing its direction, in place.
 
-        The zero vector has no direction, so it stays zero. The result must also be correct for
-        components as large as 1e200 or as small as 1e-200, like that of ``magnitude``.
+        The zero vector has no direction, so it stays zero. Like ``magnitude``, this method must
+        also work for components as large as 1e200 or as small as 1e-200. Book 2.1.3.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -153,9 +153,9 @@ class Vector3:
         self.z /= length
 
     def normalized(self) -> Vector3:
-        """Return a new vector of length 1 in the same direction.
+        """Return a new vector of length 1 that points in the same direction.
 
-        For the zero vector, return a new zero vector.
+        For the zero vector, which has no direction, return a new zero vector.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -163,7 +163,10 @@ class Vector3:
         return Vector3(self.x / length, self.y / length, self.z / length)
 
     def __add__(self, v: Vector3) -> Vector3:
-        """Return the sum as a new vector (2.1.4). Raises TypeError if ``v`` is not a vector."""
+        """Add two vectors, and return their sum as a new vector (book 2.1.4).
+
+        Raises TypeError if ``v`` is not a vector.
+        """
         if not isinstance(v, Vector3):
             return NotImplemented
         return Vector3(self.x + v.x, self.y + v.y, self.z + v.z)
@@ -178,7 +181,7 @@ class Vector3:
         return self
 
     def __sub__(self, v: Vector3) -> Vector3:
-        """Return the difference as a new vector (2.1.4).
+        """Subtract a vector from this one, and return the difference as a new vector (book 2.1.4).
 
         Raises TypeError if ``v`` is not a vector.
         """
@@ -187,7 +190,7 @@ class Vector3:
         return Vector3(self.x - v.x, self.y - v.y, self.z - v.z)
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Subtract ``v``, in place, and return ``self``.
+        """Subtract a vector from this one, in place, and return ``self``.
 
         Raises TypeError if ``v`` is not a vector.
         """
@@ -199,11 +202,11 @@ class Vector3:
         return self
 
     def add_scaled(self, v: Vector3, scale: float) -> None:
-        """Add ``v * scale``, in place (2.1.4).
+        """Add a multiple of another vector, ``v * scale``, to this one, in place.
 
         The engine uses this method for every update of the form p' = p + v h, because it creates no
         temporary vector. It also works if ``v`` is the vector itself. Raises TypeError if ``v`` is
-        not a vector.
+        not a vector. Book 2.1.4.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -212,16 +215,16 @@ class Vector3:
         self.z += v.z * scale
 
     def component_product(self, v: Vector3) -> Vector3:
-        """Multiply the matching components of both vectors, and return a new vector (2.1.6).
+        """Multiply each component by the matching component of ``v``, and return a new vector.
 
-        Raises TypeError if ``v`` is not a vector.
+        Raises TypeError if ``v`` is not a vector. Book 2.1.6.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
         return Vector3(self.x * v.x, self.y * v.y, self.z * v.z)
 
     def component_product_update(self, v: Vector3) -> None:
-        """Multiply each component by the matching component of ``v``, in place (2.1.6).
+        """Multiply each component by the matching component of ``v``, in place (book 2.1.6).
 
         Raises TypeError if ``v`` is not a vector.
         """
@@ -232,27 +235,28 @@ class Vector3:
         self.z *= v.z
 
     def dot(self, v: Vector3) -> float:
-        """Return the scalar product a . b = |a| |b| cos t, also written ``a @ b`` (Eq. 2.4).
+        """Return the scalar product a . b = |a| |b| cos t, where t is the angle between a and b.
 
-        Here t is the angle between the two vectors. If one of them is a unit vector, the result is
-        the component of the other vector along it. Raises TypeError if ``v`` is not a vector.
+        You can also write ``a @ b``. If one of the vectors is a unit vector, the result is the
+        component of the other vector along it. Raises TypeError if ``v`` is not a vector. Book Eq.
+        2.4.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
         return self.x * v.x + self.y * v.y + self.z * v.z
 
     def __matmul__(self, v: Vector3) -> float:
-        """Return the scalar product, as ``dot`` does."""
+        """Return the scalar product of two vectors for ``a @ b``, as ``dot`` does."""
         if not isinstance(v, Vector3):
             return NotImplemented
         return self.dot(v)
 
     def cross(self, v: Vector3) -> Vector3:
-        """Return the vector product a x b as a new vector (Eq. 2.6).
+        """Return the vector product a x b as a new vector.
 
         The product is perpendicular to both vectors and has the length |a| |b| sin t, where t is
         the angle between them. Swapping the factors reverses its direction: b x a = -(a x b).
-        Raises TypeError if ``v`` is not a vector.
+        Raises TypeError if ``v`` is not a vector. Book Eq. 2.6.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -263,7 +267,7 @@ class Vector3:
         )
 
     def cross_update(self, v: Vector3) -> None:
-        """Replace this vector by its vector product with ``v``, in place (2.1.8).
+        """Replace this vector by its vector product with ``v``, in place (book 2.1.8).
 
         Raises TypeError if ``v`` is not a vector.
         """
@@ -271,7 +275,7 @@ class Vector3:
 
 
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
-    """Return three perpendicular unit vectors that form a right-handed basis (2.1.9).
+    """Build three perpendicular unit vectors that form a right-handed basis.
 
     Use it to build the axes of a camera or a contact when you know one direction exactly and a
     second one only roughly. The first vector of the basis points along ``a``, and the third is
@@ -284,6 +288,8 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
         ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, because such
             vectors do not determine a basis. They count as parallel if the sine of the angle
             between them is below 1e-12.
+
+    Book 2.1.9.
     """
     first = a.normalized()
     third = first.cross(b.normalized())

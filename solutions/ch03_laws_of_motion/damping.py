@@ -1,12 +1,13 @@
-"""The two equations for damping that the book compares. The engine's own form is in particle.py.
+"""Compare the book's two equations for damping, which slows a particle down.
 
 The damping d is the fraction of the velocity that is kept, and the equations differ in how often
-this fraction applies. In Eq. 3.5 each step keeps the fraction d, however long the step is. In Eq.
-3.6 each second of simulated time keeps it, so the motion does not depend on the frame rate.
+this fraction applies. In Eq. 3.5 each time step keeps the fraction d, however long the step is. In
+Eq. 3.6 each second of simulated time keeps it, so the motion does not depend on the frame rate. The
+engine's own form is in particle.py.
 
-Both functions return the velocity after a step as a new vector, and do not change their arguments.
-The velocity is in m/s, the acceleration in m/s^2 and the duration in s. A damping or a duration
-that is not a number raises TypeError.
+Both functions return the velocity after a time step as a new vector, and do not change their
+arguments. The velocity is in m/s, the acceleration in m/s^2 and the duration in s. A damping or a
+duration that is not a number raises TypeError.
 """
 
 from __future__ import annotations
@@ -18,13 +19,16 @@ from ch02_vectors.vector import Vector3
 def damp_per_frame(
     velocity: Vector3, acceleration: Vector3, damping: float, duration: float
 ) -> Vector3:
-    """Return the new velocity v' = v d + a h, where d is kept per step (Eq. 3.5).
+    """Compute the velocity after a time step if every step, long or short, keeps the fraction d.
 
-    Because d is applied once per step, however short the step is, motion is damped more strongly at
-    a higher frame rate.
+    The result is v' = v d + a h. Because d is applied once per step, the motion is damped more
+    strongly at a higher frame rate.
 
-    Raises ValueError if the damping is negative or not finite, or if the duration is not positive
-    and finite.
+    Raises:
+        ValueError: if the damping is negative or not finite, or if the duration is not positive and
+            finite.
+
+    Book Eq. 3.5.
     """
     not_negative("damping", damping)
     return velocity * damping + acceleration * positive("duration", duration)
@@ -33,12 +37,16 @@ def damp_per_frame(
 def damp_per_second(
     velocity: Vector3, acceleration: Vector3, damping: float, duration: float
 ) -> Vector3:
-    """Return the new velocity v' = v d^h + a h, where d is kept per second (Eq. 3.6).
+    """Compute the velocity after a time step if every second, not every step, keeps the fraction d.
 
-    ``Particle.kick`` uses the form of the book's listing instead, which is (v + a h) d^h (E-16).
+    The result is v' = v d^h + a h. ``Particle.kick`` uses the form of the book's listing instead,
+    which is (v + a h) d^h (erratum E-16).
 
-    Raises ValueError if the damping is negative or not finite, or if the duration is not positive
-    and finite.
+    Raises:
+        ValueError: if the damping is negative or not finite, or if the duration is not positive and
+            finite.
+
+    Book Eq. 3.6.
     """
     not_negative("damping", damping)
     kept: float = damping ** positive("duration", duration)

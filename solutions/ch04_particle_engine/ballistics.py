@@ -1,4 +1,4 @@
-"""A shooting range for shots of several types (book 4.1).
+"""A shooting range on which shots of several types fly and hit targets (book 4.1).
 
 Every shot starts at ``MUZZLE``. The Z axis points from there down the range, Y points up, and X
 points to the left of an observer who faces along Z. Angles are in radians.
@@ -25,7 +25,7 @@ END_OF_RANGE = 200.0  # m along Z, as in the book's listing; its text says 100 (
 
 @dataclass(frozen=True)
 class ShotType:
-    """A type of shot: its name, and the mass, motion and damping of its particles.
+    """A type of shot, such as "pistol": its name, and how its particles move.
 
     The mass is in kg, the velocity in m/s and the acceleration in m/s^2. The damping is the
     fraction of the velocity that is kept per second.
@@ -62,13 +62,16 @@ class Shot:
 
 
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
-    """Exercise 4.3a: return the velocity of a shot in m/s as a new vector.
+    """Compute the velocity of a shot from its speed and the two angles at which it is aimed.
 
-    ``azimuth`` is the horizontal angle from Z toward X, so a shot flies along Z at an azimuth of 0,
-    and along X at a quarter turn. ``elevation`` is the angle above the horizontal, so a shot with
-    an elevation of a quarter turn flies straight up.
+    The result is a new vector in m/s. ``azimuth`` is the horizontal angle from Z toward X, so a
+    shot flies along Z at an azimuth of 0, and along X at a quarter turn. ``elevation`` is the angle
+    above the horizontal, so a shot with an elevation of a quarter turn flies straight up.
 
-    Raises ValueError if the speed is negative or not finite, or if an angle is not finite.
+    Raises:
+        ValueError: if the speed is negative or not finite, or if an angle is not finite.
+
+    Exercise 4.3a.
     """
     not_negative("speed", speed)
     finite("azimuth", azimuth)
@@ -80,23 +83,23 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 
 
 def is_spent(shot: Shot) -> bool:
-    """Return True if a shot must be removed from the range (4.1.2).
+    """Return True if a shot has left the range or flown for too long, and must be removed.
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
     ``END_OF_RANGE`` in z. If spent shots were never removed, the range would have to simulate more
-    and more of them.
+    and more of them. Book 4.1.2.
     """
     position = shot.particle.position
     return position.y < 0.0 or shot.age > LONGEST_FLIGHT or position.z > END_OF_RANGE
 
 
 def grenade_after(shot: Shot) -> list[Shot]:
-    """Mini-project 4.1: return the shots that replace a grenade after one step.
+    """Let a grenade bounce, burst or fly on after a step, and return the shots that replace it.
 
     When this function is called, the grenade has already moved. If it is now below the ground, let
     it bounce first. Then check its fuse. If the age of the grenade has reached ``FUSE``, it bursts,
     so return its fragments as shots of the type "fragment" with an age of 0. Otherwise return a
-    list that contains only the grenade itself, or an empty list if it is spent.
+    list that contains only the grenade itself, or an empty list if it is spent. Mini-project 4.1.
     """
     bounce(shot.particle)
     if shot.age >= FUSE:
@@ -105,11 +108,12 @@ def grenade_after(shot: Shot) -> list[Shot]:
 
 
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
-    """Return the shots that replace ``shot`` after it has moved from ``start`` by one step.
+    """Return the shots that replace ``shot`` after it has moved from ``start`` by one time step.
 
     If the shot has hit a target on its path, the list is empty, because the shot disappears.
-    Otherwise the result depends on the type of the shot: ``grenade_after`` decides what happens to
-    a grenade, and any other shot flies on until it is spent.
+    Otherwise the result depends on the type of the shot. ``grenade_after`` decides what happens to
+    a grenade. Any other shot flies on, so the list contains only the shot itself, or nothing if it
+    is spent (``is_spent``).
     """
     if targets and strike_first(start, shot.particle, targets):
         return []
@@ -126,15 +130,18 @@ class BallisticRange:
         self.shots: list[Shot] = []
 
     def fire(self, name: str, azimuth: float = 0.0, elevation: float | None = None) -> None:
-        """Fire a shot of the type ``name``, as in mini-project 4.3 (4.1.2).
+        """Fire a shot of the type ``name``, such as "pistol" or "artillery".
 
         The shot starts at ``MUZZLE`` with an age of 0, and flies in the direction of the two
         angles. Everything else comes from ``SHOT_TYPES``: its mass, acceleration and damping, and
         also its speed, which is the length of the type's velocity. If ``elevation`` is None, use
         the angle of that velocity above the horizontal.
 
-        Raises ValueError if there is no such type, or if an angle is not finite. In that case no
-        shot is fired.
+        Raises:
+            ValueError: if there is no such type, or if an angle is not finite. In that case no shot
+                is fired.
+
+        Mini-project 4.3, book 4.1.2.
         """
         if name not in SHOT_TYPES:
             raise ValueError(f"name must be one of {', '.join(SHOT_TYPES)}, got {name!r}")
@@ -152,14 +159,17 @@ class BallisticRange:
         self.shots.append(Shot(name, particle))
 
     def update(self, duration: float) -> None:
-        """Move the targets and the shots by one time step, and remove spent shots (4.1.2).
+        """Move the targets and the shots by one time step, and remove shots that are spent.
 
         ``duration`` is in s. First the targets move. Then each shot moves, its age grows by the
         duration, and it is replaced by the shots that ``what_is_left`` returns for it. That
         function must know where the shot was before the move, so keep a copy of the old position. A
         reference is not enough, because ``integrate`` changes the vector itself.
 
-        Raises ValueError if the duration is not positive and finite. In that case nothing moves.
+        Raises:
+            ValueError: if the duration is not positive and finite. In that case nothing moves.
+
+        Book 4.1.2.
         """
         positive("duration", duration)
         for target in self.targets:

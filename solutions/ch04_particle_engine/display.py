@@ -1,9 +1,9 @@
-"""Keep the display alive (project 4.1): the rules of a game with rockets, without a screen.
+"""The rules of a game in which the player keeps a fireworks display alive (project 4.1).
 
-The fuse of each rocket burns down. If the player clicks on a rocket before it burns out, the rocket
-bursts, and another rocket of its type starts from the ground. The game lasts as long as at least
-one rocket is left. A late click scores more points, but if the player waits too long, the rocket is
-lost.
+This file does not need a screen. The fuse of each rocket burns down. If the player clicks on a
+rocket before it burns out, the rocket bursts, and another rocket of its type starts from the
+ground. The game lasts as long as at least one rocket is left. A late click scores more points, but
+if the player waits too long, the rocket is lost.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ MISSES_ALLOWED = 5
 
 @dataclass
 class Display:
-    """The state of a game: its show, the score, the number of misses, and the time played in s."""
+    """The state of the rocket game: its show, the score, the misses, and the time played in s."""
 
     show: FireworksShow
     score: int = 0
@@ -29,12 +29,12 @@ class Display:
 
 
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
-    """Project 4.1: return the rocket nearest to (x, y), or None if none is within ``REACH``.
+    """Find the rocket nearest to the point (x, y), or return None if none is within ``REACH``.
 
     A rocket is any firework whose rule has payloads, even if it was itself lit as a payload.
     Measure distances in the X-Y plane, and also accept a rocket at exactly the distance ``REACH``.
     Skip rockets with an age of 0 or less, because they have no fuse left and a click can no longer
-    save them.
+    save them. Project 4.1.
     """
     nearest, distance = None, REACH
     for rocket in _rockets(display):
@@ -46,13 +46,13 @@ def find_rocket(display: Display, x: float, y: float) -> Firework | None:
 
 
 def click(display: Display, x: float, y: float) -> bool:
-    """Project 4.1: click on the point (x, y), and return whether a rocket was hit.
+    """Let the player click on the point (x, y), and return True if the click hits a rocket.
 
     If ``find_rocket`` returns a rocket, the click is a hit. It scores 1 point, or 3 points if the
     rocket had less than ``LATE`` s of fuse left. Set the age of the rocket to 0, so that it bursts
     in the next update, and launch another rocket of its type if the show has room. If there is no
     rocket within reach, the click counts as a miss. When the game is over, a click does nothing and
-    returns False.
+    returns False. Project 4.1.
     """
     if is_over(display):
         return False
@@ -67,19 +67,20 @@ def click(display: Display, x: float, y: float) -> bool:
 
 
 def is_over(display: Display) -> bool:
-    """Project 4.1: return whether no rocket is left or too many clicks have missed.
+    """Return True if the game is over, because no rocket is left or too many clicks have missed.
 
     The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. A rocket that was
-    clicked still counts until it bursts. Before the first launch there are no rockets, so the
-    result is True then too.
+    clicked still counts until it bursts. Before the first launch there are no rockets, so the game
+    counts as over then too. Project 4.1.
     """
     return display.misses > MISSES_ALLOWED or not _rockets(display)
 
 
 def tick(display: Display, duration: float) -> None:
-    """Advance the show by ``duration`` s. Until the game is over, count it as time played.
+    """Advance the fireworks by ``duration`` s, and count it as time played unless the game is over.
 
-    Raises ValueError if the duration is not positive and finite. In that case nothing changes.
+    Raises:
+        ValueError: if the duration is not positive and finite. In that case nothing changes.
     """
     over = is_over(display)
     display.show.update(duration)
@@ -88,6 +89,6 @@ def tick(display: Display, duration: float) -> None:
 
 
 def _rockets(display: Display) -> list[Firework]:
-    """Return every firework that releases others when it burns out, even if its fuse is spent."""
+    """List the fireworks that light others when they burn out, even if their fuse is spent."""
     rules = display.show.rules
     return [firework for firework in display.show.fireworks if rules[firework.type].payloads]

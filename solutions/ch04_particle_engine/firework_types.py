@@ -1,4 +1,4 @@
-"""The nine types of firework of the show, and two of your own.
+"""The nine types of firework in the fireworks show, and two types of your own.
 
 The numbers of the first three types are from the book's table, and the others are our own. Types 1,
 2, 4, 6 and 8 are rockets, which light other fireworks when they burn out.
@@ -35,7 +35,9 @@ FIREWORK_TYPES = (
 
 
 def own_types() -> list[FireworkRule]:
-    """Mini-project 4.2: return the rules of two firework types of your own, 10 and 11.
+    """Design two types of firework of your own, with the numbers 10 and 11.
+
+    Return their rules, which must meet these conditions:
 
     - The two rules must differ from each other, and from the nine rules above, in more than their
       type.
@@ -43,6 +45,8 @@ def own_types() -> list[FireworkRule]:
     - None of the eleven types may lead back to itself, so that every show ends.
     - Each of the two types must burn for at least 0.1 s. When one of these fireworks has been lit,
       it and everything that comes from it must have burnt out after at most 40 s.
+
+    Mini-project 4.2.
     """
     palm = FireworkRule(
         10, 1.0, 1.1, (-1, 24, -1), (1, 26, 1), damping=0.6, payloads=(Payload(11, 9),)

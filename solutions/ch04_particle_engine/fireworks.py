@@ -23,9 +23,11 @@ POLICIES = ("keep_old", "drop_oldest")
 
 @dataclass(frozen=True)
 class Payload:
-    """A payload: ``count`` fireworks of one ``type``, lit when another firework burns out.
+    """The ``count`` fireworks of one ``type`` that another firework lights when it burns out.
 
-    Raises ValueError if the count is below 1, and TypeError if it is not a whole number.
+    Raises:
+        ValueError: if the count is below 1.
+        TypeError: if the count is not a whole number.
     """
 
     type: int
@@ -37,15 +39,17 @@ class Payload:
 
 @dataclass(frozen=True)
 class FireworkRule:
-    """The rule of a type: how long its fireworks burn, how they fly and which payloads they light.
+    """How the fireworks of one type behave: how long they burn, how they fly, and what they light.
 
     Fireworks of the same type still differ from each other, because their age in s and each
     component of their velocity in m/s are drawn at random between a minimum and a maximum.
-    ``damping`` is the fraction of the velocity that is kept per second.
+    ``damping`` is the fraction of the velocity that is kept per second. The ``payloads`` are the
+    fireworks that one of these lights when it burns out.
 
-    Raises ValueError if an age or the damping is negative, a number is not finite, a velocity does
-    not have three components, or a minimum is above its maximum. Raises TypeError if the payloads
-    are not a tuple or list.
+    Raises:
+        ValueError: if an age or the damping is negative, a number is not finite, a velocity does
+            not have three components, or a minimum is above its maximum.
+        TypeError: if the payloads are not a tuple or list.
     """
 
     type: int
@@ -94,13 +98,13 @@ class Firework:
 
 
 def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = None) -> Firework:
-    """Return a new firework that follows ``rule``, with numbers drawn from ``random`` (4.2.3).
+    """Create a firework of the type that ``rule`` describes, with random numbers from ``random``.
 
     The age of the firework and each component of its velocity are drawn uniformly between the
     rule's limits. A payload has a ``parent``, so it starts at the parent's position, and the
     parent's velocity is added to the drawn velocity. A firework without a parent starts on the
     ground, at one of ``LAUNCH_PLACES``. In both cases it has a mass of 1 kg, the acceleration
-    ``GRAVITY`` and the damping of the rule.
+    ``GRAVITY`` and the damping of the rule. Book 4.2.3.
     """
     velocity = Vector3(*map(random.uniform, rule.min_velocity, rule.max_velocity))
     if parent is None:
@@ -113,12 +117,12 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 
 
 def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
-    """Return the types that lead back to themselves, in ascending order.
+    """Find the types of firework that light themselves again, directly or through other types.
 
     A show with such a type never ends, so use this function to check a set of rules. For example,
     if type 1 has a payload of type 2, and type 2 has a payload of type 1, both types lead back to
     themselves. If type 3 has a payload of type 1, its fireworks never end either, but type 3 is not
-    in the result, because no type leads back to it.
+    in the result, because no type leads back to it. Return the types in ascending order.
     """
     leaves = {rule.type: {payload.type for payload in rule.payloads} for rule in rules}
     endless = []
@@ -140,12 +144,13 @@ class FireworksShow:
     At most ``capacity`` fireworks burn at a time, even if the rules light each other forever.
     ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are
     lit, as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room,
-    as in the book's listing (E-20). In both cases ``dropped`` counts the fireworks that were lost
-    in this way. The same ``seed`` always gives the same show.
+    as in the book's listing (erratum E-20). In both cases ``dropped`` counts the fireworks that
+    were lost in this way. The same ``seed`` always gives the same show.
 
-    Raises ValueError if two rules have the same type, a payload has a type without a rule, the
-    capacity is below 1, or ``when_full`` is neither of the two policies. Raises TypeError if the
-    capacity is not a whole number.
+    Raises:
+        ValueError: if two rules have the same type, a payload has a type without a rule, the
+            capacity is below 1, or ``when_full`` is neither of the two policies.
+        TypeError: if the capacity is not a whole number.
     """
 
     def __init__(
@@ -176,24 +181,28 @@ class FireworksShow:
         self.dropped = 0
 
     def launch(self, type: int) -> None:
-        """Light one firework of the type ``type`` on the ground (4.2.3).
+        """Light one firework of the type ``type`` on the ground.
 
-        Raises ValueError if there is no rule for the type.
+        Raises:
+            ValueError: if there is no rule for the type.
+
+        Book 4.2.3.
         """
         self.light([(type, 1, None)])
 
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
-        """Light new fireworks, as many as the policy ``when_full`` allows.
+        """Light new fireworks, as many as the show has room for.
 
         Each of the ``births`` is a tuple (type, count, parent). The new fireworks are added after
         the ones that already burn, in the order of the births. If there is no room for all of them,
-        "keep_old" lights only as many as fit, starting with the first. "drop_oldest" puts out the
-        oldest fireworks to make room, and if there are more new fireworks than the capacity, it
-        lights only the last of them. A call never creates more fireworks than the capacity, however
-        large the counts are.
+        the policy ``when_full`` decides. "keep_old" lights only as many as fit, starting with the
+        first. "drop_oldest" puts out the oldest fireworks to make room, and if there are more new
+        fireworks than the capacity, it lights only the last of them. A call never creates more
+        fireworks than the capacity, however large the counts are.
 
-        Raises ValueError if there is no rule for a type, or if a count is negative. In that case
-        nothing is lit.
+        Raises:
+            ValueError: if there is no rule for a type, or if a count is negative. In that case
+                nothing is lit.
         """
         for type, count, _ in births:
             if type not in self.rules:
@@ -216,7 +225,7 @@ class FireworksShow:
         self.dropped += burning + asked - len(self.fireworks)
 
     def update(self, duration: float) -> None:
-        """Move every firework by one time step, and light the payloads that are due (4.2.3).
+        """Move every firework by one time step, and light the payloads of those that burn out.
 
         ``duration`` is in s. Each firework moves, and its age decreases by the duration. It has
         burnt out if its age is below 0 (at exactly 0 it still burns), or if it is below the ground
@@ -224,7 +233,10 @@ class FireworksShow:
         payloads, starting with the payloads of the oldest firework. The parent of a payload is the
         particle of the firework that burnt out.
 
-        Raises ValueError if the duration is not positive and finite. In that case nothing moves.
+        Raises:
+            ValueError: if the duration is not positive and finite. In that case nothing moves.
+
+        Book 4.2.3.
         """
         positive("duration", duration)
         burning: list[Firework] = []
@@ -243,7 +255,7 @@ class FireworksShow:
 
 
 def _whole(name: str, value: int) -> int:
-    """Return ``value``, or raise an error if it is not a whole number of at least 1."""
+    """Check that ``value`` is a whole number of at least 1, and return it."""
     if not isinstance(value, int):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
     if value < 1:

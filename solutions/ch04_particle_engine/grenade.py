@@ -25,11 +25,11 @@ _CORNERS = [
 
 
 def bounce(particle: Particle) -> None:
-    """Mini-project 4.1: move a particle that is below the ground (y < 0) back to y = 0, in place.
+    """Let a particle that has sunk below the ground (y < 0) bounce off it, in place.
 
-    If the particle is also moving down, it bounces: reverse its vertical velocity and multiply it
-    by ``BOUNCE``, and multiply the components along X and Z by ``SLIDE``. A particle on or above
-    the ground does not change.
+    Move the particle back to y = 0. If it is also moving down, reverse its vertical velocity and
+    multiply it by ``BOUNCE``, and multiply the components along X and Z by ``SLIDE``. A particle on
+    or above the ground does not change. Mini-project 4.1.
     """
     if particle.position.y >= 0.0:
         return
@@ -42,12 +42,13 @@ def bounce(particle: Particle) -> None:
 
 
 def fragments(particle: Particle) -> list[Particle]:
-    """Mini-project 4.1: return the fragments into which a grenade bursts, at its position.
+    """Burst a grenade into fragments, and return their particles.
 
-    The grenade bursts into ``FRAGMENTS`` pieces of equal mass, which together have the mass of the
-    grenade and the same acceleration and damping. Relative to the grenade, each piece flies at
-    ``FRAGMENT_SPEED`` in a different direction. These directions add up to zero, so that a burst
-    conserves momentum. The particle of the grenade does not change.
+    There are ``FRAGMENTS`` pieces of equal mass, which start at the position of the grenade.
+    Together they have the mass of the grenade, and each has the same acceleration and damping as
+    the grenade. Relative to the grenade, each piece flies at ``FRAGMENT_SPEED`` in a different
+    direction. These directions add up to zero, so that a burst conserves momentum. The particle of
+    the grenade does not change. Mini-project 4.1.
     """
     pieces = []
     for direction in _CORNERS:

@@ -1,4 +1,4 @@
-"""Exact solutions for drag, and the longest time steps that are safe with drag (book 5.3).
+"""Exact solutions for motion with drag, and the longest safe time steps (book 5.3).
 
 An exact solution gives a speed or a distance at any time, without time steps, so you can use it to
 check a simulation. All motion here is along one line, and all numbers are in SI units. The
@@ -14,7 +14,7 @@ from ch02_vectors.arguments import not_negative, positive
 
 
 def terminal_speed(weight: float, k1: float, k2: float) -> float:
-    """Return the speed in m/s at which the drag on a falling body balances its weight.
+    """Compute the terminal speed in m/s, at which the drag on a falling body balances its weight.
 
     As a body falls faster, its drag grows, so its speed approaches a limit. This terminal speed is
     the positive solution v of k1 v + k2 v^2 = weight, where ``weight`` is in N.
@@ -34,11 +34,12 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 
 
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
-    """Return the speed in m/s and the distance in m of a fall from rest with quadratic drag.
+    """Compute how fast and how far a body falls from rest in a given time, with quadratic drag.
 
-    The drag is k2 v^2, without a part that is linear in the speed. After ``time`` t in s, the speed
-    is u tanh x and the distance is (u^2 / g) ln cosh x. Here x = g t / u, u is the terminal speed,
-    and g is ``gravity``. Both results must also be correct for very small and very large x.
+    The drag is k2 v^2, without a part that is linear in the speed. Return the speed in m/s and the
+    distance in m. After ``time`` t in s, the speed is u tanh x and the distance is (u^2 / g) ln
+    cosh x. Here x = g t / u, u is the terminal speed, and g is ``gravity`` in m/s^2. Both results
+    must also be correct for very small and very large x.
 
     Raises:
         ValueError: if the mass, gravity or k2 is not positive, the time is negative, or an argument
@@ -53,7 +54,7 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 
 
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
-    """Return the speed in m/s that remains after ``time`` s in which only drag acts.
+    """Compute the speed in m/s that a body has left after ``time`` s in which only drag acts.
 
     If v is the ``speed`` at the start and s = k1 t / m, the result is v e^-s / (1 + k2 v (1 - e^-s)
     / k1). For k1 = 0 you would divide by 0, so replace the fraction (1 - e^-s) / k1 by its limit, t
@@ -72,12 +73,13 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
 
 
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
-    """Return two limits in s for the length of a time step in which only drag acts.
+    """Compute how long a time step may be before drag reverses the motion or even speeds it up.
 
     A time step computes the drag once, from the ``speed`` before the step, and applies it for the
-    whole duration h: v' = v + (f / m) h. If the step is longer than the first limit, the drag does
-    not only stop the motion but reverses it. If it is longer than the second limit, the particle is
-    even faster after the step than before it. Without drag, both limits are ``math.inf``.
+    whole duration h: v' = v + (f / m) h. Return two limits in s for a step in which only drag acts.
+    If the step is longer than the first limit, the drag does not only stop the motion but reverses
+    it. If it is longer than the second limit, the particle is even faster after the step than
+    before it. Without drag, both limits are ``math.inf``.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not

@@ -24,18 +24,18 @@ class ForceGenerator(Protocol):
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add this generator's force to ``particle`` (5.2.1).
+        """Add the force of this generator, such as gravity or drag, to ``particle``.
 
-        ``duration`` is the length of the time step in s.
+        ``duration`` is the length of the time step in s. Book 5.2.1.
         """
 
 
 class ForceRegistry:
-    """Stores pairs of a particle and a force generator that acts on it in every step.
+    """A list of which force generators act on which particles in every time step.
 
-    The list ``_pairs`` is empty at first. It holds tuples (particle, generator) in the order in
-    which they were added. You may store the pairs in another way, but then change ``pairs`` to
-    match.
+    The attribute ``_pairs`` is a list that is empty at first. It holds tuples (particle, generator)
+    in the order in which they were added. You may store the pairs in another way, but then change
+    ``pairs`` to match.
     """
 
     def __init__(self) -> None:
@@ -46,7 +46,7 @@ class ForceRegistry:
         return [*self._pairs]
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Let ``generator`` act on ``particle`` in every later step (5.2.2).
+        """Let ``generator`` act on ``particle`` in every later time step.
 
         You may add the same pair more than once. A pair that was added twice acts with twice the
         force.
@@ -54,6 +54,8 @@ class ForceRegistry:
         Raises:
             TypeError: if the particle has no ``add_force``, or the generator has no
                 ``update_force``.
+
+        Book 5.2.2.
         """
         if not callable(getattr(particle, "add_force", None)):
             raise TypeError(f"particle must have add_force, got {particle!r}")
@@ -62,7 +64,7 @@ class ForceRegistry:
         self._pairs.append((particle, generator))
 
     def remove(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Remove a pair from the registry, to undo one call of ``add``.
+        """Remove one (particle, generator) pair from the registry, to undo one call of ``add``.
 
         Compare with ``is``, because two different objects can be equal. If there is no such pair,
         do nothing.
@@ -73,16 +75,16 @@ class ForceRegistry:
                 return
 
     def clear(self) -> None:
-        """Remove all pairs. The particles and generators themselves do not change."""
+        """Remove all pairs from the registry, without changing the particles and generators."""
         self._pairs.clear()
 
     def update_forces(self, duration: float) -> None:
-        """Let every generator add its force to its particle. ``duration`` is the time step in s.
+        """Let every registered generator add its force to its particle, once per time step.
 
-        Skip immovable particles, because no force can move them. A generator may add or remove
-        pairs while this method runs, but the change takes effect only in the next call. If a
-        generator raises an exception, pass it on. The generators that come after it are then not
-        called.
+        ``duration`` is the length of the step in s. Skip immovable particles, because no force can
+        move them. A generator may add or remove pairs while this method runs, but the change takes
+        effect only in the next call. If a generator raises an exception, pass it on. The generators
+        that come after it are then not called.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case no generator is
@@ -95,28 +97,34 @@ class ForceRegistry:
 
 
 class Gravity:
-    """The weight of a particle, m g (Eq. 3.4). ``acceleration`` is g, a vector in m/s^2.
+    """A force generator for the weight of a particle, m g.
 
-    You do not need this generator if g is the same everywhere and at all times. Setting
-    ``Particle.acceleration`` then has the same effect at a lower cost (5.3).
+    ``acceleration`` is g, a vector in m/s^2. You do not need this generator if g is the same
+    everywhere and at all times. Setting ``Particle.acceleration`` then has the same effect at a
+    lower cost. Book 5.3, Eq. 3.4.
     """
 
     def __init__(self, acceleration: Vector3) -> None:
         self.acceleration = finite_vector("acceleration", acceleration)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force m g. Skip an immovable particle, whose weight would be infinite (5.2.3)."""
+        """Add the weight m g to the forces on ``particle``.
+
+        Skip an immovable particle, whose weight would be infinite. Book 5.2.3.
+        """
         if particle.has_finite_mass:
             particle.add_force(self.acceleration * particle.mass)
 
 
 class Drag:
-    """Drag: a force against the motion that grows with the speed and its square (Eq. 5.1).
+    """Drag: a force against the motion that grows with the speed and its square.
 
     ``k1`` in N s/m is multiplied by the speed, and ``k2`` in N s^2/m^2 by the square of the speed.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.
+
+    Book Eq. 5.1.
     """
 
     def __init__(self, k1: float, k2: float) -> None:
@@ -124,27 +132,29 @@ class Drag:
         self.k2 = not_negative("k2", k2)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag on the particle at its current velocity (``drag_force``)."""
+        """Add the drag at the particle's current velocity, as computed by ``drag_force``."""
         particle.add_force(drag_force(particle.velocity, self.k1, self.k2))
 
 
 def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
-    """Return the drag in N at ``velocity`` in m/s as a new vector (Eq. 5.1).
+    """Compute the drag in N on a body that moves at ``velocity`` in m/s, as a new vector.
 
     The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. If the
-    velocity is zero, so is the drag. ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
+    velocity is zero, so is the drag. ``k1`` is in N s/m and ``k2`` in N s^2/m^2. Book Eq. 5.1.
     """
     return velocity * -(k1 + k2 * velocity.magnitude())
 
 
 class Uplift:
-    """Exercise 5.1: a vertical column of rising air, without an upper or lower end.
+    """A vertical column of rising air, without an upper or lower end, that pushes particles.
 
     ``force`` is the force in N on every particle inside the column. The axis of the column passes
     through ``origin``, and its ``radius`` is in m.
 
     Raises:
         ValueError: if the radius is negative or not finite.
+
+    Exercise 5.1.
     """
 
     def __init__(self, origin: Vector3, radius: float, force: Vector3) -> None:
@@ -153,10 +163,10 @@ class Uplift:
         self.force = finite_vector("force", force)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.1: add the force if the particle is inside the column, at any height.
+        """Add the force of the rising air if the particle is inside the column, at any height.
 
         The particle is inside if its horizontal distance (in X and Z) from the origin is at most
-        the radius.
+        the radius. Exercise 5.1.
         """
         place = particle.position
         if math.hypot(place.x - self.origin.x, place.z - self.origin.z) <= self.radius:
@@ -164,13 +174,15 @@ class Uplift:
 
 
 class Airbrake:
-    """Exercise 5.2: strong drag that can be switched on and off, with the force -k v.
+    """Strong drag that can be switched on and off, with the force -k v.
 
     ``k`` is in N s/m. Set the attribute ``on`` to True or False to switch the brake. It is off at
     first.
 
     Raises:
         ValueError: if k is negative or not finite.
+
+    Exercise 5.2.
     """
 
     # The share of a full stop that the brake takes at most: rounding cannot make it more than all.
@@ -181,7 +193,7 @@ class Airbrake:
         self.on = False
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.2: if the brake is on, add -k v, but never so much that the motion reverses.
+        """Add the force -k v if the brake is on, but never so much that the motion reverses.
 
         In a time step of h s, a force f changes the velocity by f h / m. If k or h is large, a
         force of -k v would therefore push the particle backward. A brake cannot do this, so limit
@@ -190,6 +202,8 @@ class Airbrake:
 
         Raises:
             ValueError: if the duration is not positive and finite.
+
+        Exercise 5.2.
         """
         positive("duration", duration)
         if self.on:
@@ -198,13 +212,15 @@ class Airbrake:
 
 
 class PointGravity:
-    """Exercise 5.3: gravity toward a point, with the same strength at every distance.
+    """Gravity toward a point, with the same strength at every distance.
 
     ``strength`` is the acceleration toward the point in m/s^2. If it is negative, the point pushes
     particles away.
 
     Raises:
         ValueError: if the strength is not finite.
+
+    Exercise 5.3.
     """
 
     def __init__(self, center: Vector3, strength: float) -> None:
@@ -212,10 +228,10 @@ class PointGravity:
         self.strength = finite("strength", strength)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.3: add a force of m times ``strength``, directed toward the center.
+        """Pull the particle toward the center with a force of m times ``strength``.
 
         At the center the force would have no direction, so it is zero there. Skip an immovable
-        particle, because its force would be infinite.
+        particle, because its force would be infinite. Exercise 5.3.
         """
         if particle.has_finite_mass:
             way = (self.center - particle.position).normalized()
@@ -223,13 +239,15 @@ class PointGravity:
 
 
 class InverseSquareGravity:
-    """Exercise 5.4: gravity toward a point, proportional to 1 / r^2 (Eq. 3.3).
+    """Gravity toward a point that gets weaker with distance, in proportion to 1 / r^2.
 
     Use it for orbits, such as a planet around the sun. ``mu`` is G times the attracting mass, in
     m^3/s^2. If it is negative, the center pushes particles away.
 
     Raises:
         ValueError: if ``mu`` is not finite.
+
+    Exercise 5.4, Eq. 3.3.
     """
 
     def __init__(self, center: Vector3, mu: float) -> None:
@@ -237,13 +255,16 @@ class InverseSquareGravity:
         self.mu = finite("mu", mu)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.4: add the force m mu / r^2 toward the center, where r is the distance in m.
+        """Pull the particle toward the center with the force m mu / r^2, where r is in m.
 
-        Skip an immovable particle, because its force would be infinite.
+        Here r is the distance of the particle from the center. Skip an immovable particle, because
+        its force would be infinite.
 
         Raises:
             ArithmeticError: if the particle is at the center, or so close to it that the force is
                 not finite. In that case no force is added.
+
+        Exercise 5.4.
         """
         if not particle.has_finite_mass:
             return

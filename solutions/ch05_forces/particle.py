@@ -15,7 +15,7 @@ NO_FORCE: Numbers = (0.0, 0.0, 0.0)
 
 
 class Particle(particle.Particle):
-    """A particle that adds up its forces until the next step uses them.
+    """A particle that adds up the forces on it until the next time step uses them.
 
     It inherits position, velocity, mass and damping from chapter 3. ``_forces`` is a list with two
     entries: the sum of the forces since the last step, and the sum that the last step used. Each
@@ -41,7 +41,10 @@ class Particle(particle.Particle):
         self._forces = [None, None]
 
     def __copy__(self) -> Particle:
-        """Return a copy with its own force accumulator, which starts with the same sum."""
+        """Return a copy of the particle with its own force accumulator.
+
+        The accumulator of the copy starts with the same sum of forces.
+        """
         other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
         other.inverse_mass = self.inverse_mass
         other._forces = [*self._forces]
@@ -60,7 +63,7 @@ class Particle(particle.Particle):
         return force or NO_FORCE
 
     def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
-        """Add a force in N to this particle, and the opposite force to ``other``.
+        """Add a force in N to this particle, and the opposite force to the particle ``other``.
 
         ``x``, ``y`` and ``z`` are the components of the force on this particle. By Newton's third
         law, ``other`` gets the opposite force. You could also call ``add_force`` twice, but this
@@ -88,18 +91,22 @@ class Particle(particle.Particle):
 
     @property
     def force_accumulator(self) -> Vector3:
-        """The sum of the forces added since the last step, in N, as a new vector.
+        """The sum of the forces added since the last time step, in N, as a new vector.
 
         Changing the returned vector does not change the sum.
         """
         return Vector3(*(self._forces[0] or ()))
 
     def add_force(self, force: Vector3) -> None:
-        """Add ``force`` in N to the sum for the next step (5.1). The vector itself does not change.
+        """Add a force in N to the sum of the forces that act on the particle in the next time step.
+
+        The vector ``force`` itself does not change.
 
         Raises:
             ValueError: if a component of the force, or of the sum, is not finite. In that case the
                 sum does not change.
+
+        Book 5.1.
         """
         try:
             x, y, z = force.x, force.y, force.z
@@ -115,32 +122,32 @@ class Particle(particle.Particle):
         forces[0] = (x, y, z)
 
     def clear_forces(self) -> None:
-        """Discard the forces that were added since the last step (5.1).
+        """Discard the forces that were added to the particle since the last time step.
 
-        ``last_acceleration`` does not change.
+        ``last_acceleration`` does not change. Book 5.1.
         """
         self._forces[0] = None
 
     @property
     def last_acceleration(self) -> Vector3:
-        """The total acceleration in the last step, as a new vector (Eq. 3.2).
+        """The total acceleration of the particle in its last time step, in m/s^2 as a new vector.
 
         This is the constant acceleration plus f / m, where f is the sum of the forces that the last
         step used. The mass and the constant acceleration are the current ones. Before the first
         step there is no such force, and an immovable particle does not react to it, so the result
-        is the constant acceleration alone.
+        is the constant acceleration alone. Book Eq. 3.2.
         """
         force = Vector3(*(self._forces[1] or ()))
         return self.acceleration + force * self._inverse_mass
 
     def kick(self, duration: float) -> None:
-        """Change the velocity by the acceleration and the forces: v' = (v + a h) d^h.
+        """Change the velocity by the acceleration, the forces and the damping over ``duration`` s.
 
-        Here h is ``duration``, and a is the constant acceleration plus f / m, where f is the sum of
-        the forces since the last kick. Afterward the kick clears the sum, so that each force acts
-        only once. It does so even for an immovable particle, but it keeps a copy for
-        ``last_acceleration``. You do not have to write ``integrate`` again, because the version of
-        chapter 3 drifts and then calls this method.
+        The new velocity is v' = (v + a h) d^h. Here h is ``duration``, d is the damping, and a is
+        the constant acceleration plus f / m, where f is the sum of the forces since the last kick.
+        Afterward the kick clears the sum, so that each force acts only once. It does so even for an
+        immovable particle, but it keeps a copy for ``last_acceleration``. You do not have to write
+        ``integrate`` again, because the version of chapter 3 drifts and then calls this method.
 
         As in chapter 3, the duration is not checked.
         """

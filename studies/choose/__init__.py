@@ -1,8 +1,11 @@
-"""Find the cheapest model that simulates a scene accurately enough, by measuring all of them.
+"""Find the fastest way to simulate a scene, such as a pendulum, within a given error.
 
-The command also shows the next cheaper model and its error. Pick one of our scenes by part of its
-name, or describe your own scene in a Python file, as studies/choose/example.py does. Your own scene
-has no exact solution, so its errors are estimated by halving the steps.
+The command tries every method that it knows. These methods, called models, are integrators, closed
+forms and contact solvers. It times each of them, and reports the fastest one whose error is small
+enough. It also shows the next faster one, and how large its error is. Choose a built-in scene by
+part of its name, such as "pendulum", or describe your own scene in a Python file, such as
+studies/choose/example.py. Your own scene has no exact solution to compare with, so its error is
+estimated by running it again with shorter time steps.
 """
 
 from __future__ import annotations
@@ -24,7 +27,10 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
-    """Print the cheapest model for the user's scene. Return 1 if none is accurate enough."""
+    """Print the fastest method that simulates the user's scene accurately enough.
+
+    Return 1 if no method is accurate enough, and 0 otherwise.
+    """
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
     parser.add_argument(
@@ -87,7 +93,11 @@ def main(arguments: list[str]) -> int:
 
 
 def _told(scene: Scene, point: Point) -> str:
-    """Format one run of a model as text: its steps, processor time, work and error."""
+    """Format one timed run of a simulation as a line of the report.
+
+    The line states the number of time steps per frame, the processor time, the number of force
+    evaluations or other work, and the error.
+    """
     model = next(model for model in scene.models if model.name == point.model)
     steps = "once" if point.steps == 1 else f"{point.steps} steps"
     choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} per frame"

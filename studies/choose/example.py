@@ -1,7 +1,7 @@
-"""An example of a scene: a 2 kg lamp swinging on a springy cord, with drag.
+"""An example of a scene file for `make choose`: a 2 kg lamp swinging on a springy cord, with drag.
 
-Its motion has no closed form. To study a scene of your own, copy this file, describe your scene in
-it, and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
+The motion of this lamp has no closed form. To study a scene of your own, copy this file, change its
+three definitions, and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
 """
 
 from ch02_vectors.vector import Vector3
@@ -14,7 +14,10 @@ DURATION = 2.0  # s
 
 
 def build() -> ParticleWorld:
-    """Return the scene in its initial state. This is called again for every run."""
+    """Create the lamp and its cord in their initial state.
+
+    `make choose` runs the scene once with every model, and calls this function before each run.
+    """
     lamp = Particle(Vector3(1.2, 0.0, 0.0), acceleration=Vector3(0.0, -9.81, 0.0), mass=2.0)
     world = ParticleWorld([lamp])
     world.registry.add(lamp, AnchoredSpring(Vector3(), 400.0, 1.0))
@@ -23,8 +26,9 @@ def build() -> ParticleWorld:
 
 
 def measure(world: ParticleWorld) -> Vector3:
-    """Return the values whose error is to be measured in every frame.
+    """Return the position of the lamp, which `make choose` compares between runs.
 
-    If you leave out this function, the positions of all particles are measured.
+    It is called after every frame. A scene file without this function is compared by the positions
+    of all particles that can move.
     """
     return world.particles[0].position

@@ -1,11 +1,12 @@
-"""Estimate errors without an exact solution, by halving the steps (Richardson extrapolation).
+"""Estimate the error of a simulation without an exact solution (Richardson extrapolation).
 
-If a model has order p, halving its steps divides its error by 2^p. The difference d between a run
-and the same run at half the step size is therefore close to the error of the first run, and d /
-(2^p - 1) is close to that of the second.
+The simulation is run several times, each time with half the time step. If the method has order p,
+halving the step divides its error by 2^p. The difference d between a run and the next one is
+therefore close to the error of the first run, and d / (2^p - 1) is close to the error of the
+second.
 
-This works only if the differences show a steady order. If bodies collide or the motion is chaotic,
-they do not, and the error cannot be estimated.
+The estimate needs differences that shrink at a steady rate. When bodies collide or the motion is
+chaotic they do not, and then the error cannot be estimated.
 """
 
 from __future__ import annotations
@@ -24,10 +25,11 @@ LEAST = 0.7  # below this order, a model does not converge
 
 @dataclass(frozen=True)
 class Halved:
-    """The estimated error of each run, and the observed orders, from coarse to fine steps.
+    """The estimated errors of several runs of a simulation, and the observed orders of convergence.
 
-    If ``is_steady`` is false, the orders of convergence vary too much for the errors to be more
-    than guesses. If ``is_exact`` is true, the runs differ only by rounding.
+    The lists start with the run that has the longest time step. If ``is_steady`` is false, the
+    order varies so much from run to run that the errors are only guesses. If ``is_exact`` is true,
+    the last runs differ only by rounding.
     """
 
     errors: list[float]
@@ -39,18 +41,18 @@ class Halved:
 def halved(
     runs: Sequence[Run | None], ratio: float, order: float, *, may_repeat: bool = False
 ) -> Halved:
-    """Estimate the errors of a model's runs.
+    """Estimate the error of each run of a simulation from the differences between the runs.
 
-    The steps get shorter by the factor ``ratio`` from each run to the next. The error of a run is
-    its distance from the finest run, plus the estimated error of the finest run itself. A run that
-    failed is None. Its error is infinite, as are the errors of all runs before it.
+    The runs are of the same scene with the same method, and each has a time step that is shorter
+    than the one before it by the factor ``ratio``. The error of a run is its distance from the
+    finest run, plus the estimated error of the finest run itself. A run that failed is None. Its
+    error is infinite, and so are the errors of all runs before it.
 
-    ``order`` is the highest order that the model can have. A higher observed order is a coincidence
-    and is ignored.
+    ``order`` is the order of convergence that theory gives for the method. An observed order above
+    it is a coincidence, so the estimate uses ``order`` instead.
 
-    Two equal runs usually mean that both are exact. That does not hold for a model that takes a
-    tolerance, because several tolerances can lead to the same steps. Set ``may_repeat`` for such a
-    model.
+    Two equal runs usually mean that both are exact. A method that takes a tolerance is different,
+    because two tolerances can lead to the same time steps. Set ``may_repeat`` for such a method.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]
@@ -75,10 +77,10 @@ def halved(
 
 
 def _is_steady(orders: Sequence[float], order: float) -> bool:
-    """Return whether the observed orders are steady enough to estimate an error.
+    """Decide whether the observed orders of convergence are steady enough to estimate an error.
 
-    That is the case if the last two match the expected order, or if the last three agree with each
-    other.
+    They are steady if the last two match the order known from theory, or if the last three agree
+    with each other.
     """
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True
@@ -87,7 +89,7 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
 
 
 def distance(a: Run, b: Run) -> float:
-    """Return the largest difference between corresponding values of two runs."""
+    """Find the largest difference between two runs of a simulation, over all values and frames."""
     return max(
         abs(x - y)
         for mine, other in zip(a, b, strict=True)

@@ -1,10 +1,14 @@
-"""Work out from the contents of a world which models can run it.
+"""List the models, which are the methods of simulation, that can run a user's scene.
 
-- A world without contacts can use every integrator of chapter 6. Without forces as well, the closed
-  form is exact.
-- If all contacts come from rods and cables, a net can solve for all tensions at once.
-- If all contacts come from detectors, time division can stop at each impact.
-- With contacts of any kind, a model can take a step and then resolve them.
+The contents of the scene's ``ParticleWorld`` decide which models apply:
+
+- A world without contacts can use every integrator of chapter 6. If it has no forces either, the
+  closed form is exact.
+- If all contacts come from rods and cables, a solver can compute all tensions at once.
+- If all contacts come from collision detectors, time division can end a step at the moment of each
+  impact.
+- With contacts of any kind, an integrator can move the particles, and a resolver can then correct
+  the contacts.
 """
 
 from __future__ import annotations
@@ -31,11 +35,12 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 
 @dataclass(frozen=True)
 class Model:
-    """A method of stepping a world, and the order of convergence that it should have.
+    """A method of simulating a user's scene, such as Runge-Kutta 4, and the step sizes to try.
 
-    ``step_of`` takes a new world and returns the function that steps it. The numbers in ``choices``
-    are steps per frame. If ``takes_tolerance`` is true, they are 1 / tolerance instead, and the
-    error is proportional to the tolerance.
+    ``step_of`` takes a newly built world and returns the function that advances it by one time
+    step. ``order`` is the order of convergence known from theory. ``choices`` lists the numbers of
+    steps per frame to try. If ``takes_tolerance`` is true, the numbers are 1 / tolerance instead,
+    and the error is proportional to the tolerance.
     """
 
     name: str
@@ -45,15 +50,16 @@ class Model:
     takes_tolerance: bool = False
 
     def chosen(self, choice: int) -> str:
-        """Describe a choice in words, such as "4 steps per frame"."""
+        """Describe a step size or a tolerance in words, such as "4 steps per frame"."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / choice:g}"
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Set up ``world`` for a run with one number of steps per frame, or with one tolerance.
+        """Prepare a world for a run with a given number of steps per frame, or a given tolerance.
 
-        Return a function that advances the world by one step, and the number of steps per frame.
+        ``choice`` is one of ``choices``. Return the function that advances the world by one time
+        step, and how often to call it per frame.
         """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
@@ -62,7 +68,7 @@ class Model:
 
 
 def models_of(world: ParticleWorld) -> list[Model]:
-    """Return the models that can run a world like this one."""
+    """List the models that can simulate a world with these particles, forces and contacts."""
     damped = any(p.damping != 1.0 for p in world.particles if p.inverse_mass)
     if type(world) is not ParticleWorld:  # a subclass may do more in its step
         return [Model("its own step", 1, lambda world: world.step)]
@@ -78,7 +84,10 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """Return models for worlds whose contacts come only from links, or only from detectors."""
+    """List the solvers that work only if all contacts are links, or only if all are collisions.
+
+    The list is empty for a world that mixes the two, or whose rods and cables bounce.
+    """
     generators = world.contact_generators
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
         return [Model("direct net", 2, _direct_net), Model("smooth net", 4, _smooth_net)]
@@ -88,7 +97,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return a function that builds the step of a world without contacts."""
+    """Turn an integrator into the ``step_of`` function of a model, for worlds without contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces
@@ -102,7 +111,7 @@ def _adaptive(world: ParticleWorld) -> Step:
 
 
 def _resolving(name: str) -> Model:
-    """Return the model that steps with an integrator and then resolves the contacts."""
+    """Build the model that moves particles with an integrator and then resolves their contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         world.integrator = INTEGRATORS[name]
@@ -112,7 +121,10 @@ def _resolving(name: str) -> Model:
 
 
 def _exact(world: ParticleWorld) -> Step:
-    """Step the particles by the closed form for constant acceleration and linear drag."""
+    """Step the particles by the closed form for constant acceleration and linear drag.
+
+    The formula is exact for a step of any length.
+    """
 
     def step(duration: float) -> None:
         for particle in world.particles:

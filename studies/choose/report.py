@@ -1,4 +1,8 @@
-"""Report the cheapest model for the user's scene, with a warning if its error is uncertain."""
+"""Print the report of `make choose` on a scene that the user wrote.
+
+The report names the fastest model that is accurate enough, and warns if the estimate of its error
+cannot be trusted.
+"""
 
 from __future__ import annotations
 
@@ -23,9 +27,9 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Run every model on the user's scene, and print the cheapest one that is accurate enough.
+    """Run every model on the user's scene, and print the fastest one that is accurate enough.
 
-    Each model's error and processor time are measured. Return 1 if no model meets the tolerance.
+    Return 0 if there is such a model, and 1 otherwise.
 
     Raises:
         SceneError: The file does not describe a scene.
@@ -65,9 +69,9 @@ def _told(found: list[Tried], point: Point) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
-    """Create a table of the steps and time that each model needs to meet the tolerance.
+    """Build the report's table of how many time steps each model needs, and how long it takes.
 
-    For a model that never meets it, show the run with the shortest steps.
+    A model that never meets the tolerance is shown with the shortest time steps that were tried.
     """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
@@ -91,7 +95,7 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
 def _order(tried: Tried) -> str:
     """Describe the order of convergence of a model's last runs, as in "1.9 of 2" or "exact".
 
-    The second number is the order that the model should have.
+    In "1.9 of 2", 1.9 was observed, and 2 is the order that the model has in theory.
     """
     if tried.halved.is_exact:
         return "exact"
@@ -100,7 +104,11 @@ def _order(tried: Tried) -> str:
 
 
 def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
-    """Warn the reader about anything that makes the estimated errors unreliable."""
+    """List the reasons why the reader should not trust the estimated errors, if there are any.
+
+    A model may not converge, it may converge more slowly than theory says, or two models may
+    contradict each other.
+    """
     told = []
     unsteady = [tried for tried in found if not tried.halved.is_steady]
     if unsteady:
@@ -128,9 +136,10 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
 
 
 def _seen(tried: Tried) -> str:
-    """Name a model that does not converge as expected, and its observed orders of convergence.
+    """Describe a model that does not converge, as in "leapfrog (1.2, 0.4, 0.9 instead of 2)".
 
-    If its runs show no order of convergence at all, explain why instead.
+    The first three numbers are the observed orders of convergence. If there are none, the text says
+    why the runs failed.
     """
     shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
     if not shown:
@@ -139,9 +148,11 @@ def _seen(tried: Tried) -> str:
 
 
 def _contradicting(found: list[Tried], chosen: Point) -> str:
-    """Return a warning if the most accurate other model contradicts the chosen one.
+    """Warn if the most accurate of the other models contradicts the model that the report chose.
 
-    Two models contradict each other if they differ by much more than their estimated errors.
+    Two models contradict each other if their results differ by more than three times the sum of
+    their estimated errors. At least one of the estimates is then wrong. Return an empty string if
+    the models agree.
     """
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     run = mine.runs[mine.model.choices.index(chosen.steps)]

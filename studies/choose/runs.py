@@ -1,4 +1,4 @@
-"""Run the user's scene with every model at shorter and shorter steps, and time each run."""
+"""Run the user's scene with every model at shorter and shorter time steps, and time each run."""
 
 from __future__ import annotations
 
@@ -22,9 +22,10 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 
 @dataclass
 class Tried:
-    """A model that was tried on the user's scene, with its runs and their processor times in s.
+    """A method of simulation that was tried on the user's scene, with the results of its runs.
 
-    ``halved`` holds the estimated errors of the runs. If the last run failed, ``failure`` says why.
+    ``runs`` holds the values measured in each run, and ``times`` its processor times in s.
+    ``halved`` holds the estimated errors. If the last run failed, ``failure`` says why.
     """
 
     model: Model
@@ -34,7 +35,10 @@ class Tried:
     failure: str = ""
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Record a run, or the reason why it failed, and update the estimates of all errors."""
+        """Add a run with shorter time steps, and estimate the errors of all runs again.
+
+        ``run`` is a text if the run failed, and says why. ``taken`` is its processor time in s.
+        """
         if isinstance(run, str):
             self.failure = run
         self.runs.append(None if isinstance(run, str) else run)
@@ -46,7 +50,7 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return whether the model needs no further runs.
+        """Check whether the model needs no further runs with shorter time steps.
 
         That is the case if its runs are exact, or if its errors are known and those of the last
         three runs are within ``tolerance``.
@@ -56,11 +60,14 @@ class Tried:
         return found.is_exact or (found.is_steady and within)
 
     def has_order(self) -> bool:
-        """Return whether there are enough runs to judge if the order of convergence is steady."""
+        """Check whether there are enough runs to judge if the order of convergence is steady."""
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Return the runs as points of the accuracy study, counting steps as the work."""
+        """Convert the model's runs to points, the form in which the accuracy study compares models.
+
+        The amount of work in a point is the number of time steps.
+        """
         return [
             Point(
                 str(scene.path),
@@ -78,7 +85,11 @@ class Tried:
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
-    """Run the scene with each model until the model is accurate enough or takes too long.
+    """Run the scene with each model, shortening the time step until the model is accurate enough.
+
+    A model that is still not accurate enough is given up once a run takes longer than SLOWEST,
+    although never before its order of convergence can be judged. ``hear`` is called with a
+    description of each run, which the command shows as its progress.
 
     Raises:
         SceneError: The scene cannot be run, or none of the measured values changes.
@@ -105,10 +116,10 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
 
 
 def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, float]:
-    """Run a scene once. Return the measured values, or why the run failed, and the time in s.
+    """Run the scene once with one model, and record the measured values after every frame.
 
-    The time is processor time. A run fails if its steps are too long for its forces, or if its
-    numbers are not finite.
+    Return these values, or a text that says why the run failed, and the processor time in s. A run
+    fails if its time steps are too long for its forces, or if its numbers are not finite.
 
     Raises:
         SceneError: The scene itself raises any other error.
@@ -137,11 +148,11 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Time again, in random order, the runs that the report may choose.
+    """Time those runs again that the report may choose, in random order.
 
     For each model whose error is known, they are the runs up to the first one that reliably meets
-    the tolerance. Thanks to the random order, other load on the machine does not hit just one
-    model.
+    the tolerance. Thanks to the random order, a moment in which the computer is busy with something
+    else does not slow down the runs of only one model.
     """
     every = []
     for tried in found:
@@ -158,7 +169,7 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
 
 
 def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
-    """Return a run's processor time in s, averaged over repeated runs if it is short."""
+    """Measure the processor time of a run in s, averaged over repetitions if the run is short."""
     total, count = 0.0, 0
     while total < LEAST:
         total += run_once(scene, model, choice)[1]

@@ -1,4 +1,4 @@
-"""Load a scene from the user's file, along with its duration and its measured values."""
+"""Load the Python file in which a user describes a scene for `make choose`, and check it."""
 
 from __future__ import annotations
 
@@ -29,10 +29,11 @@ class SceneError(ValueError):
 
 @dataclass(frozen=True)
 class OwnScene:
-    """A scene that the user wrote, which runs for a fixed number of frames.
+    """A scene that a user of `make choose` described in a Python file.
 
     ``build`` returns the scene in its initial state, and ``measure`` returns the values to compare.
-    Because both are the user's own code, ``built`` and ``measured`` validate what they return.
+    Both are the user's own functions, so call ``built`` and ``measured`` instead, which check what
+    they return. ``frames`` is how long the scene runs, at 60 frames per second.
     """
 
     path: Path
@@ -41,7 +42,7 @@ class OwnScene:
     measure: Callable[[Any], Any]
 
     def built(self) -> ParticleWorld:
-        """Return a new world in its initial state.
+        """Call the user's ``build`` function, and check that it returns a world with particles.
 
         Raises:
             SceneError: build() raises an exception, or does not return a world with particles.
@@ -54,7 +55,9 @@ class OwnScene:
         return world
 
     def measured(self, world: ParticleWorld) -> Values:
-        """Return the measured values as plain numbers, which may be infinite or NaN.
+        """Call the user's ``measure`` function, and convert what it returns to plain numbers.
+
+        The numbers may be infinite or NaN.
 
         Raises:
             SceneError: measure() raises an exception, or returns anything but numbers and vectors.
@@ -68,7 +71,9 @@ class OwnScene:
             raise SceneError(message) from None
 
     def check(self) -> Values:
-        """Build the scene twice to check it, and return the values measured at the start.
+        """Check that the scene can be built twice and starts in the same state each time.
+
+        Runs can only be compared if they all start alike. Return the values measured at the start.
 
         Raises:
             SceneError: The two scenes differ or share a particle, nothing is measured, or a
@@ -100,7 +105,7 @@ class OwnScene:
 
 
 def load(path: Path) -> OwnScene:
-    """Load the scene described by the file ``path``.
+    """Load the user's scene from the Python file ``path``.
 
     Raises:
         SceneError: The file does not exist, cannot be run, or does not define a required name.
@@ -125,7 +130,10 @@ def load(path: Path) -> OwnScene:
 
 
 def why(error: BaseException, path: Path) -> str:
-    """Describe an exception by its message and the line of the user's file that caused it."""
+    """Describe an exception, along with the line of the user's file that caused it.
+
+    An example is "stopped in line 12 with ZeroDivisionError: float division by zero".
+    """
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
     if isinstance(error, SyntaxError) and Path(error.filename or "") == path.absolute():
@@ -136,7 +144,10 @@ def why(error: BaseException, path: Path) -> str:
 
 
 def positions(world: ParticleWorld) -> list[Vector3]:
-    """Return the positions of all particles that can move."""
+    """Return the positions of all particles that can move.
+
+    They are what `make choose` compares if the user's file does not define ``measure``.
+    """
     return [particle.position for particle in world.particles if particle.inverse_mass]
 
 
@@ -156,7 +167,7 @@ def _run(path: Path) -> ModuleType:
 
 
 def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Return the file's function ``name``, or None if the file does not define it."""
+    """Find a function in the user's file by name, or return None if the file does not define it."""
     found = getattr(module, name, None)
     if found is not None and not callable(found):
         raise SceneError(f"{path}: {name} must be a function, got {found!r}")
@@ -164,7 +175,10 @@ def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] |
 
 
 def _numbers(found: Any) -> Iterable[float]:
-    """Yield the numbers in what measure() returned, and raise TypeError for anything else."""
+    """Yield the numbers in whatever the user's ``measure`` function returned.
+
+    The function may return numbers, vectors, and lists of these. Anything else raises TypeError.
+    """
     if isinstance(found, (int, float)):
         yield float(found)
     elif isinstance(found, str):

@@ -1,7 +1,9 @@
-"""Compare the contact solvers of chapter 7 on stacks and ropes with various mass ratios.
+"""Compare how fast the contact solvers of chapter 7 are on stacks of spheres and on ropes.
 
-For each scene, the command prints how much time per frame each solver needs to stay within an
-error. A complete run stores its numbers for `make figures`, which draws the lesson's picture.
+A solver has a hard time when a heavy body rests on a light one or hangs from it, so each scene
+comes with several mass ratios. For each scene, the command prints the time per frame that each
+solver needs to keep the error below a limit. A complete run also stores its measurements, from
+which `make figures` draws the picture in the lesson.
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest r
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all solvers, then print, draw and store the results. Return 0."""
+    """Measure all contact solvers, print the table, and store the picture and the measurements."""
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
     parser.add_argument(
         "--quick",

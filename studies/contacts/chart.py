@@ -1,4 +1,8 @@
-"""Draw the picture and the table that compare the contact solvers, from measured points."""
+"""Draw the picture and build the table that compare the contact solvers of chapter 7.
+
+Both are made from points: the error and computing time of one solver at one number of steps per
+frame.
+"""
 
 from __future__ import annotations
 
@@ -39,12 +43,12 @@ FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
 
 
 def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
-    """Return the points of a scene, grouped by solver."""
+    """Select the points measured in one scene, and group them by contact solver."""
     return models_of([point for point in points if point.scene == scene])
 
 
 def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
-    """Return how long ``solver`` takes to get within ``tolerance``, in ms per frame.
+    """Find how long a contact solver takes to keep its error within ``tolerance``, in ms per frame.
 
     If none of its runs is that accurate, return None.
     """
@@ -53,9 +57,9 @@ def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: flo
 
 
 def table(points: Sequence[Point]) -> list[list[str]]:
-    """Create the table that the command prints, with a row per scene and error.
+    """Build the table that the command prints, with a row for each scene and each largest error.
 
-    A row shows how long each solver takes to get within the error, or a dash if it never does.
+    A row shows how long each solver takes to stay within that error, or a dash if it never does.
     """
     rows = []
     for scene in dict.fromkeys(point.scene for point in points):
@@ -90,7 +94,10 @@ def draw(points: Sequence[Point]) -> Figure:
 
 
 def contact_solvers() -> Picture:
-    """Draw the lesson's picture from the points that are checked in."""
+    """Draw the picture for the lesson of chapter 7 from the measurements stored in the project.
+
+    Redrawing it does not repeat the measurements, which take minutes.
+    """
     points = kept()
     return Picture(draw(points), COLUMNS, table(points))
 

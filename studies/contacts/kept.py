@@ -1,4 +1,8 @@
-"""Read and write the checked-in points of the last complete run of `make contacts`."""
+"""Store the measurements of the last complete run of `make contacts`, and load them again.
+
+They are in a JSON file that is part of the project, so that the lesson's picture can be redrawn
+without measuring again.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +20,7 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def rounded(points: Sequence[Point]) -> list[Point]:
-    """Round each point to three digits, and give its time as a median in ms per frame."""
+    """Round the measurements of the contact solvers to three digits, with times in ms per frame."""
 
     def digits(value: float) -> float:
         return float(f"{value:.3g}")
@@ -28,7 +32,10 @@ def rounded(points: Sequence[Point]) -> list[Point]:
 
 
 def keep(points: Sequence[Point], file: Path = FILE) -> None:
-    """Write the points to ``file``, one per line, with the date and the Python version."""
+    """Write the measurements of the contact solvers to ``file``, one per line.
+
+    The file also records today's date and the version of Python that ran the solvers.
+    """
     start = {"measured": date.today().isoformat(), "python": platform.python_version()}
     lines = [json.dumps([p.scene, p.model, p.by, p.steps, p.error, p.time]) for p in points]
     text = json.dumps(start, indent=1)[:-2] + ',\n "points": [\n  ' + ",\n  ".join(lines)
@@ -36,7 +43,7 @@ def keep(points: Sequence[Point], file: Path = FILE) -> None:
 
 
 def kept(file: Path = FILE) -> list[Point]:
-    """Return the points of the last complete run, with times in ms per frame."""
+    """Load the stored measurements of the contact solvers, with times in ms per frame."""
     rows = json.loads(file.read_text(encoding="utf-8"))["points"]
     return [
         Point(scene, model, by, steps, error, 0, [time])

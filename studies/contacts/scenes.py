@@ -1,4 +1,4 @@
-"""Stacks and ropes at rest, and a swinging rope, each run with every solver of chapter 7.
+"""Define the stacks and ropes on which the contact solvers of chapter 7 are compared.
 
 Each scene measures one error, which an exact solver would keep at 0, and reports its largest value
 at the end of any frame within 1 s. What the error is depends on the scene:
@@ -8,8 +8,8 @@ at the end of any frame within 1 s. What the error is depends on the scene:
 - For a swinging rope, it is the change in energy, as a fraction of the kinetic energy at the lowest
   point.
 
-The mass ratio is that of the top sphere, or of the weight at the end of the rope, to any other
-body. All other bodies have a mass of 1 kg. Gravity is 10 m/s^2. The work is the number of steps.
+The mass ratio compares the top sphere, or the weight at the end of the rope, with any other body.
+All other bodies have a mass of 1 kg. Gravity is 10 m/s^2. A solver's work is counted in time steps.
 """
 
 from __future__ import annotations
@@ -49,9 +49,10 @@ Move = Callable[[float], object]
 
 @dataclass(frozen=True)
 class Bodies:
-    """Particles, the constraints that hold them, and a function that measures an error.
+    """The particles of a stack or a rope, the sources of their contacts, and the measured error.
 
-    ``error`` takes the duration of a step in s and returns a dimensionless number.
+    ``error`` is a function that takes the duration of a time step in s and returns a dimensionless
+    number.
     """
 
     particles: list[Particle]
@@ -60,7 +61,11 @@ class Bodies:
 
 
 class ColdStart(SequentialImpulses):
-    """Sequential impulses that start from zero instead of from the last step's impulses."""
+    """Sequential impulses without warm starting.
+
+    Every time step starts from zero impulses instead of from those of the last step, which shows
+    how much warm starting helps.
+    """
 
     def step(self, duration: float) -> None:
         self.impulses.clear()
@@ -68,7 +73,10 @@ class ColdStart(SequentialImpulses):
 
 
 def by_book(particles: list[Particle], generators: Iterable[ContactGenerator]) -> Move:
-    """Return a step that uses the book's resolver, in its fast implementation with a heap."""
+    """Return a function that advances the particles with the book's contact resolver.
+
+    It uses the fast implementation with a heap, which gives the same results.
+    """
     world = ParticleWorld(particles, generators)
     world.resolver = HeapResolver()
     return world.step
@@ -84,9 +92,10 @@ SOLVERS: dict[str, Callable[[list[Particle], list[Any]], Move]] = {
 
 
 def stack(ratio: float) -> Bodies:
-    """Return a stack of spheres on the ground that just touch each other.
+    """Build a stack of ten spheres on the ground that just touch each other.
 
-    The top sphere has a mass of ``ratio`` kg, and the error is the largest overlap.
+    The top sphere has a mass of ``ratio`` kg, and the others have 1 kg. The error is the largest
+    overlap.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=DOWN) for i in range(COUNT)
@@ -102,9 +111,10 @@ def stack(ratio: float) -> Bodies:
 
 
 def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
-    """Return a straight rope of rods, hanging at an angle from an immovable particle.
+    """Build a straight rope of ten rods that hangs from an immovable particle.
 
-    The weight at its end has a mass of ``ratio`` kg, and the error is the change in length.
+    The particle at its lower end is a weight of ``ratio`` kg. The error is the relative change in
+    length. ``angle`` is the angle between the rope and the vertical, in radians.
     """
     along = Vector3(LENGTH * math.sin(angle), -LENGTH * math.cos(angle))
     joints = [Particle(along * i, acceleration=DOWN) for i in range(COUNT + 1)]
@@ -120,7 +130,10 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Return a rope without a weight, released at an angle, whose error is the change in energy."""
+    """Build a rope without a weight that is released at an angle and swings.
+
+    The error is its change in mechanical energy, which an exact solver would conserve.
+    """
     bodies = rope(1.0, ANGLE, two_sided)
     start = mechanical_energy(bodies.particles)
     lowest = mechanical_energy(rope(1.0).particles)
@@ -137,7 +150,7 @@ def swinging(two_sided: bool = True) -> Bodies:
 
 
 def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
-    """Run a stack or a rope with ``solver``, and return its error at the end of every frame."""
+    """Simulate a stack or a rope with one contact solver, measuring the error after every frame."""
     bodies, duration = make(), 1.0 / (RATE * steps)
     step = SOLVERS[solver](bodies.particles, bodies.generators)
     places = in_frames(step, lambda: (bodies.error(duration),), FRAMES, steps)
@@ -145,7 +158,7 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Return a scene with one model per solver.
+    """Combine a stack or a rope with the contact solvers to compare on it.
 
     SmallSteps runs with ordinary rods, since it has no need for two-sided ones.
     """
@@ -159,17 +172,20 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return the error of an exact solver, which is always 0."""
+    """Return the error of an exact contact solver, which is 0 at all times.
+
+    It takes the place of an exact solution, with which the study compares every simulation.
+    """
     return (0.0,)
 
 
 def named(name: str, ratio: int) -> str:
-    """Return the name of a scene with this mass ratio, such as "stack, ratio 10"."""
+    """Return the name of a stack or a rope with this mass ratio, such as "stack, ratio 10"."""
     return f"{name}, ratio {ratio:,}"
 
 
 def scenes() -> list[Scene]:
-    """Return all scenes of the comparison, in the order of the table."""
+    """List all stacks and ropes of the comparison, in the order of the table."""
     of_stacks = [BOOK, COLD, IMPULSES, SMALL]
     of_ropes = [BOOK, IMPULSES, SMALL, NET]
     return [

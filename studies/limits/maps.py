@@ -1,6 +1,7 @@
-"""Draw stability limits: the growth around them, and the time to divergence outside them.
+"""Draw maps of where integrators are stable, and plots of how soon they diverge where they are not.
 
-The curves are predictions from the eigenvalues of one step, and the marks come from simulations.
+The curves are predictions from the eigenvalues of one time step, and the marks come from
+simulations.
 """
 
 from __future__ import annotations
@@ -53,10 +54,10 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """For each method, draw a heat map of how stiffness and damping affect its stability.
+    """For each integrator, draw a heat map of how stiffness and damping affect its stability.
 
-    Colors show the factor by which an oscillation grows per step. A line shows the theoretical
-    limit, and dots show the limits found by bisection.
+    Colors show the factor by which an oscillation grows per time step. A line shows the theoretical
+    limit, and dots show the limits found by bisection. The picture is written to the file ``png``.
     """
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
@@ -98,9 +99,11 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Predict how many steps each method takes to diverge, and count them in a simulation.
+    """Measure how soon each integrator diverges on a spring that is too stiff, and predict it.
 
-    The predictions follow from the eigenvalues of a step.
+    Return a row for each integrator and stiffness. It contains the number of time steps predicted
+    from the eigenvalues of one step, and the two numbers that ``steps_to_loss`` counts in a
+    simulation.
     """
     rows = []
     for name, damping in LOST.items():
@@ -114,11 +117,12 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the steps that an oscillation takes to grow by a factor of 1e6, in two ways.
+    """Count the time steps in which an oscillation on a too stiff spring grows by a factor of 1e6.
 
-    The first count starts at the release. The second runs from 1e3 to 1e9 times the initial size,
-    when the initial state no longer matters. ``predicted`` is the number of steps to expect. The
-    size of an oscillation combines x and v / sqrt(k / m).
+    Return two counts. The first starts at the release. The second goes from 1e3 to 1e9 times the
+    initial size, when the initial state no longer matters. The size of an oscillation combines x
+    and v / sqrt(k / m). ``predicted`` is the number of steps to expect, which decides how long to
+    simulate.
     """
     integrator, pull, d = stepping(name, kappa, damping)
     chi = math.sqrt(pull.stiffness)
@@ -135,7 +139,12 @@ def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> 
 def draw_divergence(
     losses: Sequence[Loss], drifts: dict[str, list[float]], swings: Sequence[int], png: Path
 ) -> None:
-    """Draw the time to divergence outside the limits, its error, and the energies inside them."""
+    """Plot how soon springs diverge outside the stability limits, and the energy drift inside them.
+
+    Of the three panels, the left one shows the number of time steps to divergence, the middle one
+    how far the prediction of that number is off, and the right one the energies. The picture is
+    written to the file ``png``.
+    """
     figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(17, 5.4), layout="constrained")
     _draw_steps(left, losses)
     _draw_errors(middle, losses)
@@ -148,7 +157,7 @@ def draw_divergence(
 
 
 def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Draw how many steps after its release an oscillation diverges.
+    """Plot how many time steps after its release an oscillation has grown by a factor of a million.
 
     The marks come from simulations, and the lines show the prediction ln(1e6) / ln(growth).
     """
@@ -171,7 +180,7 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Draw the relative difference between the simulated and predicted number of steps.
+    """Plot by what percentage the simulated steps to divergence differ from the prediction.
 
     An oscillation released from rest is the sum of two eigenvectors, which are almost parallel near
     a limit. The growing part may then be much larger than the sum, or half of it, so the
@@ -199,7 +208,7 @@ def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
-    """Draw how each method's energy changes over many oscillations.
+    """Plot how the energy of a spring changes over many oscillations with each integrator.
 
     A dashed line shows the theoretical energy of Runge-Kutta 4.
     """

@@ -1,10 +1,10 @@
-"""Find by bisection where methods become unstable, and measure the energy inside these limits.
+"""Find by bisection where integrators become unstable, and measure the energy below these limits.
 
-There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
-and velocity, so its eigenvalues show whether a motion grows. A spring reaches its limit when the
-magnitude of the larger eigenvalue starts to exceed 1. Drag reaches its limit when the factor by
-which a step multiplies the velocity starts to exceed 1 in magnitude. Pymunk is measured in the same
-way.
+There are limits for springs, for drag and for a penalty ground. One time step is a linear map of
+position and velocity, so its eigenvalues show whether a motion grows. A spring reaches its limit
+when the magnitude of the larger eigenvalue starts to exceed 1. Drag reaches its limit when the
+factor by which a time step multiplies the velocity starts to exceed 1 in magnitude. Pymunk is
+measured in the same way.
 """
 
 from __future__ import annotations
@@ -44,10 +44,10 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The stability limit of a method in one case, both measured and theoretical.
+    """The stability limit of an integrator for one spring or drag, as measured and in theory.
 
-    Infinity means that there is no limit. ``steps`` is how many steps an oscillation just outside
-    the limit takes to grow by the factor HUGE. It is NaN if nothing grows.
+    Infinity means that there is no limit. ``steps`` is how many time steps an oscillation just
+    outside the limit takes to grow by the factor HUGE. It is NaN if nothing grows.
     """
 
     method: str
@@ -60,7 +60,7 @@ class Bound(NamedTuple):
 def pymunk_step(
     by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> State:
-    """Take one step of a pymunk body on a spring, and return its position and velocity.
+    """Take one time step of a pymunk body on a spring, and return its position and velocity.
 
     If ``by_hand`` is true, the force of the spring is applied as a plain force, and not by pymunk's
     own spring.
@@ -79,7 +79,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Take one step of a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
+    """Take one time step of a pymunk body without a spring, in a space with damping e^(-c / m)."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -97,11 +97,11 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Set up a method and a spring to measure the growth of oscillations.
+    """Set up an integrator and a spring for measuring how fast oscillations grow.
 
-    Return the method as an integrator, the spring, and the damping d of the particle. The spring
-    has k h^2 / m = ``kappa``. For an integrator, ``damping`` is the particle's d^h. For any other
-    method, it is the spring's c h / m.
+    Return the integrator, the spring, and the damping d of the particle. The spring has k h^2 / m =
+    ``kappa``. For one of our integrators, ``damping`` is the particle's d^h. For any other method,
+    it is the spring's c h / m.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -110,13 +110,17 @@ def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull,
 
 
 def growth_at(name: str, damping: float, kappa: float) -> float:
-    """Return the growth per step with the method ``name`` at k h^2 / m = ``kappa``."""
+    """Compute the factor by which oscillations grow per time step with the integrator ``name``.
+
+    ``kappa`` is the dimensionless stiffness k h^2 / m of the spring, and ``damping`` has the same
+    meaning as in ``stepping``.
+    """
     integrator, pull, d = stepping(name, kappa, damping)
     return growth(integrator, pull, FRAME, d)
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest k h^2 / m at which a spring is stable in theory.
+    """Return the largest dimensionless stiffness k h^2 / m at which a spring is stable in theory.
 
     ``damping`` has the same meaning as in ``stepping``. Pymunk steps its spring by p' = p + v h, v'
     = (v + a' h) e^(-c h / m), which is semi-implicit Euler with D = e^(-c h / m). With the force
@@ -133,7 +137,10 @@ def theory_at(name: str, damping: float) -> float:
 
 
 def spring_limits() -> list[Bound]:
-    """Measure each method's limits of k h^2 / m, for springs with and without damping."""
+    """Measure how stiff a spring each integrator tolerates, with and without damping.
+
+    The limits are values of the dimensionless stiffness k h^2 / m.
+    """
     rows = []
     for name in INTEGRATORS:
         rows += [spring_limit(name, kept, f"d^h = {kept:g}") for kept in KEPT]
@@ -150,21 +157,24 @@ def spring_limits() -> list[Bound]:
 
 
 def spring_limit(name: str, damping: float, at: str) -> Bound:
-    """Measure one method's limit for a spring, with ``damping`` as in ``stepping``."""
+    """Measure the largest k h^2 / m at which a spring is stable with the integrator ``name``.
+
+    ``damping`` has the same meaning as in ``stepping``, and ``at`` describes it in the table.
+    """
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
 
 def ground_limit() -> Bound:
     """Find the k h^2 / m above which a penalty ground throws a resting body into the air.
 
-    In theory that happens at 4, which is also the limit of the step.
+    In theory that happens at 4, which is also the stability limit of the integrator.
     """
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
 
 
 def thrown(kappa: float) -> int:
-    """Return the number of the first step after which a resting body has left the ground.
+    """Return the number of the first time step in which a resting body leaves the penalty ground.
 
     Return 0 if the body stays on the ground for 2000 steps. The body starts slightly below its rest
     position, by a fraction 1 / HUGE of its depth, so it leaves the ground when its displacement has
@@ -197,9 +207,9 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Measure how strong drag may be before a step speeds up a body or reverses its velocity.
+    """Measure how strong drag may be before a time step speeds up a body or reverses its velocity.
 
-    The limits are values of k1 h / m, measured for each method.
+    The limits are values of k1 h / m, measured for each integrator.
     """
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
@@ -212,10 +222,10 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return the factor by which one step multiplies a speed if drag is the only force.
+    """Compute the factor by which one time step multiplies a speed if drag is the only force.
 
-    ``z`` is k1 h / m. Integrators use the force of chapter 5, and the other methods use their
-    damper without a spring.
+    ``z`` is k1 h / m. Our integrators use the drag force of chapter 5, and the other methods use a
+    damped spring without stiffness.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:
@@ -227,7 +237,8 @@ def drag_factor(name: str, z: float) -> float:
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
     """Find the smallest value at which a motion grows, and pair it with the theoretical limit.
 
-    The result includes the number of steps to divergence just above that value.
+    ``growth`` computes the growth per time step from a stiffness or a drag. The result includes the
+    number of steps to divergence at 1.02 times the limit.
     """
     found = first(growth)
     bears = 0.0 < found < math.inf
@@ -250,7 +261,7 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
-    """Measure how the energy of a spring drifts over many oscillations with each method.
+    """Measure how the energy of a spring drifts over many oscillations with each integrator.
 
     Return the energy after each number of oscillations in ``swings``, relative to the initial
     energy. ``swings`` must be in ascending order. Explicit Euler is left out, because it explodes
@@ -265,10 +276,10 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
-    """Return the energy after each number of oscillations, relative to the initial energy.
+    """Compute a spring's energy after each number of oscillations, relative to the initial energy.
 
-    Each value is the mean over one oscillation, because the energy of a symplectic method
-    oscillates around a constant mean. ``matrix`` is the matrix of a step of (x, v h).
+    Each value is the mean over one oscillation, because the energy of a symplectic integrator
+    oscillates around a constant mean. ``matrix`` is the matrix of a time step of (x, v h).
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

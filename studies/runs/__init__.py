@@ -1,1 +1,1 @@
-"""Run scenes on any engine, and return plain numbers for plots and studies."""
+"""Simulations that run on any engine and return plain numbers, for plots and measurements."""

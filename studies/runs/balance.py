@@ -1,4 +1,4 @@
-"""Compute where a box of stones balances, both with an engine and exactly."""
+"""Find the line on which a box of stones balances, both with a student's engine and exactly."""
 
 from __future__ import annotations
 
@@ -14,9 +14,12 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class BalanceLine:
-    """A line on which a box of stones balances: the one the engine found, and the exact one.
+    """A line on which a box of stones should balance, as a student's engine computed it.
 
-    ``angle`` is in degrees, and ``left`` and ``right`` are the masses on either side in kg.
+    The line runs at ``angle`` degrees. ``offset`` says where the engine puts it, and ``left`` and
+    ``right`` are the masses in kg that the engine finds on either side. ``true_left`` and
+    ``true_right`` are the exact masses. ``message`` is the text of an error that stopped the
+    engine, if any.
     """
 
     angle: int
@@ -31,7 +34,7 @@ class BalanceLine:
 
 
 def center(stones: Sequence[Stone]) -> tuple[float, float]:
-    """Return the stones' exact center of mass, as x and y in m."""
+    """Compute the exact center of mass of the stones, as x and y in m."""
     total = math.fsum(mass for _, mass, _, _ in stones)
     x = math.fsum(mass * x for _, mass, x, _ in stones) / total
     y = math.fsum(mass * y for _, mass, _, y in stones) / total
@@ -39,7 +42,7 @@ def center(stones: Sequence[Stone]) -> tuple[float, float]:
 
 
 def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
-    """Have the engine find the balance line at ``angle`` degrees, and compute the exact one."""
+    """Have the engine find the balance line at ``angle`` degrees, and measure how wrong it is."""
     a = math.radians(angle)
     found: list[object] = []
     message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))

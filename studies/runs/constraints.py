@@ -1,8 +1,8 @@
-"""Run a ball, a chain or a pendulum with contacts, and return values over time.
+"""Simulate a bouncing ball, a hanging chain or a pendulum, and record values over time.
 
-Each scene runs in equal steps with an integrator of chapter 6, and resolves contacts after each
-step unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m, and times
-are in s.
+Each simulation runs in equal time steps with an integrator of chapter 6, and resolves contacts
+after each step unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m,
+and times are in s.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ class Link(Protocol):
 
 @dataclass(frozen=True)
 class Track:
-    """The values measured at the start of a run and after each step.
+    """A value, such as the height of a ball, recorded at the start and after each time step.
 
-    If an error in the engine ended the run early, ``message`` is its text.
+    If an error in the student's engine ended the simulation early, ``message`` is its text.
     """
 
     times: list[float]
@@ -57,14 +57,14 @@ class Track:
 
     @property
     def points(self) -> list[tuple[float, float]]:
-        """Each time with its value."""
+        """The recorded values as pairs of a time and a value."""
         return [*zip(self.times, self.values, strict=True)]
 
 
 def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
-    """Run a scene step by step, measuring a value at the start and after each step.
+    """Advance a simulation step by step, and record a value at the start and after each step.
 
-    An error in the engine ends the run early.
+    An error in the student's engine ends the recording early.
     """
     times, values = [0.0], [measure()]
 
@@ -79,7 +79,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is each particle's own acceleration."""
+    """Apply no forces, for simulations in which gravity is each particle's own acceleration."""
     del duration
 
 
@@ -91,9 +91,10 @@ def resolving(
     apply_forces: ApplyForces = no_forces,
     substeps: int = 1,
 ) -> Move:
-    """Return a function that advances a scene by one frame, in ``substeps`` equal steps.
+    """Build a function that moves particles by one frame and then resolves their contacts.
 
-    In each substep, ``step`` moves the particles, and ``resolve`` then resolves their contacts.
+    The frame is divided into ``substeps`` equal steps. In each of them, ``step`` moves the
+    particles, and ``resolve`` then resolves the contacts that the ``generators`` find.
     """
     every = [*generators]
 
@@ -109,7 +110,7 @@ def resolving(
 def by_resolver(
     iterations: int | None = None, kind: type[ContactResolver] = ContactResolver
 ) -> Resolve:
-    """Return a function that resolves contacts in at most ``iterations`` iterations per contact.
+    """Build a function that resolves contacts in at most ``iterations`` iterations per contact.
 
     If ``iterations`` is None, the resolver uses its default of 2.
     """
@@ -123,9 +124,9 @@ def by_resolver(
 
 
 def without_rule(contacts: list[Contact], duration: float) -> None:
-    """Resolve contacts as impacts, without the resting rule.
+    """Resolve contacts as impacts, without the rule for resting contacts.
 
-    Without that rule, the speed that gravity adds during the step bounces as well.
+    Without that rule, the speed that gravity adds during the time step bounces as well.
     """
     del duration
     for contact in contacts:
@@ -134,7 +135,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Return a deliberately strict rule: contacts slower than ``speed`` never bounce."""
+    """Build a contact rule that is deliberately too strict: below ``speed``, nothing bounces."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -153,7 +154,7 @@ def ball(
     resolve: Resolve | None = None,
     generated: bool = False,
 ) -> Track:
-    """Drop a ball above the ground, and return its height over time.
+    """Drop a ball above the ground, and record its height over time.
 
     If ``generated`` is true, gravity comes from a force generator rather than from the particle's
     own acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
@@ -172,10 +173,10 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Drop a ball using time_division_step rather than a resolver, and return its height over time.
+    """Drop a ball with time_division_step, which stops at each impact, and record its height.
 
-    Once the ball comes to rest, time_division_step raises TooManyImpacts, and the run ends at the
-    time given in that exception.
+    Once the ball comes to rest, time_division_step raises TooManyImpacts, and the recording ends at
+    the time given in that exception.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)
@@ -196,7 +197,7 @@ def ball_by_time_division(height: float, restitution: float, frames: int) -> Tra
 
 
 def chain_particles(count: int, angle: float = 0.0) -> list[Particle]:
-    """Return the particles of a straight chain, hanging from an immovable first particle.
+    """Create the particles of a straight chain that hangs from an immovable first particle.
 
     ``angle`` is measured from straight down, in degrees.
     """
@@ -214,9 +215,10 @@ def chain(
     angle: float = 0.0,
     substeps: int = 1,
 ) -> tuple[Track, Track]:
-    """Release a chain of links, and return its excess length and its worst link's error over time.
+    """Release a chain of links, and record how much too long the chain and its worst link get.
 
-    The excess length is the total length of the links minus what it should be. The error counts
+    The first of the two tracks is the excess length of the chain: the total length of its links
+    minus what it should be. The second is the largest error in the length of a link, which counts
     links that are too short as well as those that are too long.
     """
     particles = chain_particles(count, angle)
@@ -226,13 +228,13 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Release a DirectChain, and return the same two values over time that ``chain`` returns."""
+    """Release a DirectChain, and record the same two lengths over time as ``chain``."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 
 
 def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
-    """Return the energy over time, in J, of a pendulum released from horizontal.
+    """Release a pendulum from horizontal, and record its energy in J over time.
 
     The pendulum has a bob of 1 kg and a length of 1 m. Its energy is relative to the lowest point,
     so it starts at 10 J. The rod is an AnchoredRod that is resolved after each step, or a

@@ -1,9 +1,9 @@
-"""Run flights of a particle under constant acceleration and drag.
+"""Simulate the flight of a projectile under gravity and drag, with our engine or with pymunk.
 
-Plots, reference checks and benchmarks share these flights. A flight consists of plain numbers in SI
-units and has an exact solution. A model runs it in frames of equal length, and returns the state at
-the start and after every frame, also in plain numbers. All flights lie in the X-Y plane, so that a
-two-dimensional engine can run them.
+Plots, reference checks and benchmarks share these flights. Each flight has an exact solution to
+compare with. A simulation runs in frames of equal length, and returns the position and velocity at
+the start and after every frame. All quantities are plain numbers in SI units. All flights lie in
+the X-Y plane, so that a two-dimensional engine can run them too.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class DragFlight:
     duration: float
 
     def exact(self, time: float) -> State:
-        """Return the state at ``time`` from the exact solution of dv/dt = a - k v."""
+        """Compute the position and velocity at ``time``, from the solution of dv/dt = a - k v."""
         k = -math.log(self.damping)
         pairs = [
             _fall(x, v, a, k, time)
@@ -61,7 +61,7 @@ class DragFlight:
 
 
 def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Run a flight with Particle.integrate of the imported engine."""
+    """Simulate a flight with Particle.integrate of the imported engine, such as a student's."""
     particle = make_particle(flight)
     states = [_state_of(particle)]
     for _ in range(frames):
@@ -71,7 +71,10 @@ def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Simulate ``flight`` with pymunk. Because pymunk is two-dimensional, z is always 0."""
+    """Simulate a flight with pymunk, for comparison with our engine.
+
+    Pymunk is two-dimensional, so z is always 0.
+    """
     space, (body,) = make_space(flight)
     states = [State((*body.position, 0.0), (*body.velocity, 0.0))]
     for _ in range(frames):
@@ -81,7 +84,7 @@ def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def make_particle(flight: DragFlight) -> Particle:
-    """Return the particle of a flight in its initial state."""
+    """Create a particle of the engine in the initial state of a flight."""
     return Particle(
         Vector3(*flight.start.position),
         Vector3(*flight.start.velocity),
@@ -91,7 +94,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Return a pymunk space and its bodies, each in the initial state of the flight."""
+    """Create a pymunk space for a flight, with one or more bodies in the initial state."""
     import pymunk  # here, because plots of a student's engine do not need it
 
     space = pymunk.Space()
@@ -109,7 +112,7 @@ def _state_of(particle: Particle) -> State:
 
 
 def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, float]:
-    """Return position and velocity along one axis after t seconds of dv/dt = a - k v."""
+    """Compute the position and velocity along one axis after t seconds of dv/dt = a - k v."""
     kt = k * t
     if abs(kt) < 1e-3:  # t - gone would lose digits; the next term of the series is 1e-15
         gone = t * (1.0 - kt / 2.0 + kt**2 / 6.0 - kt**3 / 24.0 + kt**4 / 120.0)
@@ -121,7 +124,7 @@ def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, floa
 
 
 def flight_of(shot: ShotType, duration: float) -> DragFlight:
-    """Return the flight of one of chapter 4's shots, with x pointing along the range."""
+    """Convert one of the shots of chapter 4 to a flight, with x pointing along the range."""
     start = State((0.0, 1.5, 0.0), (shot.velocity[2], shot.velocity[1], 0.0))
     return DragFlight(shot.name, start, shot.acceleration, shot.damping, duration)
 

@@ -1,4 +1,4 @@
-"""Measure the links of a bridge or a rope: their end points, and how far they overstretch."""
+"""Measure the links of a rope bridge or a rope: their end points, and how far they overstretch."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from studies.readings import numbers
 
 
 def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
-    """Return the positions of both ends of a link."""
+    """Return the positions of both ends of a cable or a rod."""
     if isinstance(link, AnchoredCable):
         return link.particle.position, link.anchor
     return link.a.position, link.b.position

@@ -1,6 +1,7 @@
-"""Run scenes of chapter 8, measuring values over time for plots, benchmarks and tests.
+"""Run the bridge, the platform, the blob and the wheel of chapter 8, and measure them over time.
 
-Lengths are in m, masses in kg, times in s, and energies in J.
+Plots, benchmarks and tests use these measurements. Lengths are in m, masses in kg, times in s, and
+energies in J.
 """
 
 from __future__ import annotations
@@ -44,9 +45,10 @@ class MassAggregate(Protocol):
 
 
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
-    """Run a scene step by step, measuring several values at the start and after each step.
+    """Simulate a mass aggregate, such as the rope bridge, and record several values over time.
 
-    An error in the engine ends the run early.
+    Each function in ``measures`` is called at the start and after every time step. An error in the
+    student's engine ends the recording early.
     """
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
@@ -62,36 +64,40 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
 
 
 def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a faster resolver, with the same results in as many iterations."""
+    """Give a world a faster contact resolver, with the same results in as many iterations."""
     world.resolver = HeapResolver(world.resolver.iterations)
 
 
 def loaded_platform() -> TiltingPlatform:
-    """Return a platform that tips to the right, with 5 kg at x = 3 m."""
+    """Create a platform with a weight of 5 kg at x = 3 m, which makes it tip to the right."""
     platform = TiltingPlatform()
     platform.put_weight(5.0, 3.0)
     return platform
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Run a mass aggregate, and return the total mechanical energy of its particles over time."""
+    """Simulate a mass aggregate, such as the rope bridge, and record its energy over time.
+
+    It is the mechanical energy in J. The contact resolver is replaced by a faster one with the same
+    results.
+    """
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
     return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
 
 
 def default_bridge() -> Bridge:
-    """Return a bridge whose resolver makes its default of two iterations per contact."""
+    """Create a rope bridge whose contact resolver makes two iterations per contact, its default."""
     bridge = Bridge()
     bridge.world.resolver.iterations = None
     return bridge
 
 
 def variation(run: Track, since: float) -> float:
-    """Measure how much a value still varies from time ``since`` on.
+    """Measure how much a recorded value still varies from time ``since`` on.
 
     Return the difference between the largest and the smallest of those values, as a fraction of the
-    last one, or NaN if the engine failed.
+    last one. Return NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -102,9 +108,9 @@ def variation(run: Track, since: float) -> float:
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Load a bridge with a ball, and measure how much too long its cables get at 60 Hz.
+    """Put a ball on a rope bridge, and record by how much its worst cable is too long at 60 Hz.
 
-    Return the worst cable's excess length over time, in percent, and the number of contacts
+    Return the worst cable's excess length in percent over time, and the number of contacts
     resolved. The excess length is infinite once the ball has fallen through.
     """
     bridge = Bridge(mass)
@@ -125,7 +131,11 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Return random frame times of 5 to 30 ms, with a frame of SPIKE at each time in ``spikes``."""
+    """Make up the frame times of a game that does not run smoothly.
+
+    They are random times of 5 to 30 ms, with a frame of SPIKE at each time in ``spikes``, when the
+    computer is busy with something else.
+    """
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*spikes]
     while time < seconds:
@@ -139,18 +149,21 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return the positions of all particles of a world as plain numbers."""
+    """Return the positions of all particles of a world as plain numbers.
+
+    Unlike the vectors of the particles, these numbers do not change in the next time step.
+    """
     return [numbers(particle.position) for particle in world.particles]
 
 
 def in_frames(
     aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Run an aggregate in frames of varying length.
+    """Simulate a mass aggregate, such as the rope bridge, in frames of varying length.
 
     If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
-    step. Return the measured values and, for each frame, the number of steps so far and all
-    positions.
+    step. Return the measured values over time and, for each frame, the number of steps so far and
+    the positions of all particles.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
@@ -174,25 +187,25 @@ def in_frames(
 
 
 def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Return the spin in rad/s of a driven wheel over time."""
+    """Record the spin in rad/s over time of a wheel that is driven by a force."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
 
 
 def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Return the deformation of a driven wheel over time."""
+    """Record the largest relative error in the length of a driven wheel's rods over time."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)
 
 
 def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Throw a blob down from a height of 2 m, and return its spread over time."""
+    """Throw a blob down from a height of 2 m, and record the spread of its particles over time."""
     blob = _thrown(speed, cables)
     return tracks(blob.step, [lambda: spread(blob.particles)], round(seconds / FRAME), FRAME)[0]
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Throw a blob down from a height of 2 m, and return how many bonds are intact over time."""
+    """Throw a blob down from a height of 2 m, and count its intact bonds over time."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:
@@ -202,10 +215,10 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
-    """Return a world of balls that land one by one, along with those balls.
+    """Create a world in which balls land on the ground one by one, and return it with the balls.
 
     The last ball arrives late: it falls from LATE_HEIGHT between two other balls, and pushes all of
-    the balls apart.
+    the balls apart. A world that puts resting balls to sleep has to wake them then.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]
@@ -217,10 +230,11 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Run the balls on the ground, and measure how much work their contacts cause.
+    """Drop balls on the ground, and record how much work their contacts cause.
 
-    Return the number of awake balls, the resolutions per step and the kinetic energy, all over
-    time.
+    ``kind`` is the class of the world, and decides whether resting balls fall asleep. Return three
+    values over time: the number of awake balls, the contact resolutions per time step, and the
+    kinetic energy in J.
     """
     world, balls = balls_on_ground(kind)
 
@@ -241,7 +255,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Return the largest distance between two corresponding positions in two lists."""
+    """Find the largest distance between corresponding positions in two lists."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

@@ -19,10 +19,11 @@ from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver,
 
 
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
-    """Return the height of a stack's top sphere, and the largest overlap, over time.
+    """Simulate a stack of spheres, and record how high its top is and how far the spheres overlap.
 
-    At first each sphere just touches the next one, and nothing bounces. The height is that of the
-    sphere's center. The overlap, with a neighbor or with the ground, is a fraction of the diameter.
+    At first each sphere just touches the next one, and nothing bounces. The height over time is
+    that of the top sphere's center. The overlap over time is the largest one with a neighbor or
+    with the ground, as a fraction of the diameter.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
@@ -42,10 +43,10 @@ def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track
 
 
 def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[Contact]]:
-    """Return a pile of spheres falling to the ground in a plane, and its contacts.
+    """Create a pyramid of spheres that fall to the ground, and find their contacts.
 
-    The bottom row has as many spheres as there are rows. Neighbors overlap by a fraction of the
-    diameter, and all spheres fall at the same speed in m/s.
+    The pyramid stands in a plane, and its bottom row has as many spheres as there are rows.
+    Neighbors overlap by a fraction of the diameter, and all spheres fall at the same speed in m/s.
     """
     size = 2.0 * RADIUS * (1.0 - overlap)
     spheres = [
@@ -101,7 +102,7 @@ def _sweep(
 
 
 def _depth(contact: Contact) -> float:
-    """Return how far a sphere overlaps another sphere or the ground, at their current positions."""
+    """Compute how far a sphere overlaps another sphere or the ground at their current positions."""
     place = contact.particle.position
     if contact.other is None:
         return RADIUS - place.y

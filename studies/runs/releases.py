@@ -1,4 +1,4 @@
-"""Find a trebuchet's throw for every angle at which its sling might release the projectile.
+"""Find how far a trebuchet throws for every angle at which its sling might release the projectile.
 
 Lengths are in m, and energies are in J.
 """
@@ -25,7 +25,7 @@ from studies.runs.mass_aggregate import resolve_by_heap
 
 @dataclass(frozen=True)
 class Release:
-    """A moment at which the sling could release the projectile.
+    """A moment at which a trebuchet's sling could release the projectile, and the resulting throw.
 
     ``angle`` is the direction of flight in degrees, and ``range`` is how far from the pivot the
     projectile lands, in m. ``share`` is the fraction of the counterweight's lost energy that the
@@ -38,10 +38,10 @@ class Release:
 
 
 def releases(design: Design) -> list[Release]:
-    """Simulate a sling that never lets go, and return each release that some angle would cause.
+    """Simulate a trebuchet whose sling never lets go, and list the throws of all release angles.
 
-    A sling lets go in the first step in which the projectile's direction of flight is below the
-    release angle. Every step in which that direction reaches a new low is therefore a possible
+    A sling lets go in the first time step in which the projectile's direction of flight is below
+    the release angle. Every step in which that direction reaches a new low is therefore a possible
     release, down to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in
     plain numbers.
     """
@@ -75,7 +75,10 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Insert a NaN wherever the angle jumps, so that plots draw no line across the gap."""
+    """Insert a NaN wherever the release angle jumps, so that a plot leaves a gap there.
+
+    A jump is a change by more than ``degrees``.
+    """
     shown = list(found[:1])
     for before, release in pairwise(found):
         if before.angle - release.angle > degrees:

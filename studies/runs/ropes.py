@@ -28,7 +28,7 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Hanging:
-    """A rope hanging at rest: its positions, its sag in m, and its excess length in m.
+    """The final shape of a hanging rope, with its sag in m and its excess length in m.
 
     ``work`` is the number of contacts resolved, or of rod forces solved for.
     """
@@ -40,21 +40,21 @@ class Hanging:
 
 
 def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the sag in m of a rope with infinitely many links: a (cosh(span / 2a) - 1)."""
+    """Compute the sag in m of a rope with infinitely many links: a (cosh(span / 2a) - 1)."""
     a = catenary_radius(span, length)
     return a * (math.cosh(0.5 * span / a) - 1.0)
 
 
 def catenary_radius(span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the parameter a, in m, of the catenary a cosh(x / a) with this span and length."""
+    """Compute the parameter a, in m, of the catenary a cosh(x / a), the curve of a hanging rope."""
     return _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
 
 
 def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
-    """Return the positions of a hanging rope of equal links with equal particles between them.
+    """Compute the exact particle positions of a rope of equal links that hangs at rest.
 
     At rest the horizontal pull is the same in every link, while the vertical pull changes by one
-    weight from link to link. The slopes of the links are therefore evenly spaced.
+    particle's weight from link to link. The slopes of the links are therefore evenly spaced.
     """
     link = length / links
     weights = [i + 0.5 - 0.5 * links for i in range(links)]  # upward pull of each link
@@ -72,12 +72,15 @@ def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Plac
 
 
 def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the sag in m of a rope with this many links hanging at rest."""
+    """Compute the exact sag in m of a rope with this many links that hangs at rest."""
     return -min(y for _, y in polygon(links, span, length))
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the particle positions of a rope whose middle is pulled straight down into a V."""
+    """Return the particle positions of a rope whose middle is pulled straight down into a V.
+
+    A rope that is released from this shape has to find its resting shape by itself.
+    """
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
     return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
@@ -93,10 +96,11 @@ def rope_particles(places: list[Place]) -> list[Particle]:
 
 
 def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
-    """Simulate a rope of two-sided rods in a ParticleWorld, with substeps in each step.
+    """Simulate a hanging rope of two-sided rods in a ParticleWorld, and measure how far it sags.
 
-    The rope starts in its exact shape, so any further sag is an error. The contacts are resolved by
-    a HeapResolver, which gives the same results as a ContactResolver in less time.
+    The rope starts in its exact shape, so any further sag is an error. Each of the ``rate`` time
+    steps per second is divided into ``substeps``. The contacts are resolved by a HeapResolver,
+    which gives the same results as a ContactResolver in less time.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
@@ -110,7 +114,7 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
 
 
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
-    """Simulate a hanging rope with a DirectChain, which keeps its initial lengths.
+    """Simulate a hanging rope with a DirectChain, which keeps the length of every link.
 
     The rope starts as a V if ``from_v`` is true, and in its exact shape otherwise.
     """

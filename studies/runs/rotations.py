@@ -1,7 +1,7 @@
-"""Compute orientations in plain numbers, for comparison with an engine's.
+"""Compute the orientations of a rotating body exactly, to check those that an engine computes.
 
-An orientation is given either by its components r, i, j and k, or by its arrows, the directions of
-its own axes X, Y and Z in the world. The motions in this module are for plots.
+An orientation is given in one of two forms, either as the components r, i, j and k of a quaternion,
+or as arrows, which are the directions of the body's own axes X, Y and Z in the world.
 """
 
 from __future__ import annotations
@@ -39,33 +39,33 @@ TAU = math.tau
 
 
 def components(q: Any) -> Components:
-    """Return the components of an engine's quaternion, with NaN for any that is not a number."""
+    """Convert an engine's quaternion to floats, with NaN for any part that is not a number."""
     r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
     return r, i, j, k
 
 
 def turn(axis: Numbers, angle: float) -> Components:
-    """Return the components of a rotation by ``angle`` about ``axis``, which must not be zero."""
+    """Compute the quaternion of a rotation by ``angle`` about ``axis``, which must not be zero."""
     share = math.sin(0.5 * angle) / math.hypot(*axis)
     return math.cos(0.5 * angle), axis[0] * share, axis[1] * share, axis[2] * share
 
 
 def product(b: Components, a: Components) -> Components:
-    """Return the components of the rotation that applies ``a`` first and then ``b``."""
+    """Compute the quaternion of the rotation that applies ``a`` first and then ``b``."""
     u, v = b[1:], a[1:]
     i, j, k = (b[0] * q + a[0] * p + c for p, q, c in zip(u, v, cross(u, v), strict=True))
     return b[0] * a[0] - dot(u, v), i, j, k
 
 
 def rotated(q: Components, v: Numbers) -> Numbers:
-    """Rotate a vector by an orientation of length 1."""
+    """Rotate the vector ``v`` by the unit quaternion ``q``."""
     back = (q[0], -q[1], -q[2], -q[3])
     _, x, y, z = product(product(q, (0.0, *v)), back)
     return x, y, z
 
 
 def arrows(q: Components) -> Arrows:
-    """Return where an object's axes X, Y and Z point after the unit quaternion ``q`` rotates it."""
+    """Compute where a body's axes X, Y and Z point after the unit quaternion ``q`` rotates it."""
     return rotated(q, X), rotated(q, Y), rotated(q, Z)
 
 
@@ -76,7 +76,7 @@ def arrows_by_engine(q: Quaternion) -> Arrows:
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Return the angle in degrees between two orientations, given by quaternions of any length.
+    """Compute the angle in degrees between two orientations, given by quaternions of any length.
 
     Return NaN if the length of either quaternion is 0 or not finite.
     """
@@ -87,7 +87,10 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Return the angle between two orientations in degrees, from the trace of the rotation."""
+    """Compute the angle in degrees between two orientations given by their axes.
+
+    It follows from the trace of the rotation between them. Return NaN if an axis is not finite.
+    """
     if not is_drawable(*a, *b):
         return math.nan
     cosine = 0.5 * (math.fsum(dot(p, q) for p, q in zip(a, b, strict=True)) - 1.0)
@@ -95,23 +98,23 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return how far the worst pair of rotated axes is from perpendicular, in degrees."""
+    """Measure how far the worst pair of rotated axes is from perpendicular, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
 
 def off_unit_length(found: Arrows) -> float:
-    """Return how far from 1 the length of the worst rotated axis is."""
+    """Measure how far from 1 the length of the worst rotated axis is."""
     return largest([abs(math.hypot(*v) - 1.0) for v in found])
 
 
 def off_directions(found: Arrows, wanted: Arrows) -> float:
-    """Return the largest angle in degrees between an arrow and the direction it should have."""
+    """Find the largest angle in degrees between a rotated axis and the direction it should have."""
     return largest([angle_between(a, b) for a, b in zip(found, wanted, strict=True)])
 
 
 def largest(values: list[float]) -> float:
-    """Return the largest value, or NaN if any value is NaN or there are none."""
+    """Return the largest of several errors, or NaN if any of them is NaN or there are none."""
     return max(values, default=math.nan) if not any(map(math.isnan, values)) else math.nan
 
 
@@ -129,9 +132,9 @@ TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
 
 @dataclass(frozen=True)
 class Throw:
-    """A thrown disc: the engine's arrows, and the exact arrows at the same times.
+    """The flight of a thrown disc: its axes as the engine rotates them, and as they should be.
 
-    If an error in the engine ended the throw early, ``message`` is its text.
+    If an error in the engine ended the flight early, ``message`` is its text.
     """
 
     times: list[float]
@@ -140,27 +143,27 @@ class Throw:
     message: str
 
     def worst(self, measure: Callable[[Arrows], float]) -> float:
-        """Apply ``measure`` to the engine's arrows at each time, and return the largest result."""
+        """Measure an error of the engine's axes at every time, and return the largest."""
         return largest([measure(found) for found in self.found])
 
     def worst_direction(self) -> float:
-        """Return the largest angle in degrees between an arrow and its exact direction."""
+        """Find the largest angle in degrees between an axis and its exact direction."""
         pairs = zip(self.found, self.wanted, strict=True)
         return largest([off_directions(found, wanted) for found, wanted in pairs])
 
 
 def disc_place(time: float) -> Numbers:
-    """Return the position of the disc, which lands 6 m away at the height of the throw."""
+    """Compute the position of the thrown disc, which lands 6 m away at the height of the throw."""
     return 6.0 * time / FLIGHT, 0.5 * GRAVITY * time * (FLIGHT - time), 0.0
 
 
 def disc_orientation(time: float) -> Components:
-    """Return the exact orientation of the disc: its own spin, followed by the precession."""
+    """Compute the exact orientation of the thrown disc: its spin, followed by the precession."""
     return product(turn(Y, PRECESSION * time), product(turn(AXIS, SPIN * time), TILTED))
 
 
 def disc_acceleration(time: float) -> Numbers:
-    """Return the angular acceleration of the disc.
+    """Compute the angular acceleration of the thrown disc.
 
     It is not zero, because the precession keeps turning the spin axis.
     """
@@ -169,7 +172,10 @@ def disc_acceleration(time: float) -> Numbers:
 
 
 def throw_disc(rate: int) -> Throw:
-    """Throw the disc, rotating it with integrate_rotation in ``rate`` steps per second."""
+    """Throw a spinning disc, and let the engine rotate it with integrate_rotation.
+
+    ``rate`` is the number of time steps per second.
+    """
     orientation = Quaternion(*TILTED)
     velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
     times: list[float] = []
@@ -188,18 +194,18 @@ def throw_disc(rate: int) -> Throw:
 
 
 def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` by one step of the book's first-order formula, Eq. 9.5."""
+    """Rotate the quaternion ``q`` by one time step of the book's first-order formula, Eq. 9.5."""
     q.add_scaled(Vector3(*velocity), duration)
 
 
 def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` by one step of Eq. 9.5, and then normalize it."""
+    """Rotate the quaternion ``q`` by one time step of Eq. 9.5, and then normalize it."""
     q.add_scaled(Vector3(*velocity), duration)
     q.normalize()
 
 
 def by_exponential(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` by one step, using the exponential of the rotation vector."""
+    """Rotate the quaternion ``q`` by one step, using the exponential of the rotation vector."""
     q.rotate_by(Vector3(*(component * duration for component in velocity)))
 
 
@@ -214,23 +220,23 @@ CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
 
 
 def steady_velocity(_: float) -> Numbers:
-    """Return the angular velocity of the steady rotation, which does not change."""
+    """Return the angular velocity of the steady test rotation, which is the same at all times."""
     return STEADY
 
 
 def steady_orientation(time: float) -> Components:
-    """Return the exact orientation of the steady rotation."""
+    """Compute the exact orientation of a body in the steady test rotation at ``time``."""
     return product(turn(STEADY, TAU * time), START)
 
 
 def coning_velocity(time: float) -> Numbers:
-    """Return the angular velocity of the rotation whose axis moves around Z."""
+    """Compute the angular velocity of the test rotation whose axis moves around Z."""
     x, y, z = rotated(turn(Z, CONING * time), SLANTING)
     return x, y, z + CONING
 
 
 def coning_orientation(time: float) -> Components:
-    """Return the exact orientation of the rotation whose axis moves around Z.
+    """Compute the exact orientation of a body in the test rotation whose axis moves around Z.
 
     It is a rotation about a fixed axis, followed by one about Z.
     """
@@ -258,9 +264,10 @@ def turn_by_steps(
 
 
 def worst_axis(distance: float, z: float) -> Numbers:
-    """Return the axis with the largest Euler rates when y is ``distance`` below 90 degrees.
+    """Find the rotation axis for which the Euler angles change fastest, close to gimbal lock.
 
-    It lies halfway between the world's Z axis and the rotated X axis.
+    The angle y is ``distance`` below 90 degrees. The axis lies halfway between the world's Z axis
+    and the rotated X axis.
     """
     up = math.sin(0.5 * distance)
     along = math.cos(0.5 * distance)
@@ -268,13 +275,13 @@ def worst_axis(distance: float, z: float) -> Numbers:
 
 
 def columns(matrix: Any) -> Arrows:
-    """Return the columns of an engine's Matrix3, which are the rotated axes."""
+    """Return the columns of an engine's Matrix3, which are the rotated axes of a body."""
     a, b, c, d, e, f, g, h, i = nine(matrix)
     return (a, d, g), (b, e, h), (c, f, i)
 
 
 def singular_values(matrix: Any) -> Numbers:
-    """Return the singular values of an engine's Matrix3, largest first.
+    """Compute the singular values of an engine's Matrix3, largest first.
 
     They are NaN unless its entries are nine finite numbers.
     """

@@ -1,4 +1,4 @@
-"""Measure the stability of integrators on springs: oscillations, growth per step, and limits.
+"""Measure how integrators handle a spring: oscillations, growth per step, and stability limits.
 
 A spring pulls a particle of 1 kg toward 0 along X. Every method, even a solver for one linear
 spring, is wrapped as an integrator of chapter 6, so that all of them run in the same way.
@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """The positions and velocities of an oscillating body, and any error that ended the run."""
+    """Positions and velocities of an oscillating body, and any error that ended the simulation."""
 
     places: list[float]
     velocities: list[float]
@@ -83,7 +83,7 @@ def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrato
 
 
 def methods(stiffness: float) -> dict[str, Integrator]:
-    """Return every method by name, for an undamped spring of this stiffness."""
+    """Return all integrators by name, and all solvers, set up for an undamped spring."""
     return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
 
 
@@ -108,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release a body of 1 kg at x = 1 m, and let it swing until it is faster than ``limit``."""
+    """Release a body of 1 kg at x = 1 m, and let it swing until it exceeds ``limit`` in m/s."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
@@ -127,9 +127,9 @@ def swing(
 def growth(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> float:
-    """Return the factor by which a step multiplies oscillations in the long run, or NaN.
+    """Compute the factor by which a time step multiplies oscillations in the long run.
 
-    It is the magnitude of the larger eigenvalue of the step.
+    It is the magnitude of the larger eigenvalue, or NaN if the engine fails.
     """
     return spectral_radius(*step_matrix(integrator, generator, duration, damping))
 
@@ -137,9 +137,10 @@ def growth(
 def step_matrix(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> tuple[float, float, float, float]:
-    """Return the matrix of a step of (x, v h), row by row, or NaN if the engine fails.
+    """Measure the matrix by which one time step multiplies (x, v h).
 
-    Because the step is linear, its results for (1, 0) and (0, 1) are the matrix's columns.
+    Return it row by row, or NaN if the engine fails. Since a step is linear, its results for (1, 0)
+    and (0, 1) are the columns.
     """
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):
@@ -152,7 +153,7 @@ def step_matrix(
 
 
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
-    """Return the growth per step of the method ``name`` at k h^2 / m = kappa.
+    """Compute the growth of oscillations per time step with an integrator, at k h^2 / m = kappa.
 
     ``damping`` is the spring's c h / m for a solver, and the particle's d^h for an integrator.
     """
@@ -163,19 +164,19 @@ def growth_of(name: str, kappa: float, damping: float, duration: float) -> float
 
 
 def period(places: Sequence[float]) -> float:
-    """Return the steps per oscillation, from its zero crossings, or NaN if there are too few."""
+    """Measure the steps per oscillation from its zero crossings, or NaN if there are too few."""
     found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
     return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
 
 
 def true_place(k: float, c: float, time: float) -> float:
-    """Return the exact position of a body of 1 kg on a spring, released at 1 m."""
+    """Compute the exact position of a body of 1 kg on a spring, released at 1 m."""
     state = damped_spring_state(1.0, 0.0, k, c, 1.0, time)
     return number(state[0]) if isinstance(state, tuple) else math.nan
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Return the factor by which an oscillation of the faked stiff spring grows per step.
+    """Compute the factor by which an oscillation of the faked stiff spring grows per time step.
 
     ``angle`` is chi h, and ``share`` is a fraction of critical damping.
     """
@@ -185,7 +186,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Count the steps until a knot of the cloth exceeds 1000 m/s. Also return any error."""
+    """Count the time steps until a knot of the cloth exceeds 1000 m/s. Also return any error."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -201,7 +202,7 @@ def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, s
 
 
 def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
-    """Drop a body of 1 kg onto undamped penalty ground at 60 Hz, and return its heights."""
+    """Drop a body of 1 kg onto undamped penalty ground at 60 Hz, and record its heights."""
     particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
     ground = PenaltyGround(0.0, stiffness)
     step = watching(semi_implicit_euler, 1e4)
@@ -217,14 +218,14 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Return the largest error of a simulated spring, compared with cos(chi t) at 64 times."""
+    """Find the largest error of a simulated spring, compared with cos(chi t) at 64 times."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
 
 
 def spectral_radius(a: float, b: float, c: float, d: float) -> float:
-    """Return the magnitude of the larger eigenvalue of the matrix with rows (a, b) and (c, d)."""
+    """Compute the larger eigenvalue, in magnitude, of the matrix with rows (a, b) and (c, d)."""
     half, product = (a + d) / 2.0, a * d - b * c
     root = half * half - product
     if root < 0.0:  # the eigenvalues are complex conjugates
@@ -246,9 +247,10 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Measure the limit of k h^2 / m for several d^h. Return each d^h, its limit and its theory.
+    """Measure the largest stable k h^2 / m of an integrator for several dampings d^h.
 
-    Undamped explicit Euler is left out, because its limit is 0.
+    Return each d^h with the measured limit and the theoretical one. Undamped explicit Euler is left
+    out, because its limit is 0.
     """
     found = []
     for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):

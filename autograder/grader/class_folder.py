@@ -36,10 +36,13 @@ def seed_of(state: Path, seed: str | None) -> str:
 
 
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
-    """Raise ValueError if a class is regraded with a roster but was graded without, or vice versa.
+    """Refuse to grade a student again with a roster if the class was graded without, or vice versa.
 
     With a roster, the reports use the names on it. Otherwise they use the names of the submissions,
-    so after such a regrade the same student would be listed twice.
+    so the same student would then be listed twice.
+
+    Raises:
+        ValueError: A roster is given now but was not given before, or the reverse.
     """
     try:
         before = json.loads(state.read_text(encoding="utf-8"))["roster"]

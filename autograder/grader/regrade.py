@@ -65,7 +65,7 @@ class Regrade:
         return next((one for one in self.reports if one.student == self.student), None)
 
     def seed(self, seed: str | None) -> str:
-        """Return the seed of the class, so that the regraded student gets the same random numbers.
+        """Return the seed of the class, for the student who is graded again.
 
         Raises:
             ValueError: A different seed was requested, or the class was graded with several.

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import random
+
 import pytest
 
 from autograder.manifest import Chapter, load_chapters
+from autograder.scores import result_of
+from autograder.student.failure import failure_of
 from copies import reference
 from in_node import NodeEngines, engines
+from ready import ready
+from wrong import read_wrong, write_wrong
 
+SEED = 1  # of the wrong submissions that are drawn
 CHAPTERS = load_chapters()
 REFERENCE = reference()
 
@@ -32,3 +39,25 @@ def test_stubs_earn_nothing(engines: NodeEngines, chapter: Chapter) -> None:
     states = {result["state"] for result in report["results"]}
     assert states <= {"not written yet", "to answer", "failed", "blocked"}
     assert report["failure"]["file"].startswith("ch")
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_a_mistake_is_told_as_on_the_command_line(engines: NodeEngines, chapter: Chapter) -> None:
+    """The page gets what make check would print. test_site_solving shows that it shows this."""
+    for wrong in random.Random(f"{SEED} {chapter.name}").sample(read_wrong(chapter), 3):
+        exercise = next(e for e in chapter.exercises if wrong.edit in e.edit)
+        waiting = ready(chapter)
+        write_wrong(chapter, [wrong], waiting.top)
+        result = result_of(exercise, waiting.run([wrong.edit], [exercise.id]))
+        expected = failure_of(chapter, result, waiting.engine)
+        file = f"{chapter.name}/{wrong.edit.partition('.')[0]}.py"
+        mine = {file: (waiting.top / file).read_text(encoding="utf-8")}
+        told = engines.check(REFERENCE | mine, chapter, exercise.id)["failure"]
+        assert told["heading"] == expected.heading
+        assert [newer(*row) for row in told["rows"]] == [newer(*row) for row in expected.diagnosis]
+        assert told["printed"] == expected.printed
+
+
+def newer(label: str, words: str) -> tuple[str, str]:
+    """Return a row as the site has it. Its newer Python shortens the message for floats."""
+    return label, words.replace("float division by zero", "division by zero")

@@ -32,6 +32,8 @@ PAGES = [
     *(f"{chapter.name}.html" for chapter in CHAPTERS),
     *(f"{chapter.name}_reference.html" for chapter in CHAPTERS),
 ]
+# The narrow layout shows everything that the wide one does, so one page of each kind is wide, too.
+ONE_OF_EACH_KIND = (*PAGES[:6], f"{CHAPTERS[1].name}.html", f"{CHAPTERS[1].name}_reference.html")
 
 
 class Links(HTMLParser):
@@ -76,8 +78,9 @@ def test_a_page_is_accessible_and_fits(browser: Any, site: Served, name: str) ->
             if name == f"{chapter.name}.html":
                 turn(page, chapter.exercises[0].id)
         accessible(page)
-        page.set_viewport_size({"width": 1280, "height": 900})
-        accessible(page)
+        if name in ONE_OF_EACH_KIND:
+            page.set_viewport_size({"width": 1280, "height": 900})
+            accessible(page)
 
 
 def test_links_lead_somewhere_within_the_site(site: Served, parsed: dict[str, Links]) -> None:

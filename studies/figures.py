@@ -8,11 +8,13 @@ that the pages load quickly.
 from __future__ import annotations
 
 import argparse
+import bisect
+import functools
 import importlib
 from pathlib import Path
 
 from matplotlib import pyplot
-from PIL import Image, ImageSequence
+from PIL import Image, ImageChops, ImageSequence, ImageStat
 
 from autograder.manifest import ROOT
 from lab.catalog import load
@@ -58,7 +60,9 @@ ANIMATIONS = {
     "ch08_mass_aggregate/trebuchet": (5.5, 2.0),
     "ch09_rotations/spin": (4.5, 2.0),
 }
-COLORS_OF_PLOT, COLORS_OF_ANIMATION = 256, 48
+COLORS_OF_ANIMATION = 48
+COLORS_OF_STILL = range(8, 257, 8)  # the numbers of colors to try
+UNSEEN = 2.5  # a root-mean-square difference of colors, out of 255, that nobody sees
 WIDTH = 480  # px, of an animation
 PICTURE_TIME = 100  # ms per picture of an animation
 TIME_LIMIT = 600.0  # s for one plot; the reference has no endless loop, but machines may be slow
@@ -85,8 +89,7 @@ def main(arguments: list[str]) -> int:
         done.append(plot.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
         if done[-1]:
             with Image.open(work / f"{name}.png") as drawn:
-                fewer = _palette(drawn.convert("RGB"), COLORS_OF_PLOT)
-                _write([fewer], _file(options.out, f"{name}.png"))
+                _write([_few_colors(drawn)], _file(options.out, f"{name}.png"))
         pyplot.close("all")
     for name, (seconds, still) in ANIMATIONS.items():
         animation, _, _ = record(load(Path(name).name)(), work / Path(name).parent, seconds)
@@ -122,10 +125,6 @@ def _shrunk(animation: Path) -> list[Image.Image]:
     for i in range(4):
         strip.paste(pictures[i * (len(pictures) - 1) // 3], (i * size[0], 0))
     few = _palette(strip, COLORS_OF_ANIMATION)
-    entries = few.getpalette() or []
-    brightest = max(range(0, len(entries), 3), key=lambda i: sum(entries[i : i + 3]))
-    entries[brightest : brightest + 3] = [255, 255, 255]  # as white as the page
-    few.putpalette(entries)
     return [picture.quantize(palette=few, dither=Image.Dither.NONE) for picture in pictures]
 
 
@@ -140,7 +139,23 @@ def _still(animation: Path, seconds: float) -> Image.Image:
             left -= frame.info["duration"]
             if left <= 0.0:
                 break
-        return _palette(frame.convert("RGB"), COLORS_OF_PLOT)
+        return _few_colors(frame)
+
+
+def _few_colors(picture: Image.Image) -> Image.Image:
+    """Reduce a picture to as few colors as possible without a visible change.
+
+    A picture with few colors is a small file.
+    """
+    full = picture.convert("RGB")
+    reduced = functools.cache(functools.partial(_palette, full))
+
+    def looks_same(count: int) -> bool:
+        difference = ImageChops.difference(full, reduced(count).convert("RGB"))
+        return max(ImageStat.Stat(difference).rms) <= UNSEEN
+
+    first = bisect.bisect_left(COLORS_OF_STILL, True, key=looks_same)
+    return reduced(COLORS_OF_STILL[min(first, len(COLORS_OF_STILL) - 1)])
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
@@ -149,7 +164,14 @@ def _palette(picture: Image.Image, count: int) -> Image.Image:
     If the most frequent colors were chosen instead, the many grays along the edges of letters would
     take up most of the palette, and the few colored lines would lose their colors.
     """
-    return picture.quantize(count, method=Image.Quantize.MAXCOVERAGE, kmeans=1)
+    few = picture.quantize(
+        count, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=3
+    )
+    entries = few.getpalette() or []
+    brightest = max(range(0, len(entries), 3), key=lambda i: sum(entries[i : i + 3]))
+    entries[brightest : brightest + 3] = [255, 255, 255]  # as white as the page
+    few.putpalette(entries)
+    return few
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:

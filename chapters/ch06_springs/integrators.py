@@ -32,10 +32,10 @@ def explicit_euler(
 ) -> None:
     """Move each particle with its old velocity, and then update the velocity, as the book does.
 
-    A step is p' = p + v h, then v' = (v + a h) d^h. It has order 1, is not symplectic, and
+    A step is p' = p + v h, and then v' = (v + a h) d^h. It has order 1, is not symplectic, and
     evaluates the forces once. At d = 1 every spring is unstable. For d < 1, springs below
-    ``max_stable_stiffness`` are stable, and a damper c makes a spring stable if k h < c and c h < 2
-    m (3.3.2, E-17).
+    ``max_stable_stiffness`` are stable, and a damper c makes a spring stable if k h < c and c h / m
+    < 2. The book uses another name (3.3.2, E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 

@@ -36,10 +36,10 @@ def explicit_euler(
 ) -> None:
     """Move each particle with its old velocity, and then update the velocity, as the book does.
 
-    A step is p' = p + v h, then v' = (v + a h) d^h. It has order 1, is not symplectic, and
+    A step is p' = p + v h, and then v' = (v + a h) d^h. It has order 1, is not symplectic, and
     evaluates the forces once. At d = 1 every spring is unstable. For d < 1, springs below
-    ``max_stable_stiffness`` are stable, and a damper c makes a spring stable if k h < c and c h < 2
-    m (3.3.2, E-17).
+    ``max_stable_stiffness`` are stable, and a damper c makes a spring stable if k h < c and c h / m
+    < 2. The book uses another name (3.3.2, E-17).
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -262,10 +262,9 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 def _starts(
     particles: Iterable[Particle],
 ) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
-    """Return each particle with its state at the start of the step, and the forces added by hand.
+    """Return the state of each particle at the start of the step, and the forces added by hand.
 
-    An entry is the particle, its inverse mass, acceleration, position and velocity, the components
-    of the last two, and an empty list for the evaluations of the step.
+    A state is (particle, inverse mass, a, p, v, the six components of p and v, an empty list).
     """
     starts: list[tuple[Any, ...]] = []
     by_hand = []

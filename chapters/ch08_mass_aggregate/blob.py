@@ -1,4 +1,4 @@
-"""A blob of particles, held together by bonds that can weaken, break and heal (book 8.2)."""
+"""A blob of particles that are held together by bonds, which can weaken, break and heal (book 8.2)."""
 
 from __future__ import annotations
 
@@ -71,10 +71,10 @@ class Bond:
 
 
 def spread(particles: Sequence[Particle]) -> float:
-    """Return the root mean square distance of the particles from their center of mass, in m.
+    """Measure the size of a blob in m, for example while it falls and spreads.
 
-    Use it to measure the size of a blob while it falls and spreads. Each particle is weighted by
-    its mass.
+    The result is the root mean square distance of the particles from their center of mass. Each
+    particle is weighted by its mass.
 
     Raises:
         ValueError: if there are no particles, or one of them is immovable.

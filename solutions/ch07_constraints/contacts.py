@@ -69,10 +69,9 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Compute how fast the bodies move apart along the normal n, (va - vb) . n, in m/s (Eq. 7.2).
+        """Compute how fast the two bodies move apart, (va - vb) . n, in m/s (Eq. 7.2).
 
-        It is negative while they approach each other. If ``other`` is None, its velocity vb is
-        zero.
+        It is negative while they approach each other. If ``other`` is None, its velocity vb is 0.
         """
         velocity = self.particle.velocity
         if self.other is not None:

@@ -1,4 +1,4 @@
-"""A blob of particles that are held together by bonds, which can weaken, break and heal (book 8.2)."""
+"""A blob of particles, held together by bonds that can weaken, break and heal (book 8.2)."""
 
 from __future__ import annotations
 

@@ -74,9 +74,9 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Multiply two matrices: the new matrix transforms a vector by ``m`` first, then by ``self``.
+        """Return the product ``self @ m``, which transforms a vector by ``m`` first, then by ``self``.
 
-        You can also write ``self @ m``. Book: section 9.4.2.
+        The result is a new matrix. Book: section 9.4.2.
         """
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 

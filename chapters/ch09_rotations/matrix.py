@@ -70,9 +70,9 @@ class Matrix4:
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return the product ``self @ m``, which transforms a point by ``m`` first, then by ``self``.
+        """Return ``self @ m``, which transforms a point by ``m`` first and then by ``self``.
 
-        The result is a new matrix. Book: section 9.4.2.
+        The matrix product is a new matrix. Book: section 9.4.2.
         """
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 

@@ -74,9 +74,9 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return the product ``self @ m``, which transforms a vector by ``m`` first, then by ``self``.
+        """Return ``self @ m``, which transforms a vector by ``m`` first and then by ``self``.
 
-        The result is a new matrix. Book: section 9.4.2.
+        The matrix product is a new matrix. Book: section 9.4.2.
         """
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 

@@ -76,9 +76,9 @@ class Matrix4:
         )
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return the product ``self @ m``, which transforms a point by ``m`` first, then by ``self``.
+        """Return ``self @ m``, which transforms a point by ``m`` first and then by ``self``.
 
-        The result is a new matrix. Book: section 9.4.2.
+        The matrix product is a new matrix. Book: section 9.4.2.
         """
         if not isinstance(m, Matrix4):
             raise TypeError(f"m must be a Matrix4, got {m!r}")

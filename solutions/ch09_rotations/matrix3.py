@@ -78,9 +78,9 @@ class Matrix3:
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return the product ``self @ m``, which transforms a vector by ``m`` first, then by ``self``.
+        """Return ``self @ m``, which transforms a vector by ``m`` first and then by ``self``.
 
-        The result is a new matrix. Book: section 9.4.2.
+        The matrix product is a new matrix. Book: section 9.4.2.
         """
         if not isinstance(m, Matrix3):
             raise TypeError(f"m must be a Matrix3, got {m!r}")

@@ -1,4 +1,7 @@
-"""The exact state of a damped spring at any time, without time steps (book 6.3)."""
+"""The exact state of a damped spring at any time, computed without time steps (book 6.3).
+
+A faked spring uses it, and you can compare it with the result of an integrator.
+"""
 
 from __future__ import annotations
 

@@ -75,7 +75,7 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: add the upward lift at the height of the particle."""
+        """Exercise 6.2: push the balloon up, with the lift that the air gives it at its height."""
         raise NotImplementedError("Exercise 6.2: Lighter than air")
 
 

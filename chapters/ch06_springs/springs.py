@@ -73,7 +73,7 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on the particle. The anchor counts as an end at rest."""
+        """Add the ``spring_force`` on the particle. The anchor is an end that is at rest."""
         raise NotImplementedError("Exercise B6.1: Springs")
 
 
@@ -96,7 +96,7 @@ class AnchoredBungee(AnchoredSpring):
     """An elastic rope to an anchor: a spring that pulls but never pushes (book 6.2.3)."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring force if the rope is stretched, just as ``Bungee`` does."""
+        """Add the spring force if the rope is stretched, and no force if it is slack."""
         raise NotImplementedError("Exercise B6.2: Bungees")
 
 
@@ -113,10 +113,11 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
+        """Pull on both ends: add the ``spring_force`` on ``a`` to ``a``, and the opposite one to
+        ``b``.
 
-        The total momentum of both particles therefore stays the same. You may register the
-        connection with either particle.
+        The two forces are exactly opposite, so the total momentum of both particles stays the same.
+        You may register the connection with either particle.
         """
         raise NotImplementedError("Exercise B6.3: One spring for both ends")
 
@@ -195,7 +196,7 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force of the spring, which is continuous at the elastic limit."""
+        """Exercise 6.1: add the force of the spring. It is continuous at the elastic limit."""
         raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 

@@ -144,7 +144,7 @@ class Detectors:
         self.detectors = detectors
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of all detectors, in the order of the detectors."""
+        """Return the contacts of all detectors in one list, in the order of the detectors."""
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:

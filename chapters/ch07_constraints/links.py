@@ -45,7 +45,7 @@ class Cable:
 class AnchoredCable:
     """A cable that keeps a particle at most ``max_length`` m away from a fixed ``anchor``.
 
-    Book: section 7.4.1.
+    It works like a ``Cable`` whose second end cannot move. Book: section 7.4.1.
     """
 
     def __init__(
@@ -66,7 +66,11 @@ class AnchoredCable:
 
 
 class Rod:
-    """A rod that keeps two particles exactly ``length`` m apart (book 7.4.2)."""
+    """A rod that keeps two particles exactly ``length`` m apart.
+
+    It pulls its ends together if they are too far apart, and pushes them apart if they are too
+    close. Book: section 7.4.2.
+    """
 
     def __init__(self, a: Particle, b: Particle, length: float) -> None:
         self.a, self.b = two_particles(a, b)
@@ -86,7 +90,10 @@ class Rod:
 
 
 class AnchoredRod:
-    """A rod that keeps a particle exactly ``length`` m away from an anchor (book 7.4.2)."""
+    """A rod that keeps a particle exactly ``length`` m away from a fixed ``anchor``.
+
+    You can hang a pendulum from it, for example. Book: section 7.4.2.
+    """
 
     def __init__(self, particle: Particle, anchor: Vector3, length: float) -> None:
         self.particle = instance_of("particle", particle, Particle)

@@ -42,11 +42,11 @@ class Matrix4:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether all numbers are exactly equal."""
+        """Test whether all numbers of two matrices are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and column."""
+        """Return the number in a row and a column, as in ``m[0, 3]``."""
         row, column = place
         if row not in range(3) or column not in range(4):
             raise IndexError(f"row must be from 0 to 2 and column from 0 to 3, got {place!r}")
@@ -57,7 +57,7 @@ class Matrix4:
     @overload
     def __matmul__(self, other: Matrix4) -> Matrix4: ...
     def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
-        """Return ``m.transform(other)`` for a vector, and ``m.product(other)`` for a matrix."""
+        """Let ``m @ v`` mean ``m.transform(v)``, and ``a @ b`` mean ``a.product(b)``."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented

@@ -22,7 +22,7 @@ def wrap_angle(angle: float) -> float:
 
 
 def angle_to_vector(angle: float) -> Point:
-    """Return the unit vector that points in the direction of ``angle``, (cos, sin) (Eq. 9.1)."""
+    """Return the direction of an angle as the unit vector (cos(angle), sin(angle)) (Eq. 9.1)."""
     raise NotImplementedError("Exercise B9.2: Directions and points in the plane")
 
 

@@ -129,7 +129,9 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.9: Axis and angle, both ways")
 
     def rotate(self, v: Vector3) -> Vector3:
-        """Rotate ``v`` and return the result, q (0, v) q*, as a new vector.
+        """Rotate the vector ``v`` by this quaternion, and return the result as a new vector.
+
+        The result is q (0, v) q*, where q* is the conjugate of this quaternion q.
 
         Raises:
             ValueError: if the quaternion's length is not 1 (``is_unit``), because such a quaternion

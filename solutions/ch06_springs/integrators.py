@@ -281,7 +281,7 @@ def _starts(
 
 
 def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
-    """Put back the forces that the caller added, so that the next evaluation includes them."""
+    """Add the forces of the caller again, because each evaluation empties the accumulators."""
     for particle, force in by_hand:
         particle.add_force(force)
 
@@ -289,7 +289,7 @@ def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
 def _per_mass(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float, float]:
-    """Check all arguments, and return the duration, and the stiffness and damping per kg."""
+    """Check the arguments of an implicit step, and return h, k / m and c / m."""
     finite("x", x)
     finite("v", v)
     positive("mass", mass)

@@ -81,7 +81,7 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: add the upward lift at the height of the particle."""
+        """Exercise 6.2: push the balloon up, with the lift that the air gives it at its height."""
         height = max(particle.position.y, 0.0)
         lift = self.max_lift * math.exp(-height / self.scale_height)
         particle.add_force(Vector3(0.0, lift, 0.0))

@@ -79,7 +79,7 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on the particle. The anchor counts as an end at rest."""
+        """Add the ``spring_force`` on the particle. The anchor is an end that is at rest."""
         particle.add_force(_force(self, particle, self.anchor))
 
 
@@ -103,7 +103,7 @@ class AnchoredBungee(AnchoredSpring):
     """An elastic rope to an anchor: a spring that pulls but never pushes (book 6.2.3)."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring force if the rope is stretched, just as ``Bungee`` does."""
+        """Add the spring force if the rope is stretched, and no force if it is slack."""
         _add_pull(self, particle, self.anchor)
 
 
@@ -120,10 +120,11 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
+        """Pull on both ends: add the ``spring_force`` on ``a`` to ``a``, and the opposite one to
+        ``b``.
 
-        The total momentum of both particles therefore stays the same. You may register the
-        connection with either particle.
+        The two forces are exactly opposite, so the total momentum of both particles stays the same.
+        You may register the connection with either particle.
         """
         # spring_force in plain floats, as in _force: a cloth has hundreds of these.
         a, b = self.a, self.b
@@ -228,7 +229,7 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force of the spring, which is continuous at the elastic limit."""
+        """Exercise 6.1: add the force of the spring. It is continuous at the elastic limit."""
         offset = particle.position - self.other.position
         length = offset.magnitude()
         extension = min(length, self.limit) - self.rest_length
@@ -292,7 +293,7 @@ def _add_pull(
     end: Vector3,
     end_velocity: Vector3 | None = None,
 ) -> None:
-    """Add the force of a spring if it is stretched and pulls, as a rope does."""
+    """Add the force of an elastic rope: the force of a spring, but only if it pulls."""
     offset = particle.position - end
     if offset.magnitude() > spring.rest_length:
         force = _force(spring, particle, end, end_velocity)

@@ -160,7 +160,7 @@ class Contact:
         return move, other_move
 
     def resolve(self, duration: float) -> None:
-        """Resolve the velocity and then the penetration. ``duration`` is the time step in s.
+        """Resolve the velocity of this contact and then its penetration. ``duration`` is in s.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -294,6 +294,6 @@ def a_restitution(name: str, value: float) -> float:
 
 
 def direction_of(offset: Vector3) -> Vector3:
-    """Return the unit vector in the direction of ``offset``, or +Y if ``offset`` is zero."""
+    """Return the unit vector along ``offset``, or +Y if ``offset`` is zero and has no direction."""
     direction = offset.normalized()
     return direction if direction.squared_magnitude() else Vector3(0.0, 1.0, 0.0)

@@ -178,7 +178,10 @@ class ParticlePairs:
         return first
 
     def _near_pairs(self) -> list[tuple[int, int]]:
-        """Return every index pair that may be touching, with the lower index first."""
+        """Find the pairs of particles that are close enough to touch, with the help of a grid.
+
+        A pair consists of two indices into the list of particles, the lower one first.
+        """
         size = 2.001 * self.radius  # so that spheres that just touch are never two cells apart
         cells: dict[tuple[int, int, int], list[int]] = {}
         for i, particle in enumerate(self.particles):
@@ -194,7 +197,7 @@ class ParticlePairs:
         return pairs
 
     def _time_to_touch(self, a: Particle, b: Particle) -> float:
-        """Return the time in s until two spheres meet, or math.inf if they never do."""
+        """Compute the time in s until two spheres touch, or return math.inf if they never do."""
         (v, pull), (w, other) = _flight(a), _flight(b)
         if (pull - other).magnitude() > _SAME * (pull.magnitude() + other.magnitude()):
             seen = f"{pull!r} and {other!r}"
@@ -227,7 +230,7 @@ class Detectors:
         self.detectors = detectors
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of all detectors, in the order of the detectors."""
+        """Return the contacts of all detectors in one list, in the order of the detectors."""
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:

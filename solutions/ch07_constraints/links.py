@@ -45,7 +45,7 @@ class Cable:
 class AnchoredCable:
     """A cable that keeps a particle at most ``max_length`` m away from a fixed ``anchor``.
 
-    Book: section 7.4.1.
+    It works like a ``Cable`` whose second end cannot move. Book: section 7.4.1.
     """
 
     def __init__(
@@ -66,7 +66,11 @@ class AnchoredCable:
 
 
 class Rod:
-    """A rod that keeps two particles exactly ``length`` m apart (book 7.4.2)."""
+    """A rod that keeps two particles exactly ``length`` m apart.
+
+    It pulls its ends together if they are too far apart, and pushes them apart if they are too
+    close. Book: section 7.4.2.
+    """
 
     def __init__(self, a: Particle, b: Particle, length: float) -> None:
         self.a, self.b = two_particles(a, b)
@@ -86,7 +90,10 @@ class Rod:
 
 
 class AnchoredRod:
-    """A rod that keeps a particle exactly ``length`` m away from an anchor (book 7.4.2)."""
+    """A rod that keeps a particle exactly ``length`` m away from a fixed ``anchor``.
+
+    You can hang a pendulum from it, for example. Book: section 7.4.2.
+    """
 
     def __init__(self, particle: Particle, anchor: Vector3, length: float) -> None:
         self.particle = instance_of("particle", particle, Particle)
@@ -179,7 +186,10 @@ class TwoSidedRod(Rod):
 def _of_cable(
     cable: Cable | AnchoredCable, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """Return a contact if the cable is taut. ``end`` is the position of ``other`` or the anchor."""
+    """Create the contact of a taut cable. The list is empty if the cable is slack.
+
+    ``end`` is the position of the other end, a particle or an anchor.
+    """
     offset = end - particle.position
     excess = offset.magnitude() - cable.max_length
     if excess < 0.0:
@@ -190,7 +200,10 @@ def _of_cable(
 def _of_rod(
     rod: Rod | AnchoredRod, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """Return a contact if the length is wrong. ``end`` is where ``other`` or the anchor is."""
+    """Create the contact of a rod that is too long or too short. Otherwise the list is empty.
+
+    ``end`` is the position of the other end, a particle or an anchor.
+    """
     offset = end - particle.position
     excess = offset.magnitude() - rod.length
     if excess == 0.0:

@@ -1,4 +1,7 @@
-"""A cube made of rods: how many rods make it rigid, and which ones? (Mini-project 8.2.)"""
+"""A cube made of rods: how many rods make it rigid, and which ones? (Mini-project 8.2.)
+
+With too few rods, or with rods between the wrong corners, the cube can change its shape.
+"""
 
 from __future__ import annotations
 
@@ -76,7 +79,7 @@ class Cube:
         self.world = ParticleWorld(self.particles, [*self.rods, ground], iterations=ITERATIONS)
 
     def step(self, duration: float) -> None:
-        """Make one time step of ``duration`` s."""
+        """Move the cube forward by one time step of ``duration`` s."""
         self.world.step(duration)
 
 

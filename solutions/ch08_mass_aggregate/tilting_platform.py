@@ -78,7 +78,7 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
 
 
 class TiltingPlatform:
-    """A platform on an immovable pivot: its ``particles``, its ``rods`` and its ``world``.
+    """A platform that tilts on an immovable pivot: its ``particles``, ``rods`` and ``world``.
 
     The particles are in the same order as their start positions in ``PLACES``.
     """
@@ -140,5 +140,5 @@ class TiltingPlatform:
         return math.atan2(across.y, across.x)
 
     def step(self, duration: float) -> None:
-        """Make one time step of ``duration`` s."""
+        """Move the platform forward by one time step of ``duration`` s."""
         self.world.step(duration)

@@ -33,7 +33,10 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 
 
 class RimDrive:
-    """A force generator that spins the rim around ``hub`` with a constant ``force`` in N (8.3b)."""
+    """A force generator that drives a wheel by pushing its rim around ``hub`` (8.3b).
+
+    It pushes each particle for which it is registered with the same ``force`` in N.
+    """
 
     def __init__(self, hub: Particle, force: float) -> None:
         self.hub = hub
@@ -106,5 +109,5 @@ class Wheel:
             self.world.registry.add(particle, self.drive)
 
     def step(self, duration: float) -> None:
-        """Make one time step of ``duration`` s."""
+        """Move the wheel forward by one time step of ``duration`` s."""
         self.world.step(duration)

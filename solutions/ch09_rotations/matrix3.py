@@ -46,11 +46,11 @@ class Matrix3:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether all numbers are exactly equal."""
+        """Test whether all numbers of two matrices are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and column."""
+        """Return the number in a row and a column, as in ``m[0, 2]``."""
         row, column = place
         if row not in range(3) or column not in range(3):
             raise IndexError(f"row and column must be from 0 to 2, got {place!r}")
@@ -61,7 +61,7 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Return ``m.transform(other)`` for a vector, and ``m.product(other)`` for a matrix."""
+        """Let ``m @ v`` mean ``m.transform(v)``, and ``a @ b`` mean ``a.product(b)``."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented

@@ -159,7 +159,9 @@ class Quaternion:
         return (axis, angle) if angle > 0.0 else (Vector3(1.0, 0.0, 0.0), 0.0)
 
     def rotate(self, v: Vector3) -> Vector3:
-        """Rotate ``v`` and return the result, q (0, v) q*, as a new vector.
+        """Rotate the vector ``v`` by this quaternion, and return the result as a new vector.
+
+        The result is q (0, v) q*, where q* is the conjugate of this quaternion q.
 
         Raises:
             ValueError: if the quaternion's length is not 1 (``is_unit``), because such a quaternion

@@ -113,11 +113,10 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Pull on both ends: add the ``spring_force`` on ``a`` to ``a``, and the opposite one to
-        ``b``.
+        """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
 
-        The two forces are exactly opposite, so the total momentum of both particles stays the same.
-        You may register the connection with either particle.
+        Opposite forces keep the total momentum of both particles constant. You may register the
+        connection with either particle.
         """
         raise NotImplementedError("Exercise B6.3: One spring for both ends")
 

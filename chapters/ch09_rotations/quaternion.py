@@ -79,7 +79,7 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
     def normalize(self) -> None:
-        """Change the length of the quaternion to 1, in place, by dividing each component by it.
+        """Scale the quaternion to length 1, in place, by dividing each component by the length.
 
         A zero quaternion cannot be divided by its length, so it becomes (1, 0, 0, 0), the
         reference. The result must also be correct for components as large as 1e200 and as small as
@@ -95,7 +95,7 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.8: The product of quaternions")
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Combine two rotations: the new quaternion ``self * q`` rotates by q first.
+        """Multiply two quaternions: the new quaternion ``self * q`` rotates by q first.
 
         Book: section 9.4.9.
         """

@@ -21,7 +21,7 @@ _ON_THE_LINE = 1e-9
 
 
 def two_other_turns() -> tuple[float, float]:
-    """Exercise 9.1: find two other rotations that together have the same effect as two given ones.
+    """Exercise 9.1: find two rotations that together have the same effect as two given ones.
 
     If you rotate an object by 90 degrees about X and then by 90 degrees about Y, the result is the
     same as if you rotate it by a about Z and then by b about X. Return a and b as a tuple, in

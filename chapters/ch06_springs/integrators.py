@@ -6,10 +6,10 @@ particles only, as ``ForceRegistry.update_forces`` does. It is called one or mor
 call, the accumulators contain only the forces that were added by hand before the step. After the
 step they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
 
-A particle's own damping d multiplies its velocity by d^h once, at the end of a step of h s. The
-orders given below hold for d = 1, and for any other d the order is 1. Unless stated otherwise, a
-stability limit is for d = 1 and a spring without damping. The limits are given in terms of k h^2 /
-m, which measures how stiff a spring is for a step of h s. Immovable particles do not move.
+In the formulas, p is a position, v a velocity, a an acceleration and h the ``duration`` in s. A
+particle's own damping d multiplies its velocity by d^h once, at the end of a step. The given orders
+hold for d = 1, and for any other d the order is 1. Unless stated otherwise, a stability limit is
+for d = 1 and a spring without damping. It limits k h^2 / m. Immovable particles do not move.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
 not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
@@ -30,11 +30,12 @@ Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Move first, then accelerate, as in the book: p' = p + v h, and then v' = (v + a h) d^h.
+    """Move each particle with its old velocity, and then update the velocity, as the book does.
 
-    The method has order 1, is not symplectic, and evaluates the forces once. At d = 1 every spring
-    is unstable, but for d < 1 springs below ``max_stable_stiffness`` are stable, and a damper c
-    makes a spring stable if k h < c and c h / m < 2. The book uses another name (3.3.2, E-17).
+    A step is p' = p + v h, and then v' = (v + a h) d^h. It has order 1, is not symplectic, and
+    evaluates the forces once. At d = 1 every spring is unstable. For d < 1, springs below
+    ``max_stable_stiffness`` are stable, and a damper c makes a spring stable if k h < c and c h / m
+    < 2. The book uses another name (3.3.2, E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -42,19 +43,19 @@ def explicit_euler(
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Accelerate first, then move: v' = (v + a h) d^h, and then p' = p + v' h.
+    """Update the velocity of each particle, and then move the particle with its new velocity.
 
-    The method has order 1 and evaluates the forces once. If d = 1 and no force depends on the
-    velocity, it is symplectic, so the energy does not drift. It is stable for k h^2 / m < 4. With
-    damping d this limit grows to 2 (1 + d^h) / d^h, but a damper c in the spring lowers it, because
-    the condition is then k h^2 / m + 2 c h / m < 4. Source: Hairer, Lubich and Wanner, Geometric
-    Numerical Integration, I.1.2.
+    A step is v' = (v + a h) d^h, and then p' = p + v' h. It has order 1 and evaluates the forces
+    once. If d = 1 and no force depends on the velocity, it is symplectic, so the energy does not
+    drift. It is stable for k h^2 / m < 4. With damping d this limit grows to 2 (1 + d^h) / d^h, but
+    a damper c in the spring lowers it, because the condition is then k h^2 / m + 2 c h / m < 4.
+    Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
 
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Drift for half of the step, kick for all of it, and drift for the other half.
+    """Move for half of the step, update the velocity for all of it, and move for the other half.
 
     First p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and then p' = p1 + v' h /
     2. The forces are evaluated only once, in the middle of the step, and the damping acts once.
@@ -73,7 +74,7 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step with the accelerations a at the start and b at the new position.
+    """Step with the mean of two accelerations: a at the old position, and b at the new position.
 
     First p' = p + v h + a h^2 / 2, and then v' = (v + (a + b) h / 2) d^h. A force that depends on
     the velocity needs a velocity to compute b, so use the estimate v + a h.
@@ -105,11 +106,11 @@ def runge_kutta_4(
 def backward_euler(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return the position and velocity of a linear spring after a step of backward Euler.
+    """Step a body on a spring with backward Euler, and return its new position and velocity.
 
-    The new position in m and velocity in m/s solve x' = x + v' h and v' = v + a' h, where a'
-    depends on the new values: m a' = -(k x' + c v'). The spring is at rest at x = 0. ``stiffness``
-    is k in N/m, ``damping`` is c in N s/m, ``mass`` is in kg and ``duration`` in s.
+    They solve x' = x + v' h and v' = v + a' h, where a' depends on the new values: m a' = -(k x' +
+    c v'). The spring is at rest at x = 0. Positions are in m, velocities in m/s, ``stiffness`` k in
+    N/m, ``damping`` c in N s/m, ``mass`` m in kg and ``duration`` h in s.
 
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
     stiffness, but the stiffer the spring, the more energy it loses. Source: Hairer and Wanner,
@@ -124,10 +125,10 @@ def backward_euler(
 def trapezoidal(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return the position and velocity of a linear spring after a step of the trapezoidal rule.
+    """Step a body on a spring with the trapezoidal rule, and return its new position and velocity.
 
-    Solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and new
-    values. Here m a = -k x - c v. The arguments and the units are those of ``backward_euler``.
+    They solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and
+    new values. Here m a = -k x - c v. The arguments and the units are those of ``backward_euler``.
 
     The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
     damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,
@@ -139,7 +140,7 @@ def trapezoidal(
 
 
 class SimulationDiverged(ArithmeticError):  # noqa: N818
-    """Raised when a particle is faster than any particle in its scene should be.
+    """Raised when a particle moves faster than any particle in its scene should.
 
     It usually means that the time step is too long for forces this strong. ``particle`` is the
     index of the particle, and ``step`` is the number of the step after which it was too fast,
@@ -155,11 +156,11 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 
 
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
-    """Return an integrator that makes the same steps and then checks every particle's speed.
+    """Wrap an integrator in one that also checks the speed of every particle after each step.
 
-    Use it to notice an explosion at once. The new integrator takes the same arguments and counts
-    its steps. It raises SimulationDiverged for the first particle whose speed is NaN or above
-    ``speed_limit`` in m/s. A step in which ``integrator`` raises an exception does not count.
+    Use it to notice at once that a simulation explodes. The new integrator takes the same arguments
+    and counts its steps. It raises SimulationDiverged for the first particle whose speed is NaN or
+    above ``speed_limit`` in m/s. A step in which ``integrator`` raises an exception does not count.
 
     Raises ValueError if the limit is not positive and finite.
     """

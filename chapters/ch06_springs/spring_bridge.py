@@ -1,4 +1,7 @@
-"""Going further: a rope bridge that hangs on springs (book 6, exercises)."""
+"""Going further: a rope bridge whose planks hang on springs, and a walker who crosses it.
+
+The bridge comes from the exercises of the book's chapter 6.
+"""
 
 from __future__ import annotations
 
@@ -15,27 +18,29 @@ def hang_bridge(
     stiffness: float,
     damping: float,
 ) -> None:
-    """Hang every plank on a spring of its own, and join neighboring planks by springs.
+    """Hang each plank of a bridge on a spring of its own, and join neighboring planks by springs.
 
     The anchor of each plank is ``height`` m straight above it. All springs have the same
     ``stiffness`` in N/m and ``damping`` in N s/m. The rest length of each spring is its current
-    length, so the empty springs neither push nor pull at the start.
+    length, so the springs neither push nor pull at the start. Add all of them to ``registry``.
 
-    Raises ValueError if the height is not positive, the stiffness or damping is negative, or one of
-    them is not finite. In that case nothing is registered.
+    Raises:
+        ValueError: if the height is not positive, the stiffness or damping is negative, or one of
+            them is not finite. In that case nothing is registered.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")
 
 
 def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
-    """Add the weight of a walker on the bridge to the planks on both sides of the walker.
+    """Put the weight of a walker on the planks of a bridge, as forces that act for one step.
 
     ``x`` is the walker's position in m, and ``weight`` is in N. ``planks`` are in order along x.
     The walker stands between two planks, which share the weight so that the nearer plank carries
     more of it. If the walker is before the first plank or beyond the last one, that plank carries
     the whole weight.
 
-    Raises ValueError if there are no planks, ``x`` is not finite, or the weight is negative or not
-    finite.
+    Raises:
+        ValueError: if there are no planks, ``x`` is not finite, or the weight is negative or not
+            finite.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")

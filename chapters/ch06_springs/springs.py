@@ -1,7 +1,7 @@
-"""Springs: force generators whose push or pull depends on a length.
+"""Springs: force generators that pull or push on a particle, depending on the spring's length.
 
-A spring pulls its ends together if it is longer than its rest length, and pushes them apart if it
-is shorter (Eq. 6.1, 6.2). If both ends coincide, the spring has no direction, so its force is zero.
+A spring pulls if it is longer than its rest length, and pushes if it is shorter (Eq. 6.1, 6.2). If
+both ends are at the same position, it has no direction, so its force is zero.
 
 Lengths are in m, stiffness in N/m and damping in N s/m. Constructors check their arguments and copy
 vectors. They raise ValueError for a number that is negative or not finite, and TypeError for an
@@ -23,25 +23,25 @@ from ch06_springs.other_forces import Overcrowding as Overcrowding
 def spring_force(
     offset: Vector3, velocity: Vector3, stiffness: float, rest_length: float, damping: float = 0.0
 ) -> Vector3:
-    """Return the force in N of a spring on one of its ends as a new vector (Eq. 6.1, 6.2).
+    """Compute the force in N that a spring exerts on one of its ends, as a new vector.
 
     ``offset`` is the position of this end relative to the other end in m, and ``velocity`` is its
     velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^, where l is the
-    length of ``offset``, d^ is its direction and l0 is the rest length. The spring gets longer at
-    the rate l', which is the component of ``velocity`` along d^. If the offset is zero, it has no
-    direction, so the force is zero. The arguments are not checked here, because the constructors of
-    the springs check them.
+    length of ``offset``, d^ is its direction, k is ``stiffness``, l0 is ``rest_length`` and c is
+    ``damping``. The spring gets longer at the rate l', which is the component of ``velocity`` along
+    d^. If the offset is zero, it has no direction, so the force is zero. The arguments are not
+    checked here, because the constructors of the springs check them.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls instead,
-    because the listing takes the absolute value of the extension (E-3).
+    because the listing takes the absolute value of the extension (E-3). Book: Eq. 6.1 and 6.2.
     """
     raise NotImplementedError("Exercise B6.1: Springs")
 
 
 class Spring:
-    """A spring that pulls on one particle only (6.2.1).
+    """A spring that pulls on one particle only (book 6.2.1).
 
-    Its other end is at ``other``, which feels no force. To pull on both ends, use ``connect``.
+    Its other end is at ``other``, a particle that feels no force. To pull on both, use ``connect``.
     """
 
     def __init__(
@@ -53,15 +53,15 @@ class Spring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on the particle, relative to the other particle."""
+        """Add the force of the spring on ``particle``, as ``spring_force`` computes it."""
         raise NotImplementedError("Exercise B6.1: Springs")
 
 
 class AnchoredSpring:
-    """A spring from a particle to an anchor, which is a fixed position (6.2.2).
+    """A spring between a particle and an anchor, which is a fixed position.
 
     You may move ``anchor``, for example to let a camera follow a player. The damping then still
-    treats the anchor as if it were at rest.
+    treats the anchor as if it were at rest. Book: section 6.2.2.
     """
 
     def __init__(
@@ -73,15 +73,15 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on the particle, relative to the anchor."""
+        """Add the ``spring_force`` on the particle. The anchor is an end that is at rest."""
         raise NotImplementedError("Exercise B6.1: Springs")
 
 
 class Bungee(Spring):
-    """An elastic rope to another particle: a spring that only pulls (6.2.3).
+    """An elastic rope to another particle, ``other``: a spring that pulls but never pushes.
 
     If its length is at most the rest length, the rope is slack and exerts no force. The book's
-    listing subtracts the lengths in the wrong order, so its rope pushes (E-4).
+    listing subtracts the lengths in the wrong order, so its rope pushes (E-4). Book: section 6.2.3.
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -93,10 +93,10 @@ class Bungee(Spring):
 
 
 class AnchoredBungee(AnchoredSpring):
-    """An elastic rope to an anchor: a spring that only pulls (6.2.3)."""
+    """An elastic rope to an anchor: a spring that pulls but never pushes (book 6.2.3)."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring force if the rope is stretched, just as ``Bungee`` does."""
+        """Add the spring force if the rope is stretched, and no force if it is slack."""
         raise NotImplementedError("Exercise B6.2: Bungees")
 
 
@@ -115,7 +115,7 @@ class Connection:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
 
-        The total momentum of both particles therefore stays the same. You may register the
+        Opposite forces keep the total momentum of both particles constant. You may register the
         connection with either particle.
         """
         raise NotImplementedError("Exercise B6.3: One spring for both ends")
@@ -129,7 +129,7 @@ def connect(
     rest_length: float,
     damping: float = 0.0,
 ) -> Connection:
-    """Join ``a`` and ``b`` by one spring that acts on both of them, and return the spring.
+    """Join the particles ``a`` and ``b`` by one spring that acts on both, and return the spring.
 
     The registry skips immovable particles, so the spring is registered for ``a``, or for ``b`` if
     ``a`` is immovable. If you want to make an end immovable, do so before you connect it.
@@ -138,7 +138,7 @@ def connect(
 
 
 class FakeStiffSpring:
-    """A substitute for a spring that is too stiff for the time steps (6.3.2).
+    """A substitute for a spring that is too stiff for the time steps (book 6.3.2).
 
     It uses ``damped_spring_state`` to compute where a real spring would have moved the particle by
     the end of the step, and then adds the constant force that takes the particle to this position.
@@ -163,11 +163,11 @@ class FakeStiffSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add m ((T - x) / h^2 - v / h) on each axis, where T is the spring's position after h.
+        """Add the force m ((T - x) / h^2 - v / h) on each axis, where T is the position to reach.
 
-        Here x is the position relative to the anchor, v is the velocity, and h is ``duration``. If
-        the duration is not positive and finite, raise ValueError, even for an immovable particle.
-        Otherwise skip an immovable particle.
+        Here h is ``duration``, v is the velocity, x is the position relative to the anchor, and T
+        is the position on a real spring after h. If the duration is not positive and finite, raise
+        ValueError, even for an immovable particle. Otherwise skip an immovable particle.
         """
         raise NotImplementedError("Exercise B6.11: The faked stiff spring")
 
@@ -179,8 +179,8 @@ class ElasticLimitSpring:
     only the fraction ``share`` of the stiffness. The spring has no damping, and it exerts no force
     on the particle at its other end, ``other``.
 
-    Raises ValueError if the limit is below the rest length, or if a number is negative or not
-    finite.
+    Raises:
+        ValueError: if the limit is below the rest length, or if a number is negative or not finite.
     """
 
     def __init__(
@@ -195,19 +195,20 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force of the spring, which is continuous at the elastic limit."""
+        """Exercise 6.1: add the force of the spring. It is continuous at the elastic limit."""
         raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
-    """Exercise 6.6b: return the stiffness in N/m above which a spring explodes.
+    """Exercise 6.6b: compute the stiffness in N/m above which a spring makes a simulation explode.
 
     If ``Particle.integrate`` makes steps of h s, the limit is m (d^-h - 1) / h^2. Here h is
     ``duration``, d is the particle's ``damping``, and m is ``mass`` in kg. The limit holds for an
     AnchoredSpring without damping. The result is 0 if d is 1 or more, because no spring is stable
     then, and ``math.inf`` if d is 0 or d^-h is too large for a float.
 
-    Raises ValueError if the damping is negative, the duration or the mass is not positive, or one
-    of them is not finite.
+    Raises:
+        ValueError: if the damping is negative, the duration or the mass is not positive, or one of
+            them is not finite.
     """
     raise NotImplementedError("Exercise 6.6b: How stiff may a spring be? Worked out")

@@ -1,4 +1,8 @@
-"""Exercises 7.1, 7.3 and 7.4: measured bounces, two balls dropped at once, a short push."""
+"""Exercises 7.1, 7.3 and 7.4 of the book, each as a function or two.
+
+You compute the restitution of real balls from measured bounces, the speed of a ball that is dropped
+on top of another one, and the force that replaces a push shorter than a frame.
+"""
 
 from __future__ import annotations
 
@@ -29,13 +33,14 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 
 
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
-    """Exercise 7.1: return a row (material, number of drops, mean, standard error) per material.
+    """Exercise 7.1: make a table of the restitutions that were measured for several materials.
 
     Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height, both in
-    m. For each material, compute the restitutions of its n drops, their mean, and the standard
-    error of this mean. The standard error is s / sqrt(n), where s is the standard deviation of the
-    n restitutions, computed with n - 1. A single drop has no standard deviation, so its standard
-    error is None. The rows are in the order in which the materials first appear.
+    m. The table has a row for each material: (material, number of drops, mean restitution, standard
+    error of the mean). The standard error is s / sqrt(n), where n is the number of drops and s is
+    the standard deviation of their restitutions, computed with n - 1. A single drop has no standard
+    deviation, so its standard error is None. The rows are in the order in which the materials first
+    appear.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``restitution_of_drop``.
@@ -51,12 +56,13 @@ def top_ball_speed(
     pair_restitution: float,
     gravity: float = 10.0,
 ) -> float:
-    """Exercise 7.3: return the upward velocity in m/s of the upper of two balls after a drop.
+    """Exercise 7.3: compute how fast the upper of two dropped balls flies up after the bounce.
 
     Both balls are dropped from ``height`` in m, one directly above the other and almost touching
     it. The lower ball bounces off the ground first, and before it has risen noticeably, it hits the
-    upper ball, which is still falling. The result is the velocity of the upper ball after this
-    impact, and is negative if the ball still moves down. Gravity is in m/s^2 and masses are in kg.
+    upper ball, which is still falling. The result is the upward velocity of the upper ball in m/s
+    after this impact. It is negative if the ball still moves down. Gravity is in m/s^2 and masses
+    are in kg.
 
     Raises:
         ValueError: if height or gravity is negative, a mass is not positive, a restitution is not
@@ -67,11 +73,11 @@ def top_ball_speed(
 
 
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
-    """Exercise 7.4: return a force in N with the same impulse as ``force``, but for a whole frame.
+    """Exercise 7.4: compute a force for a whole frame that replaces a shorter, stronger push.
 
     ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s, but the engine
-    applies every force for the whole frame. So return a smaller force, as a new vector, which has
-    the same direction and produces the same impulse in the longer time.
+    applies every force for the whole frame. So return a smaller force in N, as a new vector, which
+    has the same direction and produces the same impulse in the longer time.
 
     Raises:
         ValueError: if the contact time is negative or longer than the frame, the frame is not

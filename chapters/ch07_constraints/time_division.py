@@ -1,11 +1,11 @@
-"""Time division: a time step that stops at each impact, so that each one is resolved on time (7.3).
+"""Time division: a time step that stops at each impact, so that each one is resolved on time.
 
 An ordinary step finds a collision only after the bodies overlap. Time division instead predicts
 when the next impact happens, moves all particles to that moment, resolves the impact, and continues
 from there. Between impacts, every particle moves exactly as its constant acceleration requires. The
 motion is therefore exact as long as bodies only fly and bounce, as in billiards. The price is that
 the cost grows with the number of impacts, and a body at rest has endless impacts. So use a resolver
-for resting bodies.
+for resting bodies. Book: section 7.3.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ch07_constraints.detectors import Detector
 
 
 class TooManyImpacts(ArithmeticError):  # noqa: N818
-    """Raised when a step has more impacts than allowed, for example when a body has come to rest.
+    """Raised when a step has more impacts than allowed, for example if a body has come to rest.
 
     ``impacts`` is the number of impacts that were resolved. ``contact`` is the contact of the next
     impact, and ``time`` is the time of this impact in s since the start of the step.
@@ -36,7 +36,7 @@ class TooManyImpacts(ArithmeticError):  # noqa: N818
 def time_division_step(
     particles: Sequence[Particle], detector: Detector, duration: float, max_impacts: int = 1000
 ) -> None:
-    """Move ``particles`` by one time step, from impact to impact (7.3).
+    """Move ``particles`` by one time step, and stop at each impact to resolve it.
 
     ``duration`` is in s. ``particles`` contains every particle of the detector exactly once.
 
@@ -61,5 +61,7 @@ def time_division_step(
         TooManyImpacts: if there is another impact after ``max_impacts`` impacts. The particles have
             then moved to the time of this impact, but the impact is not resolved and no damping is
             applied.
+
+    Book: section 7.3.
     """
     raise NotImplementedError("Exercise B7.12: From impact to impact")

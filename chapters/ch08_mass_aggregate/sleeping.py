@@ -1,4 +1,4 @@
-"""Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
+"""Going further: particles at rest fall asleep, and cost almost nothing until something wakes them.
 
 Most bodies in a game lie still most of the time, but the engine spends as much time on them as on
 moving bodies. It can save this time, because the rest of the engine already skips immovable
@@ -28,7 +28,11 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """The data that the world needs to wake a sleeping particle, or to see that it changed."""
+    """What the world stores about a sleeping particle, to wake it or to see that it was changed.
+
+    The particle gets its inverse mass back when it wakes. The other values show whether it was
+    moved or is pushed differently, and which particles wake with it.
+    """
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
@@ -110,7 +114,7 @@ class SleepingWorld(ParticleWorld):
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
         """Wake every sleeping particle that is in contact with a particle that can move.
 
-        Return True if any particle woke, and False otherwise.
+        The result is True if any particle woke, because the contacts must then be found again.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

@@ -32,7 +32,7 @@ ITERATIONS = 100  # per phase
 
 
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
-    """Return rods that make the platform rigid, so that it can tilt but not move in any other way.
+    """Create rods that make the platform rigid, so that it can tilt but not move in any other way.
 
     ``particles`` are in the order of ``PLACES``, so the first two are the pivot, which is
     immovable. You choose which particles to join, and you may use more rods than necessary. The
@@ -42,7 +42,7 @@ def rods_of(particles: Sequence[Particle]) -> list[Rod]:
 
 
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
-    """Return the mass in kg that balances the platform when it is placed at ``x``.
+    """Compute the mass in kg that balances the platform when it is placed at ``x``.
 
     The platform already carries other masses: ``masses`` in kg, at the positions ``places`` in m.
     Positions are measured along the platform from the pivot, and are negative to the left of it.
@@ -57,7 +57,7 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
 
 
 class TiltingPlatform:
-    """A platform on an immovable pivot: its ``particles``, its ``rods`` and its ``world``.
+    """A platform that tilts on an immovable pivot: its ``particles``, ``rods`` and ``world``.
 
     The particles are in the same order as their start positions in ``PLACES``.
     """
@@ -80,19 +80,18 @@ class TiltingPlatform:
         Give each of its two particles the mass ``MASS``. While they were immovable, they needed no
         rod between them, but now nothing else keeps them the same distance apart. So if no rod
         joins them yet, add one to ``self.rods`` and to the generators of the world. It keeps the
-        platform rigid.
-        The ground has no friction. This method is called only once.
+        platform rigid. The ground has no friction. This method is called only once.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 
     def put_weight(self, mass: float, x: float) -> None:
-        """Replace the current weight with a weight of ``mass`` at ``x``.
+        """Put a weight of ``mass`` kg on the platform at ``x``, in place of the current weight.
 
-        ``mass`` is in kg, and ``x`` is the position along the platform in m, from ``LEFT`` to
-        ``RIGHT``. There is no particle at this position, so the two ends of the platform carry the
-        weight. Divide the mass between the ends so that their torque about the pivot equals the
-        torque of the weight at ``x``. Since each end consists of two particles, each of them
-        carries half of the mass at its end, in addition to its own ``MASS``.
+        ``x`` is the position along the platform in m, from ``LEFT`` to ``RIGHT``. There is no
+        particle at this position, so the two ends of the platform carry the weight. Divide the mass
+        between the ends so that their torque about the pivot equals the torque of the weight at
+        ``x``. Since each end consists of two particles, each of them carries half of the mass at
+        its end, in addition to its own ``MASS``.
 
         Raises:
             ValueError: if the mass is negative or not finite, or x is not between the ends. In that
@@ -101,7 +100,7 @@ class TiltingPlatform:
         raise NotImplementedError("Exercise B8.7: What tips a platform")
 
     def tilt(self) -> float:
-        """Return the tilt of the platform, an angle in radians.
+        """Measure the angle in radians by which the platform is tilted.
 
         It is 0 at the start, and positive if the right end is higher.
         """
@@ -109,5 +108,5 @@ class TiltingPlatform:
         return math.atan2(across.y, across.x)
 
     def step(self, duration: float) -> None:
-        """Make one time step. ``duration`` is in s."""
+        """Move the platform forward by one time step of ``duration`` s."""
         self.world.step(duration)

@@ -1,7 +1,8 @@
-"""The particle world: apply forces, integrate and resolve contacts, in this order (book 8.1).
+"""The particle world, which runs a whole simulation step by step (book 8.1).
 
-Lengths are in m, masses in kg, times in s, and energies in J. Arguments of the wrong type raise
-TypeError.
+In each time step it applies the forces, integrates the motion and resolves the contacts, in this
+order. Lengths are in m, masses in kg, times in s, and energies in J. Arguments of the wrong type
+raise TypeError.
 """
 
 from __future__ import annotations
@@ -57,39 +58,40 @@ class ParticleWorld:
         self.integrator = integrator
 
     def start_frame(self) -> None:
-        """Clear the force accumulators of all particles.
+        """Clear the force accumulators of all particles, at the start of each frame.
 
-        Call this method at the start of each frame, before you add forces by hand, so that the
-        forces of the previous frame do not act twice. Book 8.1.
+        Call this method before you add forces by hand, so that the forces of the previous frame do
+        not act twice. Book: section 8.1.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def contacts(self) -> list[Contact]:
-        """Return the current contacts of all generators in one list.
+        """Collect the current contacts of all generators in one list.
 
         The contacts are in the order of the generators, and no contact is left out.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def run_physics(self, duration: float) -> None:
-        """Advance the world by one time step. ``duration`` is in s.
+        """Move the world forward by one time step of ``duration`` s.
 
         First the integrator moves the particles. The forces on them come from the registry, and
         from calls of ``add_force`` since ``start_frame``. Then call ``contacts()`` of each
         generator once, to find the contacts at the new positions. Finally the resolver resolves all
-        contacts in one call. If there are no contacts, do not call the resolver. Book 8.1.
+        contacts in one call. If there are no contacts, do not call the resolver.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
+
+        Book: section 8.1.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def step(self, duration: float) -> None:
-        """Start a frame and run its physics. ``duration`` is in s.
+        """Clear all forces, and move the world forward by one time step of ``duration`` s.
 
-        A step clears the accumulators first, so forces that you added before the call have no
-        effect. If you want to add forces by hand, call ``start_frame``, add them, and then call
-        ``run_physics``.
+        Forces that you added before the call therefore have no effect. If you want to add forces by
+        hand, call ``start_frame``, add them, and then call ``run_physics``.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -98,13 +100,11 @@ class ParticleWorld:
 
 
 def mechanical_energy(particles: Iterable[Particle]) -> float:
-    """Return the mechanical energy of the particles in J: the sum of m v^2 / 2 - m a . p.
+    """Add up the kinetic and potential energy of the particles, in J, to check a simulation.
 
-    Here a is the particle's own acceleration and p is its position. For a = (0, -g, 0) the energy
-    is m v^2 / 2 + m g y. The forces of generators do not contribute, and neither do immovable
-    particles.
-
-    Use this function to check a simulation. The energy should stay constant as long as there is no
-    damping and no generator adds a force.
+    The result is the sum of m v^2 / 2 - m a . p, where a is the particle's own acceleration and p
+    is its position. For a = (0, -g, 0) this is m v^2 / 2 + m g y. The forces of generators do not
+    contribute, and neither do immovable particles. The energy should stay constant as long as there
+    is no damping and no generator adds a force.
     """
     raise NotImplementedError("Exercise B8.1: Mechanical energy")

@@ -1,4 +1,4 @@
-"""Angular velocity and acceleration, and a time step for an orientation (book 9.3 and 9.4.11).
+"""Angular velocity and acceleration, and a time step for an orientation (book 9.3, 9.4.11).
 
 An angular velocity is a vector in world axes: its direction is the axis of rotation, and its length
 is the angular speed in rad/s. The functions raise TypeError for an argument of the wrong type.
@@ -13,13 +13,16 @@ from ch09_rotations.quaternion import Quaternion
 def velocity_of_point(
     point: Vector3, position: Vector3, velocity: Vector3, angular_velocity: Vector3
 ) -> Vector3:
-    """Return the velocity of a point on a moving and rotating object as a new vector (Eq. 9.6).
+    """Compute the velocity of a point on an object that moves and rotates, as a new vector.
 
     The object as a whole moves with ``velocity`` in m/s, and it also rotates about ``position`` in
-    m. ``point`` is the world position of the point in m. ``angular_velocity`` is in rad/s.
+    m. ``point`` is the world position of the point in m. ``angular_velocity`` is in rad/s, and the
+    result is in m/s.
 
     Raises:
         ValueError: if a component is not finite.
+
+    Book: Eq. 9.6.
     """
     raise NotImplementedError("Exercise B9.18: The velocity of a point, and a rotation step")
 
@@ -30,12 +33,12 @@ def integrate_rotation(
     angular_acceleration: Vector3,
     duration: float,
 ) -> None:
-    """Advance an orientation and an angular velocity, in place, by one step of semi-implicit Euler.
+    """Rotate an orientation and update its angular velocity by one time step, both in place.
 
-    First the angular velocity w changes to w' = w + alpha h, and then the orientation rotates by w'
-    h. After that it is normalized, because rounding errors would otherwise let its length drift.
-    ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration`` (h) in s. If the axis of
-    rotation changes, the method is only of order 1.
+    The step is semi-implicit Euler: first the angular velocity w changes to w' = w + alpha h, and
+    then the orientation rotates by w' h. After that it is normalized, because rounding errors would
+    otherwise let its length drift. ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration``
+    (h) in s. If the axis of rotation changes, the method is only of order 1.
 
     Raises:
         ValueError: if the duration is not positive and finite, or a component is not finite. After
@@ -45,7 +48,7 @@ def integrate_rotation(
 
 
 def first_order_drift(angular_speed: float, duration: float, steps: int) -> tuple[float, float]:
-    """Return two errors of Eq. 9.5 for a steady rotation: the final length and the missing angle.
+    """Compute how wrong Eq. 9.5 gets a steady rotation: the final length and the missing angle.
 
     A unit quaternion should rotate about one axis at ``angular_speed`` in rad/s for ``duration`` in
     s. It makes ``steps`` equal steps of ``Quaternion.add_scaled``, and is never normalized, so that

@@ -17,18 +17,18 @@ Stone = tuple[str, float, float, float]  # what it is, its mass in kg, x and y i
 
 
 def two_other_turns() -> tuple[float, float]:
-    """Exercise 9.1: return the two angles (a, b) of an equivalent rotation, in degrees.
+    """Exercise 9.1: find two rotations that together have the same effect as two given ones.
 
     If you rotate an object by 90 degrees about X and then by 90 degrees about Y, the result is the
-    same as if you rotate it by a about Z and then by b about X. Find a and b, both from -180 to
-    180. The axes are those of the world, so they do not rotate with the object, and rotations are
-    right-handed.
+    same as if you rotate it by a about Z and then by b about X. Return a and b as a tuple, in
+    degrees, both from -180 to 180. The axes are those of the world, so they do not rotate with the
+    object, and rotations are right-handed.
     """
     raise NotImplementedError("Exercise 9.1: Two rotations, and two others")
 
 
 def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
-    """Exercise 9.2: return the rotation that takes an orientation to the reference (1, 0, 0, 0).
+    """Exercise 9.2: find the rotation that takes an orientation back to the reference (1, 0, 0, 0).
 
     The result is an axis, which is a new unit vector in world axes, and an angle in radians, from
     -pi to pi. The opposite axis with the opposite angle is the same rotation, so it is also
@@ -46,7 +46,9 @@ def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
 
 
 def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
-    """Exercise 9.3a: return a * b in four multiplications, for quaternions whose j and k are zero.
+    """Exercise 9.3a: multiply two quaternions whose j and k are zero, with four multiplications.
+
+    The result is a * b, as a new quaternion. The general product needs sixteen multiplications.
 
     >>> product_without_j_and_k(Quaternion(2, 3, 0, 0), Quaternion(4, -1, 0, 0))
     Quaternion(11.0, 10.0, 0.0, 0.0)
@@ -58,7 +60,7 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Quaternion:
-    """Exercise 9.4: return the orientation after a steady rotation about the world's X axis.
+    """Exercise 9.4: rotate an orientation steadily about the world's X axis, in a single rotation.
 
     The axis stays the same throughout, so you can make the whole turn in one rotation. ``rate`` is
     in rad/s and may be negative, and ``duration`` is in s. The result is a new quaternion.
@@ -91,7 +93,7 @@ def turned_by_steps(
 
 
 def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
-    """Exercise 9.5: return the rotation and the position that a 3x4 matrix contains.
+    """Exercise 9.5: split a 3x4 matrix into the rotation and the position that it contains.
 
     The rotation consists of the first three columns, and the position is the fourth. Both results
     are new objects.
@@ -109,15 +111,15 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: invert a matrix of a rotation and a translation, without any division.
 
     The inverse of a rotation is its transpose, so transpose the 3x3 part. Then multiply the
-    translation by this transpose and negate it. If the 3x3 part is not a rotation, the result is
-    wrong, but do not check this, because a check would cost most of the time that this method
-    saves.
+    translation by this transpose and negate it. The result is a new matrix. If the 3x3 part is not
+    a rotation, the result is wrong, but do not check this, because a check would cost most of the
+    time that this method saves.
     """
     raise NotImplementedError("Exercise 9.6: The inverse, the easy way")
 
 
 def center_of_stones(stones: Sequence[Stone]) -> Point:
-    """Exercise 9.7: return the center of mass (x, y) of a box with stones, in m.
+    """Exercise 9.7: compute the center of mass (x, y) of a box with stones in it, in m.
 
     Each stone is a tuple of its name, its mass in kg, and the x and y of its center in m. The box
     has a mass too, so include it as one of the stones unless its mass is negligible.
@@ -129,11 +131,12 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
 
 
 def balance_offset(stones: Sequence[Stone], angle: float) -> float:
-    """Exercise 9.7: return the offset in m of a straight edge on which the box balances.
+    """Exercise 9.7: compute where to put a straight edge under a box of stones so that it balances.
 
     The box balances if the edge passes below its center of mass. The edge has the direction (cos,
-    sin) of ``angle``. Its offset is its distance from the corner of the box at x = y = 0, and is
-    positive if the edge lies to the left of the corner, in the direction (-sin, cos).
+    sin) of ``angle``, which is in radians. The result is the offset of the edge in m: its distance
+    from the corner of the box at x = y = 0. It is positive if the edge lies to the left of the
+    corner, in the direction (-sin, cos).
 
     Raises:
         ValueError, TypeError: for the same reasons as ``center_of_stones``, or if the angle is not
@@ -143,7 +146,7 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 
 
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
-    """Exercise 9.7: return the masses in kg to the left and to the right of the balance edge.
+    """Exercise 9.7: add up the masses in kg to the left and to the right of the balance edge.
 
     The edge is the one from ``balance_offset``. The book says that the two masses are equal (E-32),
     but they need not be, because a small mass far from the edge balances a large mass near it. A

@@ -1,4 +1,7 @@
-"""The exact state of a damped spring at any time, without time steps (book 6.3)."""
+"""The exact state of a damped spring at any time, computed without time steps (book 6.3).
+
+A faked spring uses it, and you can compare it with the result of an integrator.
+"""
 
 from __future__ import annotations
 
@@ -10,22 +13,26 @@ from ch02_vectors.arguments import finite, not_negative, positive
 def damped_spring_state(
     x0: float, v0: float, stiffness: float, damping: float, mass: float, time: float
 ) -> tuple[float, float]:
-    """Return the position in m and the velocity in m/s of a damped spring after ``time`` s (6.3.2).
+    """Compute the position and velocity of a damped spring after ``time`` s, without time steps.
 
-    The body starts at ``x0`` with the velocity ``v0``, and the spring pulls it toward position 0.
-    Its equation of motion is m x'' = -k x - c x', where k is ``stiffness`` in N/m, c is ``damping``
-    in N s/m and m is ``mass`` in kg. The sign of c^2 - 4 k m decides how the body moves:
+    A body starts at the position ``x0`` in m with the velocity ``v0`` in m/s, and a spring pulls it
+    toward position 0. Its equation of motion is m x'' = -k x - c x', where k is ``stiffness`` in
+    N/m, c is ``damping`` in N s/m and m is ``mass`` in kg. The result is a tuple of its position in
+    m and its velocity in m/s. The sign of c^2 - 4 k m decides how the body moves:
 
     - If c^2 < 4 k m, it oscillates through 0 (under-damped).
     - If c^2 = 4 k m, it comes to rest as quickly as possible (critically damped).
     - If c^2 > 4 k m, it creeps back to 0 without oscillating (over-damped).
 
-    The book covers only the first case (E-23). If the stiffness is 0, there is no spring force, so
-    the body only coasts and is slowed down by the damping.
+    If the stiffness is 0, there is no spring force, so the body only coasts and is slowed down by
+    the damping. The book covers only the under-damped case (E-23).
 
-    Raises ValueError if the mass is not positive, the stiffness, damping or time is negative, or if
-    an argument, k / m, c / m, the angle of the oscillation or a result is not finite. Raises
-    TypeError for an argument that is not a number.
+    Raises:
+        ValueError: if the mass is not positive, the stiffness, damping or time is negative, or an
+            argument, k / m, c / m, the angle of the oscillation or a result is not finite.
+        TypeError: if an argument is not a number.
+
+    Book: section 6.3.2.
     """
     finite("x0", x0)
     finite("v0", v0)

@@ -1,4 +1,9 @@
-"""Exercise 6.5: measure how stiff a spring may be before its oscillations grow."""
+"""Measure how stiff a spring may be before its oscillations grow (exercise 6.5).
+
+A spring that is too stiff for the time step makes a simulation explode. These functions find the
+largest stable stiffness by experiment: they simulate a particle on a spring, and check whether it
+swings farther and farther.
+"""
 
 from __future__ import annotations
 
@@ -18,13 +23,15 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
-    """Exercise 6.5: return whether the oscillations of a particle on a spring grow.
+    """Exercise 6.5: find out by simulation whether the oscillations of a particle on a spring grow.
 
-    Simulate a particle on a spring to find out. The particle has a mass of 1 kg and the given
-    ``damping``, and there is no gravity. It is released at rest, ``START`` m away from an anchor,
-    and a spring with a rest length of 0 and the given ``stiffness`` in N/m pulls it toward this
-    anchor. Let the integrator make ``FRAMES`` steps of ``duration`` s each. Oscillations of
-    constant amplitude do not count as growing.
+    The result is True if they grow, which means that the spring is too stiff for the integrator.
+    Oscillations of constant amplitude do not count as growing.
+
+    Simulate a particle with a mass of 1 kg and the given ``damping``, without gravity. Release it
+    at rest, ``START`` m away from an anchor. A spring with a rest length of 0 and the given
+    ``stiffness`` in N/m pulls it toward this anchor. Let the integrator make ``FRAMES`` steps of
+    ``duration`` s each.
 
     The answer must be correct if the stiffness differs from the limit by at least 1 % and an
     oscillation takes at most FRAMES / 6 steps. The only exception is a particle without damping
@@ -37,8 +44,9 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
     >>> swings_wider(semi_implicit_euler, 15_000.0, 1.0, 1.0 / 60.0)
     True
 
-    Raises ValueError if the stiffness or damping is negative, the duration is not positive, or one
-    of them is not finite.
+    Raises:
+        ValueError: if the stiffness or damping is negative, the duration is not positive, or one of
+            them is not finite.
     """
     positive("duration", duration)
     particle = Particle(Vector3(START), damping=damping)
@@ -58,16 +66,17 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
 def largest_stable_stiffness(integrator: Integrator, damping: float, duration: float) -> float:
     """Exercise 6.5: measure the largest stiffness in N/m at which the oscillations do not grow.
 
-    Use ``swings_wider`` to search the range from SOFTEST / h^2 to STIFFEST / h^2, where h is
-    ``duration`` in s. If even the softest spring of this range is unstable, return 0 or almost 0.
-    If even the stiffest spring is stable, return STIFFEST / h^2.
+    Search the range from SOFTEST / h^2 to STIFFEST / h^2, where h is ``duration`` in s, and call
+    ``swings_wider`` to test a stiffness. If even the softest spring of this range is unstable,
+    return 0 or almost 0. If even the stiffest spring is stable, return STIFFEST / h^2.
 
     The result must be within 1 % of the true limit for a damping from 0.3 to 0.9 and a duration
     from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required, because the
     oscillations of the book's step then grow so slowly that ``FRAMES`` steps do not show it.
 
-    Raises ValueError if the damping is negative, the duration is not positive, or one of them is
-    not finite.
+    Raises:
+        ValueError: if the damping is negative, the duration is not positive, or one of them is not
+            finite.
     """
     not_negative("damping", damping)
     unit = 1.0 / positive("duration", duration) ** 2

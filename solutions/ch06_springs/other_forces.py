@@ -1,7 +1,8 @@
 """Forces that depend on positions: buoyancy, the lift of a balloon, crowding and homing.
 
-The units and the checks of the arguments are the same as in springs.py. You can import these
-classes from either module.
+Each class is a force generator, whose method ``update_force`` adds a force to one particle. The
+units and the checks of the arguments are the same as in springs.py. You can import these classes
+from either module.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from ch05_forces.particle import Particle
 
 
 class Buoyancy:
-    """The buoyancy of a body that floats in still water or sinks in it (6.2.4).
+    """The upward force of still water on a body that floats or sinks in it.
 
     - ``max_depth`` is half the height of the body, in m. So the body just touches the water when
       its center is this far above the surface, and it is completely submerged when its center is
@@ -24,8 +25,11 @@ class Buoyancy:
     - ``liquid_density`` is in kg/m^3: 1000 for fresh water, and from 1020 to 1030 for sea water.
       The example in the book's text is too large by a factor of 1000 (E-21).
 
-    Raises ValueError if ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
-    ``gravity`` is negative, or one of them is not finite.
+    Raises:
+        ValueError: if ``max_depth``, ``volume`` or ``liquid_density`` is not positive, ``gravity``
+            is negative, or one of the arguments is not finite.
+
+    Book: section 6.2.4.
     """
 
     def __init__(
@@ -43,13 +47,16 @@ class Buoyancy:
         self.gravity = not_negative("gravity", gravity)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add an upward force equal to the weight of the displaced water.
+        """Add an upward force that equals the weight of the displaced water.
 
         The body displaces as much water as the volume of its part below the surface. So the force
-        is rho V g times the fraction of the body that is under water. This fraction is (y_w + s -
-        y) / (2 s), limited to the range from 0 to 1, where s is ``max_depth``, y_w is the height of
-        the water surface and y is the height of the particle. The book's formula has the wrong
-        sign, and its listing lacks parentheses and the factor g (E-5).
+        is rho V g times the fraction of the body that is under water, where rho is
+        ``liquid_density``, V is ``volume`` and g is ``gravity``. This fraction is (y_w + s - y) /
+        (2 s), limited to the range from 0 to 1. Here s is ``max_depth``, y_w is the height of the
+        water surface and y is the height of the particle.
+
+        The book's formula has the wrong sign, and its listing lacks parentheses and the factor g
+        (E-5).
         """
         depth = self.water_height + self.max_depth - particle.position.y
         share = min(max(depth / (2.0 * self.max_depth), 0.0), 1.0)
@@ -64,8 +71,9 @@ class LighterThanAir:
     ground, where y is 0. H is ``scale_height`` in m: each time the balloon rises by this height,
     its lift is divided by e. Below the ground the lift is the same as at the ground.
 
-    Raises ValueError if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them
-    is not finite.
+    Raises:
+        ValueError: if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them is
+            not finite.
     """
 
     def __init__(self, max_lift: float, scale_height: float) -> None:
@@ -73,7 +81,7 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: add the upward lift at the height of the particle."""
+        """Exercise 6.2: push the balloon up, with the lift that the air gives it at its height."""
         height = max(particle.position.y, 0.0)
         lift = self.max_lift * math.exp(-height / self.scale_height)
         particle.add_force(Vector3(0.0, lift, 0.0))
@@ -85,6 +93,7 @@ class Overcrowding:
     ``particles`` is the list of all particles in the crowd, and may also contain the particle that
     is pushed. The generator does not copy this list, so particles that you add to it later also
     belong to the crowd. Two particles are too close if they are less than ``distance`` m apart.
+    ``stiffness`` is in N/m.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -100,8 +109,8 @@ class Overcrowding:
         """Exercise 6.3: push ``particle`` away from every other particle that is too close.
 
         A particle at a distance l that is less than ``distance`` pushes with a force of k
-        (``distance`` - l). If it is at exactly the same position, it exerts no force, because the
-        direction of the push would be undefined.
+        (``distance`` - l), where k is ``stiffness``. If it is at exactly the same position, it
+        exerts no force, because the direction of the push would be undefined.
         """
         for other in self.particles:
             away = particle.position - other.position
@@ -113,10 +122,10 @@ class Overcrowding:
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    A bullet that steered toward the current position of a moving target would always arrive behind
-    it. So compute where the bullet and the target will be after ``look_ahead`` s if they keep their
-    current velocities. The force is the same as that of a spring with a rest length of 0 between
-    these two positions.
+    A bullet that steers toward the current position of a moving target always arrives behind it. So
+    compute where the bullet and the target will be after ``look_ahead`` s if they keep their
+    current velocities. The force on the bullet is the same as the pull of a spring between these
+    two positions, with a rest length of 0 and a ``stiffness`` in N/m.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:
@@ -125,9 +134,11 @@ class HomingBullet:
         self.look_ahead = not_negative("look_ahead", look_ahead)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.4: add k times the displacement between the two future positions.
+        """Exercise 6.4: add the force k d to the bullet, where k is ``stiffness``.
 
-        Only the bullet feels this force, so the target is not pulled toward it.
+        The vector d points from the future position of the bullet, ``particle``, to the future
+        position of the target. Only the bullet feels this force, so the target is not pulled toward
+        it.
         """
         way = self.target.position - particle.position
         way.add_scaled(self.target.velocity - particle.velocity, self.look_ahead)

@@ -1,8 +1,8 @@
 """Your own integrator, which should be accurate with only a few force evaluations per step.
 
-The cost of a step is the number of times that it evaluates the forces. A step can use more
-evaluations to be more accurate, so every integrator is a compromise. Which compromise is best
-depends on the scene. Here the scene is an orbit.
+An evaluation computes all forces once, and is the most expensive part of a time step. A step can
+use more evaluations to be more accurate, so every integrator is a compromise, and the best
+compromise depends on the scene. In this exercise the scene is an orbit.
 """
 
 from __future__ import annotations
@@ -14,22 +14,22 @@ from ch06_springs.integrators import ApplyForces
 
 
 def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Move ``particles`` by one time step with your own method.
+    """Move ``particles`` by one time step with an integrator that you design yourself.
 
     ``duration`` is in s, and you may divide it into as many parts as you like. Each call of
     ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators, so clear the
     accumulators before you call it again, and also at the end of the step. Do not forget a
     particle's own acceleration, which acts in addition to the forces.
 
-    The graded scene is simple: it has no damping, no forces that depend on a velocity, no forces
-    added by hand and no immovable particles. In this scene the forces do not depend on the duration
-    that you pass to ``apply_forces``.
-
     Your method is graded on one revolution of an orbit with an eccentricity of 0.5. The revolution
     takes 60 frames, and your step is called once per frame. The grade depends on the number of
     evaluations and on the error, which is the largest distance from the true orbit after any frame,
     in units of the semi-major axis. With at most 500 evaluations, an error of 1e-3 is good and 1e-4
     is better. The run is stopped after 5000 evaluations.
+
+    The orbit is a simple scene: it has no damping, no forces that depend on a velocity, no forces
+    added by hand and no immovable particles. Its forces do not depend on the duration that you pass
+    to ``apply_forces``.
     """
     # Drifts and kicks alternate, with fractions of the step that are symmetric:
     # Blanes and Moan, Journal of Computational and Applied Mathematics 142 (2002), 313, their S6.

@@ -1,4 +1,7 @@
-"""Going further: use springs to keep particles out of the ground, and see why this fails (E-36)."""
+"""Going further: use springs to keep particles out of the ground, and see why this fails.
+
+The book says that one of its exercises does this, but the exercise is missing (E-36).
+"""
 
 from __future__ import annotations
 
@@ -8,18 +11,19 @@ from ch05_forces.particle import Particle
 
 
 class PenaltyGround:
-    """Level ground that pushes particles out like a spring, and never pulls.
+    """Level ground that pushes particles out as a spring would, but never pulls them.
 
     ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m.
 
-    No stiffness k works well. Soft ground is like a sponge, because a body at rest on it sinks in
-    by m g / k. Hard ground has a different problem: it begins to push only when a step has ended
-    below the ground, and then it pushes for the whole next step, which may be too long. Without
-    damping it can therefore throw a body higher than the height from which it fell, unless k h^2 /
-    m is far below 1 for a step of h s. If k h^2 / m is above 4, the ground even throws bodies that
-    rest on it.
+    No stiffness k works well. Soft ground is like a sponge, because a body of mass m at rest on it
+    sinks in by m g / k. Hard ground has a different problem: it begins to push only when a step has
+    ended below the ground, and then it pushes for the whole next step, which may be too long.
+    Without damping it can therefore throw a body higher than the height from which it fell, unless
+    k h^2 / m is far below 1 for a step of h s. If k h^2 / m is above 4, the ground even throws
+    bodies that rest on it.
 
-    Raises ValueError if the height is not finite, or another argument is negative or not finite.
+    Raises:
+        ValueError: if the height is not finite, or another argument is negative or not finite.
     """
 
     def __init__(self, height: float, stiffness: float, damping: float = 0.0) -> None:
@@ -28,10 +32,11 @@ class PenaltyGround:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the upward force k depth - c v_y to a particle below the ground, if it is positive.
+        """Push a particle that is below the ground upward, with the force k depth - c v_y.
 
-        Here v_y is the upward velocity of the particle. The damping reduces the push on a particle
-        that is moving out of the ground, but the ground never pulls the particle back.
+        Here k is ``stiffness``, c is ``damping``, and v_y is the upward velocity of the particle.
+        Add the force only if it is positive. On a particle that is already moving out of the
+        ground, the damping reduces the push, but the ground must not pull it back.
         """
         depth = self.height - particle.position.y
         if depth > 0.0:

@@ -1,7 +1,7 @@
-"""Springs: force generators whose push or pull depends on a length.
+"""Springs: force generators that pull or push on a particle, depending on the spring's length.
 
-A spring pulls its ends together if it is longer than its rest length, and pushes them apart if it
-is shorter (Eq. 6.1, 6.2). If both ends coincide, the spring has no direction, so its force is zero.
+A spring pulls if it is longer than its rest length, and pushes if it is shorter (Eq. 6.1, 6.2). If
+both ends are at the same position, it has no direction, so its force is zero.
 
 Lengths are in m, stiffness in N/m and damping in N s/m. Constructors check their arguments and copy
 vectors. They raise ValueError for a number that is negative or not finite, and TypeError for an
@@ -26,17 +26,17 @@ from ch06_springs.other_forces import Overcrowding as Overcrowding
 def spring_force(
     offset: Vector3, velocity: Vector3, stiffness: float, rest_length: float, damping: float = 0.0
 ) -> Vector3:
-    """Return the force in N of a spring on one of its ends as a new vector (Eq. 6.1, 6.2).
+    """Compute the force in N that a spring exerts on one of its ends, as a new vector.
 
     ``offset`` is the position of this end relative to the other end in m, and ``velocity`` is its
     velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^, where l is the
-    length of ``offset``, d^ is its direction and l0 is the rest length. The spring gets longer at
-    the rate l', which is the component of ``velocity`` along d^. If the offset is zero, it has no
-    direction, so the force is zero. The arguments are not checked here, because the constructors of
-    the springs check them.
+    length of ``offset``, d^ is its direction, k is ``stiffness``, l0 is ``rest_length`` and c is
+    ``damping``. The spring gets longer at the rate l', which is the component of ``velocity`` along
+    d^. If the offset is zero, it has no direction, so the force is zero. The arguments are not
+    checked here, because the constructors of the springs check them.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls instead,
-    because the listing takes the absolute value of the extension (E-3).
+    because the listing takes the absolute value of the extension (E-3). Book: Eq. 6.1 and 6.2.
     """
     direction = offset.normalized()
     extension = offset.magnitude() - rest_length
@@ -44,9 +44,9 @@ def spring_force(
 
 
 class Spring:
-    """A spring that pulls on one particle only (6.2.1).
+    """A spring that pulls on one particle only (book 6.2.1).
 
-    Its other end is at ``other``, which feels no force. To pull on both ends, use ``connect``.
+    Its other end is at ``other``, a particle that feels no force. To pull on both, use ``connect``.
     """
 
     def __init__(
@@ -58,16 +58,16 @@ class Spring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on the particle, relative to the other particle."""
+        """Add the force of the spring on ``particle``, as ``spring_force`` computes it."""
         other = self.other
         particle.add_force(_force(self, particle, other.position, other.velocity))
 
 
 class AnchoredSpring:
-    """A spring from a particle to an anchor, which is a fixed position (6.2.2).
+    """A spring between a particle and an anchor, which is a fixed position.
 
     You may move ``anchor``, for example to let a camera follow a player. The damping then still
-    treats the anchor as if it were at rest.
+    treats the anchor as if it were at rest. Book: section 6.2.2.
     """
 
     def __init__(
@@ -79,15 +79,15 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on the particle, relative to the anchor."""
+        """Add the ``spring_force`` on the particle. The anchor is an end that is at rest."""
         particle.add_force(_force(self, particle, self.anchor))
 
 
 class Bungee(Spring):
-    """An elastic rope to another particle: a spring that only pulls (6.2.3).
+    """An elastic rope to another particle, ``other``: a spring that pulls but never pushes.
 
     If its length is at most the rest length, the rope is slack and exerts no force. The book's
-    listing subtracts the lengths in the wrong order, so its rope pushes (E-4).
+    listing subtracts the lengths in the wrong order, so its rope pushes (E-4). Book: section 6.2.3.
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -100,10 +100,10 @@ class Bungee(Spring):
 
 
 class AnchoredBungee(AnchoredSpring):
-    """An elastic rope to an anchor: a spring that only pulls (6.2.3)."""
+    """An elastic rope to an anchor: a spring that pulls but never pushes (book 6.2.3)."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring force if the rope is stretched, just as ``Bungee`` does."""
+        """Add the spring force if the rope is stretched, and no force if it is slack."""
         _add_pull(self, particle, self.anchor)
 
 
@@ -122,7 +122,7 @@ class Connection:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
 
-        The total momentum of both particles therefore stays the same. You may register the
+        Opposite forces keep the total momentum of both particles constant. You may register the
         connection with either particle.
         """
         # spring_force in plain floats, as in _force: a cloth has hundreds of these.
@@ -151,7 +151,7 @@ def connect(
     rest_length: float,
     damping: float = 0.0,
 ) -> Connection:
-    """Join ``a`` and ``b`` by one spring that acts on both of them, and return the spring.
+    """Join the particles ``a`` and ``b`` by one spring that acts on both, and return the spring.
 
     The registry skips immovable particles, so the spring is registered for ``a``, or for ``b`` if
     ``a`` is immovable. If you want to make an end immovable, do so before you connect it.
@@ -162,7 +162,7 @@ def connect(
 
 
 class FakeStiffSpring:
-    """A substitute for a spring that is too stiff for the time steps (6.3.2).
+    """A substitute for a spring that is too stiff for the time steps (book 6.3.2).
 
     It uses ``damped_spring_state`` to compute where a real spring would have moved the particle by
     the end of the step, and then adds the constant force that takes the particle to this position.
@@ -187,11 +187,11 @@ class FakeStiffSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add m ((T - x) / h^2 - v / h) on each axis, where T is the spring's position after h.
+        """Add the force m ((T - x) / h^2 - v / h) on each axis, where T is the position to reach.
 
-        Here x is the position relative to the anchor, v is the velocity, and h is ``duration``. If
-        the duration is not positive and finite, raise ValueError, even for an immovable particle.
-        Otherwise skip an immovable particle.
+        Here h is ``duration``, v is the velocity, x is the position relative to the anchor, and T
+        is the position on a real spring after h. If the duration is not positive and finite, raise
+        ValueError, even for an immovable particle. Otherwise skip an immovable particle.
         """
         positive("duration", duration)
         if not particle.has_finite_mass:
@@ -212,8 +212,8 @@ class ElasticLimitSpring:
     only the fraction ``share`` of the stiffness. The spring has no damping, and it exerts no force
     on the particle at its other end, ``other``.
 
-    Raises ValueError if the limit is below the rest length, or if a number is negative or not
-    finite.
+    Raises:
+        ValueError: if the limit is below the rest length, or if a number is negative or not finite.
     """
 
     def __init__(
@@ -228,7 +228,7 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force of the spring, which is continuous at the elastic limit."""
+        """Exercise 6.1: add the force of the spring. It is continuous at the elastic limit."""
         offset = particle.position - self.other.position
         length = offset.magnitude()
         extension = min(length, self.limit) - self.rest_length
@@ -238,15 +238,16 @@ class ElasticLimitSpring:
 
 
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
-    """Exercise 6.6b: return the stiffness in N/m above which a spring explodes.
+    """Exercise 6.6b: compute the stiffness in N/m above which a spring makes a simulation explode.
 
     If ``Particle.integrate`` makes steps of h s, the limit is m (d^-h - 1) / h^2. Here h is
     ``duration``, d is the particle's ``damping``, and m is ``mass`` in kg. The limit holds for an
     AnchoredSpring without damping. The result is 0 if d is 1 or more, because no spring is stable
     then, and ``math.inf`` if d is 0 or d^-h is too large for a float.
 
-    Raises ValueError if the damping is negative, the duration or the mass is not positive, or one
-    of them is not finite.
+    Raises:
+        ValueError: if the damping is negative, the duration or the mass is not positive, or one of
+            them is not finite.
     """
     not_negative("damping", damping)
     positive("duration", duration)
@@ -266,10 +267,9 @@ def _force(
     end: Vector3,
     end_velocity: Vector3 | None = None,
 ) -> Vector3:
-    """Return the spring_force on ``particle``, for a spring with its other end at ``end``.
+    """Compute the ``spring_force`` on ``particle``, for a spring with its other end at ``end``.
 
-    If ``end_velocity`` is None, the other end is at rest. This is ``spring_force`` written out with
-    plain floats, because it then takes a third of the time.
+    If ``end_velocity`` is None, the other end is at rest. Plain floats take a third of the time.
     """
     position = particle.position
     velocity = particle.velocity
@@ -292,7 +292,7 @@ def _add_pull(
     end: Vector3,
     end_velocity: Vector3 | None = None,
 ) -> None:
-    """Add the force of a spring if it is stretched and pulls, as a rope does."""
+    """Add the force of an elastic rope: the force of a spring, but only if it pulls."""
     offset = particle.position - end
     if offset.magnitude() > spring.rest_length:
         force = _force(spring, particle, end, end_velocity)

@@ -1,4 +1,4 @@
-"""Contacts between two particles or between a particle and the world, and their resolver.
+"""Contacts between two particles, or between a particle and the world, and their resolver.
 
 A contact stores the direction in which two bodies touch, the depth of their overlap, and the
 restitution, which says how much of the speed is left after a bounce. To resolve the contact, the
@@ -49,8 +49,7 @@ class Contact:
         restitution: float = 0.0,
         penetration: float = 0.0,
     ) -> None:
-        # Contacts are made in every step, so speed matters here. The functions of arguments.py are
-        # called only for a value that looks wrong.
+        # Speed matters here, so arguments.py is called only for a value that looks wrong.
         self.particle = instance_of("particle", particle, Particle)
         self.other = None if other is None else instance_of("other", other, Particle)
         if other is particle:
@@ -70,9 +69,9 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Return the velocity in m/s at which the two bodies move apart, (va - vb) . n.
+        """Compute how fast the two bodies move apart, (va - vb) . n, in m/s (Eq. 7.2).
 
-        It is negative while they approach each other. If ``other`` is None, vb is zero (Eq. 7.2).
+        It is negative while they approach each other. If ``other`` is None, its velocity vb is 0.
         """
         velocity = self.particle.velocity
         if self.other is not None:
@@ -80,7 +79,7 @@ class Contact:
         return velocity.dot(self.normal)
 
     def velocity_after(self, duration: float = 0.0) -> float:
-        """Return the separating velocity in m/s that the contact must have after it is resolved.
+        """Compute the separating velocity in m/s that the contact must have after it is resolved.
 
         If the current separating velocity v_s is 0 or positive, the result is v_s. A closing
         contact (v_s < 0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
@@ -89,7 +88,7 @@ class Contact:
         accelerated it for one time step. If this small velocity made it bounce, the body would
         jitter. So if the acceleration closes the contact, (aa - ab) . n < 0, leave out the velocity
         that it has built up: return c (-v_s + (aa - ab) . n h), but never less than 0. Here h is
-        ``duration``, in s, and aa and ab are the ``last_acceleration`` of the particles, which
+        ``duration`` in s, and aa and ab are the ``last_acceleration`` of the particles, which
         includes forces. Use 0 for an immovable or missing particle. The book uses only the constant
         acceleration, so a body under a gravity generator would jitter (7.2.3, E-26).
 
@@ -116,9 +115,9 @@ class Contact:
         """Apply the impulse that changes the separating velocity to ``velocity_after(duration)``.
 
         The impulse g in N s acts on ``particle`` along the normal n, and on ``other`` in the
-        opposite direction: va' = va + n g / ma and vb' = vb - n g / mb. This conserves momentum.
-        Nothing changes if the contact is not closing, or if neither particle can move. Book 7.1.4
-        and 7.2.1.
+        opposite direction: va' = va + n g / ma and vb' = vb - n g / mb, where ma and mb are the
+        masses. This conserves momentum. Nothing changes if the contact is not closing, or if
+        neither particle can move. Book: sections 7.1.4 and 7.2.1.
 
         Raises:
             ValueError: if the duration is negative or not finite, in every case.
@@ -161,7 +160,7 @@ class Contact:
         return move, other_move
 
     def resolve(self, duration: float) -> None:
-        """Resolve the velocity and then the penetration. ``duration`` is the time step in s.
+        """Resolve the velocity of this contact and then its penetration. ``duration`` is in s.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -177,14 +176,14 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """The interface of a contact generator. A generator need not inherit from this class."""
+    """The interface of a contact generator: any object with a method ``contacts``."""
 
     def contacts(self) -> Iterable[Contact]:
-        """Return the current contacts."""
+        """Find all contacts at the current positions and return them."""
 
 
 class ContactResolver:
-    """Resolves the contacts of a time step in two phases: velocities, then penetrations (7.3.1).
+    """Resolves the contacts of a time step: first velocities, then penetrations (book 7.3.1).
 
     In each phase, the worst contact comes next: the one that closes fastest, and then the deepest
     one. Resolving it can make other contacts better or worse, so the resolver compares all contacts
@@ -288,13 +287,13 @@ class ContactResolver:
 
 
 def a_restitution(name: str, value: float) -> float:
-    """Return ``value`` as a float, or raise ValueError if it is not between 0 and 1."""
+    """Check that a restitution is a number from 0 to 1, and return it as a float."""
     if not_negative(name, value) > 1.0:
         raise ValueError(f"{name} must be from 0 to 1, got {value!r}")
     return float(value)
 
 
 def direction_of(offset: Vector3) -> Vector3:
-    """Return the unit vector in the direction of ``offset``, or +Y if ``offset`` is zero."""
+    """Return the unit vector along ``offset``, or +Y if ``offset`` is zero and has no direction."""
     direction = offset.normalized()
     return direction if direction.squared_magnitude() else Vector3(0.0, 1.0, 0.0)

@@ -1,4 +1,4 @@
-"""Detectors, which find the current contacts and predict the next impact.
+"""Detectors: objects that find out which particles touch, and predict the next impact.
 
 A detector answers two questions. After each step, the engine calls its method ``contacts()`` to
 find out which particles touch. Particles that just touch also have a contact, with a penetration of
@@ -37,21 +37,24 @@ _AFTER = [cell for cell in product((-1, 0, 1), repeat=3) if cell > (0, 0, 0)]
 
 
 class Detector(Protocol):
-    """The interface of a detector. A detector does not have to inherit from this class."""
+    """The interface of a detector: any object with the methods ``contacts`` and ``next_impact``.
+
+    A detector does not have to inherit from this class.
+    """
 
     def contacts(self) -> Iterable[Contact]:
-        """Return the current contacts."""
+        """Find all contacts at the current positions and return them."""
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the first impact within ``duration`` s as (time, contact), or None."""
+        """Find the first impact within ``duration`` s, as (time, contact), or return None."""
 
 
 class GroundPlane:
-    """Exercise 7.5: level ground at ``height``, for points or for spheres with one ``radius``.
+    """Exercise 7.5: a detector for particles that touch level ground at ``height``.
 
-    Everything below the height is ground, so a particle that is below it at the end of a step is in
-    contact, however deep it is. That is why even a very fast particle cannot pass through the
-    ground.
+    The particles are points, or spheres that all have the same ``radius``. Everything below the
+    height is ground, so a particle that is below it at the end of a step is in contact, however
+    deep it is. That is why even a very fast particle cannot pass through the ground.
     """
 
     def __init__(
@@ -82,7 +85,7 @@ class GroundPlane:
         return found
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Find the first impact on the ground within ``duration`` s.
+        """Predict the first impact of a particle on the ground within ``duration`` s.
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
         Use ``time_to_close`` to find out when the gap between the particle and the ground closes. A
@@ -109,7 +112,10 @@ class GroundPlane:
 
 
 class ParticlePairs:
-    """Finds contacts and impacts between spheres that all have the same positive ``radius``."""
+    """A detector for collisions between spheres that all have the same positive ``radius``.
+
+    The center of each sphere is a particle.
+    """
 
     def __init__(
         self, particles: Sequence[Particle], radius: float, restitution: float = 0.0
@@ -140,7 +146,7 @@ class ParticlePairs:
         return found
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Find the first impact of two spheres within ``duration`` s.
+        """Predict the first impact of two spheres within ``duration`` s.
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
         Two particles with the same acceleration therefore move in a straight line relative to each
@@ -172,7 +178,10 @@ class ParticlePairs:
         return first
 
     def _near_pairs(self) -> list[tuple[int, int]]:
-        """Return every index pair that may be touching, with the lower index first."""
+        """Find the pairs of particles that are close enough to touch, with the help of a grid.
+
+        A pair consists of two indices into the list of particles, the lower one first.
+        """
         size = 2.001 * self.radius  # so that spheres that just touch are never two cells apart
         cells: dict[tuple[int, int, int], list[int]] = {}
         for i, particle in enumerate(self.particles):
@@ -188,7 +197,7 @@ class ParticlePairs:
         return pairs
 
     def _time_to_touch(self, a: Particle, b: Particle) -> float:
-        """Return the time in s until two spheres meet, or math.inf if they never do."""
+        """Compute the time in s until two spheres touch, or return math.inf if they never do."""
         (v, pull), (w, other) = _flight(a), _flight(b)
         if (pull - other).magnitude() > _SAME * (pull.magnitude() + other.magnitude()):
             seen = f"{pull!r} and {other!r}"
@@ -212,17 +221,20 @@ def _flight(particle: Particle) -> tuple[Vector3, Vector3]:
 
 
 class Detectors:
-    """Combines several detectors, such as one for the ground and one for spheres, into one."""
+    """Combines several detectors into one, for example one for the ground and one for spheres.
+
+    You can then pass all of them to ``time_division_step``, which takes only one detector.
+    """
 
     def __init__(self, *detectors: Detector) -> None:
         self.detectors = detectors
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of all detectors, in the order of the detectors."""
+        """Return the contacts of all detectors in one list, in the order of the detectors."""
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the earliest impact that any detector finds.
+        """Return the earliest impact that any of the detectors finds, or None if there is none.
 
         If several impacts happen at the same time, return the one from the detector listed first.
 
@@ -234,9 +246,10 @@ class Detectors:
 
 
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
-    """Return the first time in s at which a gap is 0 or negative and still decreasing.
+    """Compute how long it takes until the gap between a body and the ground closes, in s.
 
-    After t seconds the gap is gap + v t + a t^2 / 2, where v is ``velocity`` in m/s and a is
+    The result is the first time at which the gap is 0 or negative and still decreasing. After t
+    seconds the gap is gap + v t + a t^2 / 2, where v is ``velocity`` in m/s and a is
     ``acceleration`` in m/s^2. A negative v makes the gap smaller. If the gap is already 0 or
     negative at the start, the result depends on v:
 
@@ -259,7 +272,11 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
-    """Return ``particles``, or raise TypeError if it is not a list or tuple of particles."""
+    """Check that ``particles`` is a list or a tuple of particles, and return it.
+
+    Raises:
+        TypeError: if it is anything else.
+    """
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list or tuple, got {particles!r}")
     for i, particle in enumerate(particles):

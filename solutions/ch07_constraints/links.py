@@ -1,8 +1,8 @@
-"""Links between two particles, or between a particle and an anchor: cables, rods and limits.
+"""Links that limit the distance between two particles, or a particle and an anchor.
 
-A link is a contact generator. While its length is within its limits, it generates no contact. As
-soon as the length reaches or passes a limit, ``contacts()`` returns a contact, and resolving this
-contact brings the length back to the limit.
+Cables and rods are links. A link is a contact generator. While its length is within its limits, it
+generates no contact. As soon as the length reaches or passes a limit, ``contacts()`` returns a
+contact, and resolving this contact brings the length back to the limit.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
 outside 0 to 1 and anything that is not finite, and TypeError for an argument of the wrong type. You
@@ -18,11 +18,11 @@ from ch07_constraints.contacts import Contact, a_restitution, direction_of
 
 
 class Cable:
-    """Keeps two particles at most ``max_length`` apart (7.4.1).
+    """A cable that keeps two particles at most ``max_length`` m apart.
 
     When the cable becomes taut, its ends can bounce back toward each other. ``restitution`` is the
     speed at which they approach after this bounce, divided by the speed at which they moved apart
-    before it.
+    before it. Book: section 7.4.1.
     """
 
     def __init__(
@@ -36,14 +36,17 @@ class Cable:
         """Return a contact if the cable is taut, which means ``max_length`` long or longer.
 
         In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b, because
-        a taut cable pulls its ends together. The penetration is the length of the cable minus
-        ``max_length``.
+        a taut cable pulls its ends together. The penetration is the current length minus
+        ``max_length``. A slack cable has no contact, so the list is empty.
         """
         return _of_cable(self, self.a, self.b, self.b.position)
 
 
 class AnchoredCable:
-    """Keeps a particle at most ``max_length`` away from ``anchor``, a fixed position (7.4.1)."""
+    """A cable that keeps a particle at most ``max_length`` m away from a fixed ``anchor``.
+
+    It works like a ``Cable`` whose second end cannot move. Book: section 7.4.1.
+    """
 
     def __init__(
         self, particle: Particle, anchor: Vector3, max_length: float, restitution: float = 0.0
@@ -54,15 +57,20 @@ class AnchoredCable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut, just as ``Cable`` does.
+        """Return a contact if the cable is taut, and an empty list if it is slack.
 
-        In the contact, ``other`` is None, and the normal points to the anchor.
+        The contact is the same as for ``Cable``, except that ``other`` is None and the normal
+        points to the anchor.
         """
         return _of_cable(self, self.particle, None, self.anchor)
 
 
 class Rod:
-    """Keeps two particles exactly ``length`` apart (7.4.2)."""
+    """A rod that keeps two particles exactly ``length`` m apart.
+
+    It pulls its ends together if they are too far apart, and pushes them apart if they are too
+    close. Book: section 7.4.2.
+    """
 
     def __init__(self, a: Particle, b: Particle, length: float) -> None:
         self.a, self.b = two_particles(a, b)
@@ -82,7 +90,10 @@ class Rod:
 
 
 class AnchoredRod:
-    """Keeps a particle exactly ``length`` away from an anchor (7.4.2)."""
+    """A rod that keeps a particle exactly ``length`` m away from a fixed ``anchor``.
+
+    You can hang a pendulum from it, for example. Book: section 7.4.2.
+    """
 
     def __init__(self, particle: Particle, anchor: Vector3, length: float) -> None:
         self.particle = instance_of("particle", particle, Particle)
@@ -99,9 +110,10 @@ class AnchoredRod:
 
 
 class Limits:
-    """Exercise 7.6: keeps two particles at least ``min_length`` and at most ``max_length`` apart.
+    """Exercise 7.6: a link that keeps the distance of two particles between two limits.
 
-    If ``min_length`` is 0, there is no lower limit. The constructor also raises ValueError if
+    The particles stay at least ``min_length`` m and at most ``max_length`` m apart. If
+    ``min_length`` is 0, there is no lower limit. The constructor also raises ValueError if
     ``min_length`` is negative or greater than ``max_length``.
     """
 
@@ -149,7 +161,7 @@ class TwoSidedRod(Rod):
     A Rod that has the right length, or is a little too short, has no contact that pulls. If its
     ends fly apart, nothing stops them until the next step. In a chain this delay adds up, because
     correcting one rod stretches its neighbor, which also goes unnoticed until the next step. A pull
-    therefore travels only about one link per step, however many iterations there are. Two contacts
+    therefore travels only about one rod per step, however many iterations there are. Two contacts
     per rod avoid the delay.
     """
 
@@ -174,7 +186,10 @@ class TwoSidedRod(Rod):
 def _of_cable(
     cable: Cable | AnchoredCable, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """Return a contact if the cable is taut. ``end`` is the position of ``other`` or the anchor."""
+    """Create the contact of a taut cable. The list is empty if the cable is slack.
+
+    ``end`` is the position of the other end, a particle or an anchor.
+    """
     offset = end - particle.position
     excess = offset.magnitude() - cable.max_length
     if excess < 0.0:
@@ -185,7 +200,10 @@ def _of_cable(
 def _of_rod(
     rod: Rod | AnchoredRod, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """Return a contact if the length is wrong. ``end`` is where ``other`` or the anchor is."""
+    """Create the contact of a rod that is too long or too short. Otherwise the list is empty.
+
+    ``end`` is the position of the other end, a particle or an anchor.
+    """
     offset = end - particle.position
     excess = offset.magnitude() - rod.length
     if excess == 0.0:
@@ -197,7 +215,7 @@ def _of_rod(
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
-    """Return both ends of a link, or raise an error unless they are two different particles."""
+    """Check that the ends of a link are two different particles, and return both."""
     instance_of("a", a, Particle)
     if instance_of("b", b, Particle) is a:
         raise ValueError(f"a and b must be two different particles, got {b!r} twice")

@@ -1,4 +1,4 @@
-"""A game: bounce a ball from row to row over the rope bridge (project 8.1).
+"""A game in which a ball bounces over the rope bridge, from row to row (project 8.1).
 
 The ball jumps automatically whenever it lands on a row of planks, and the player steers it in the
 air. Each row gives points only for the first landing. The player wins by landing on every row, and
@@ -27,10 +27,11 @@ TOUCH = 1e-6  # m: a ball this close to the ground touches it, whatever the roun
 
 
 class Rules:
-    """The rules of the game: the ``score``, the ``lives`` and the ``visited`` rows.
+    """The rules of the bridge game, which count the ``score``, ``lives`` and ``visited`` rows.
 
-    ``rows`` is the number of rows on the bridge. This class knows nothing about particles. Instead,
-    the game calls ``landed`` or ``fell`` whenever the ball lands on a row or touches the ground.
+    ``rows`` is the number of rows of planks on the bridge. This class knows nothing about
+    particles. Instead, the game calls ``landed`` or ``fell`` whenever the ball lands on a row or
+    touches the ground.
 
     Raises:
         ValueError: if ``rows`` is less than 1.
@@ -45,7 +46,7 @@ class Rules:
 
     @property
     def won(self) -> bool:
-        """Whether the ball has landed on every row (P8.1a)."""
+        """Whether the ball has landed on every row of the bridge (P8.1a)."""
         return len(self.visited) == self.rows
 
     @property
@@ -54,7 +55,7 @@ class Rules:
         return self.won or self.lives == 0
 
     def landed(self, row: int) -> None:
-        """Record that the ball has landed on the row with the index ``row``.
+        """Count a landing of the ball on the row of planks with the index ``row``.
 
         The first landing on a row gives ``POINTS``. If this landing wins the game, the player also
         gets ``BONUS`` for each remaining life. Later landings on the same row change nothing, and
@@ -91,7 +92,10 @@ class Landings:
         self.row: int | None = None
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts between ball and planks, and set ``row`` to the row that was hit."""
+        """Return the contacts between the ball and the planks, and record the row that was hit.
+
+        ``row`` becomes None unless the ball touches the planks and is moving toward them.
+        """
         found = self.deck.contacts()
         self.row = None
         if found and found[0].separating_velocity() < 0.0:
@@ -101,7 +105,7 @@ class Landings:
 
 
 class BallGame:
-    """The game: its ``rules``, the ``rows`` of planks, the ``ball`` and their ``world``.
+    """The bridge game: its ``rules``, the ``rows`` of planks, the ``ball`` and their ``world``.
 
     Set ``direction`` to steer the ball: -1 means left, 1 means right, and 0 means neither.
     """
@@ -120,7 +124,7 @@ class BallGame:
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Place the ball at rest above the first row.
+        """Place the ball at rest above the first row of the bridge.
 
         Its x is the current x of the first row, and its height is ``HEIGHT + DROP``.
         """
@@ -128,7 +132,7 @@ class BallGame:
         self.ball.velocity = Vector3()
 
     def step(self, duration: float) -> None:
-        """Make one time step of ``duration`` s, or do nothing if the game is over.
+        """Make one time step of the game, or do nothing if the game is over. ``duration`` is in s.
 
         First push the ball in the player's direction so that it gets an acceleration of ``PUSH``,
         and step the world. Then check where the ball is:

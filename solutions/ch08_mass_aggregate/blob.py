@@ -1,4 +1,8 @@
-"""A blob of particles, held together by bonds that can weaken, break and heal (book 8.2)."""
+"""A blob of particles, held together by bonds that can weaken, break and heal (book 8.2).
+
+A bond is a soft spring between two particles. It breaks when it is stretched too far, and heals
+when its ends come close again, so a blob can split in two and merge later.
+"""
 
 from __future__ import annotations
 
@@ -78,10 +82,10 @@ class Bond:
 
 
 def spread(particles: Sequence[Particle]) -> float:
-    """Return the root mean square distance of the particles from their center of mass, in m.
+    """Measure the size of a blob in m, for example while it falls and spreads.
 
-    Use it to measure the size of a blob while it falls and spreads. Each particle is weighted by
-    its mass.
+    The result is the root mean square distance of the particles from their center of mass. Each
+    particle is weighted by its mass.
 
     Raises:
         ValueError: if there are no particles, or one of them is immovable.

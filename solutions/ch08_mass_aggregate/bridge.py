@@ -34,7 +34,7 @@ ITERATIONS = 200
 
 
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
-    """Return the rods and cables that hold ``rows`` of planks together.
+    """Create the rods and cables that hold the ``rows`` of planks of a rope bridge together.
 
     Call this function while the planks are at their start positions, on which the anchors depend.
     It returns these links:
@@ -79,12 +79,13 @@ class Deck:
         self.restitution = a_restitution("restitution", restitution)
 
     def nearest(self) -> tuple[int, float] | None:
-        """Return the index of the row nearest to the ball, and the deck's height there in m.
+        """Find the row of planks nearest to the ball, and the height of the deck below the ball.
 
-        Treat each row as a point, the midpoint of its two ends. The nearest row is the one whose
-        midpoint is nearest along X. The deck is the line of straight segments that connect these
-        midpoints, and it continues at the same height before the first row and after the last one.
-        The returned height is the height of this line directly below the ball.
+        The result is the index of the row and the height in m. Treat each row as a point, the
+        midpoint of its two ends. The nearest row is the one whose midpoint is nearest along X. The
+        deck is the line of straight segments that connect these midpoints, and it continues at the
+        same height before the first row and after the last one. The returned height is the height
+        of this line directly below the ball.
 
         If two rows are equally near, return the first one. Return None if the ball is more than
         half a ``SPACING`` beyond the first or last row.
@@ -122,7 +123,7 @@ class Deck:
 
 
 class Bridge:
-    """A rope bridge above the ground: ``rows`` of planks, a ``ball`` and their ``world``.
+    """A rope bridge above the ground: its ``rows`` of planks, a ``ball`` and their ``world``.
 
     ``ball_mass`` is in kg, and ``x`` is the start position of the ball along X in m. The bridge
     moves the ball along X at the speed ``pace`` in m/s, which is 0 at first.

@@ -1,4 +1,7 @@
-"""A cube of rods: how many rods make it rigid, and which ones? (Mini-project 8.2.)"""
+"""A cube made of rods: how many rods make it rigid, and which ones? (Mini-project 8.2.)
+
+With too few rods, or with rods between the wrong corners, the cube can change its shape.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ ITERATIONS = 200  # per phase
 
 
 def fewest_rods(count: int) -> int:
-    """Return the smallest number of rods that can make ``count`` particles in space rigid (8.2).
+    """Compute the smallest number of rods that can make ``count`` particles in space rigid (8.2).
 
     Each particle can move in three independent directions, and each rod prevents at most one
     independent motion. You need enough rods to leave only the six motions of a rigid body, which
@@ -37,11 +40,11 @@ def fewest_rods(count: int) -> int:
 
 
 def cube_rods() -> list[tuple[int, int]]:
-    """Return rods that make the cube rigid, as pairs of indices into ``CORNERS`` (8.2).
+    """Choose rods that make the cube rigid, and return them as pairs of corners (8.2).
 
-    Any set of rods is accepted if it only allows the cube to move and rotate as a whole. You need
-    at least ``fewest_rods(8)`` rods, but the number alone is not enough, because the rods must also
-    join the right corners.
+    A pair contains two indices into ``CORNERS``. Any set of rods is accepted if it only allows the
+    cube to move and rotate as a whole. You need at least ``fewest_rods(8)`` rods, but the number
+    alone is not enough, because the rods must also join the right corners.
     """
     edges = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
     # One diagonal per face, here between corners 0, 3, 5 and 6, which form a tetrahedron.
@@ -76,7 +79,7 @@ class Cube:
         self.world = ParticleWorld(self.particles, [*self.rods, ground], iterations=ITERATIONS)
 
     def step(self, duration: float) -> None:
-        """Make one time step. ``duration`` is in s."""
+        """Move the cube forward by one time step of ``duration`` s."""
         self.world.step(duration)
 
 

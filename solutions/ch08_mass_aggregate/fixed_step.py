@@ -48,7 +48,7 @@ class FixedStep:
         self.dropped = 0.0
 
     def advance(self, elapsed: float) -> int:
-        """Advance the simulation by ``elapsed`` seconds, and return how many steps were made.
+        """Simulate ``elapsed`` seconds in steps of fixed duration, and return the number of steps.
 
         Time that is too short for a whole step stays in ``left`` until the next call. Because of
         rounding errors, ``left`` can be slightly shorter than a step even though a step is due. So

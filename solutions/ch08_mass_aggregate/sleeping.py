@@ -1,4 +1,4 @@
-"""Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
+"""Going further: particles at rest fall asleep, and cost almost nothing until something wakes them.
 
 Most bodies in a game lie still most of the time, but the engine spends as much time on them as on
 moving bodies. It can save this time, because the rest of the engine already skips immovable
@@ -29,7 +29,11 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """The data that the world needs to wake a sleeping particle, or to see that it changed."""
+    """What the world stores about a sleeping particle, to wake it or to see that it was changed.
+
+    The particle gets its inverse mass back when it wakes. The other values show whether it was
+    moved or is pushed differently, and which particles wake with it.
+    """
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
@@ -125,7 +129,7 @@ class SleepingWorld(ParticleWorld):
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
         """Wake every sleeping particle that is in contact with a particle that can move.
 
-        Return True if any particle woke, and False otherwise.
+        The result is True if any particle woke, because the contacts must then be found again.
         """
         woken = False
         for contact in contacts:
@@ -193,7 +197,7 @@ class SleepingWorld(ParticleWorld):
         self.fall_asleep(contacts)
 
     def _count_slow_frames(self, awake: Iterable[Particle]) -> None:
-        """Update the number of steps in a row for which each particle has been slow."""
+        """Count for each particle how many steps in a row it has been slow."""
         for particle in awake:
             slow = particle.kinetic_energy() <= self.sleep_energy * particle.mass
             self._slow[particle] = self._slow.get(particle, 0) + 1 if slow else 0
@@ -229,7 +233,7 @@ class SleepingWorld(ParticleWorld):
 
 
 def _was_moved(particle: Particle, sleep: Sleep) -> bool:
-    """Return True if a sleeping particle was changed by code outside the world."""
+    """Test whether code outside the world has changed a sleeping particle."""
     v, p = particle.velocity, particle.position
     if v.x or v.y or v.z or (p.x, p.y, p.z) != sleep.place or particle.inverse_mass:
         return True
@@ -258,7 +262,7 @@ def _is_pushed_otherwise(
 
 
 def _neighbors(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
-    """Return a dict that maps each particle to the particles it is paired with in ``pairs``."""
+    """Build a dict that maps each particle to all particles with which it forms a pair."""
     neighbors: dict[Particle, list[Particle]] = {}
     for a, b in pairs:
         neighbors.setdefault(a, []).append(b)
@@ -269,7 +273,7 @@ def _neighbors(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
 def _connected(
     starts: Iterable[Particle], neighbors: Mapping[Particle, Iterable[Particle]]
 ) -> set[Particle]:
-    """Return ``starts`` and all particles that touch them, directly or through other particles."""
+    """Find all particles that are connected to ``starts``, directly or through other particles."""
     found = set(starts)
     waiting = [*found]
     while waiting:

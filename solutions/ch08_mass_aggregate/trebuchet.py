@@ -73,7 +73,7 @@ class Throw:
 
 
 def my_design() -> Design:
-    """Return your own design of a trebuchet (P8.2b).
+    """Return your own design of a trebuchet, which should throw far (P8.2b).
 
     The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
     ``LONGEST_BEAM``. Your grade depends on the range and on the share of the energy that reaches
@@ -108,7 +108,7 @@ class Trebuchet:
         self.world = ParticleWorld(particles, [*self.beam(), self.sling], iterations=ITERATIONS)
 
     def beam(self) -> list[ContactGenerator]:
-        """Return rods that join the pivot, the counterweight and the tip into a rigid beam.
+        """Create the rods that join the pivot, the counterweight and the tip into a rigid beam.
 
         Any set of rods that makes the beam rigid is accepted. The length of each rod is the current
         distance between its ends.
@@ -117,7 +117,7 @@ class Trebuchet:
         return [TwoSidedRod(a, b, (b.position - a.position).magnitude()) for a, b in ends]
 
     def lets_go(self) -> bool:
-        """Return whether the sling should release the projectile now.
+        """Decide whether the sling should release the projectile now.
 
         Release it when it flies forward, at the release angle or lower, and is above the pivot. The
         second condition is necessary because the projectile also swings forward below the pivot
@@ -133,8 +133,8 @@ class Trebuchet:
     def step(self, duration: float) -> None:
         """Make one time step, and then release the projectile if ``lets_go()`` is True.
 
-        ``duration`` is in s. To release the projectile, remove the sling's cable from the
-        generators of the world.
+        ``duration`` is in s. To release the projectile, set ``flies`` to True and remove the
+        sling's cable from the generators of the world. This can happen only once.
         """
         self.world.step(duration)
         if not self.flies and self.lets_go():
@@ -142,7 +142,7 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Simulate the throw, and return its range and share (P8.2a).
+        """Simulate a throw, and return its range and the share of the energy that it used (P8.2a).
 
         Make steps of ``STEP`` until the sling releases the projectile. From then on the projectile
         flies without drag until it reaches the ground, which is at a height of 0. The throw fails

@@ -1,4 +1,4 @@
-"""A wheel of rods around an immovable hub, driven at its rim (mini-project 8.3).
+"""A wheel of rods around an immovable hub, which is driven at its rim (mini-project 8.3).
 
 The wheel rotates in the X-Y plane, and a positive angular velocity is counter-clockwise.
 """
@@ -21,7 +21,7 @@ ITERATIONS = 200  # per phase
 
 
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
-    """Return the rods of a wheel: its spokes, and the rods along its rim (8.3a).
+    """Create the rods of a wheel: its spokes, and the rods along its rim (8.3a).
 
     ``rim`` has three or more particles, in order. A spoke joins the hub to each of them. The rods
     along the rim join each particle to the next one, and the last particle to the first. The length
@@ -33,14 +33,17 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 
 
 class RimDrive:
-    """A force generator that spins the rim around ``hub`` with a constant ``force`` in N (8.3b)."""
+    """A force generator that drives a wheel by pushing its rim around ``hub`` (8.3b).
+
+    It pushes each particle for which it is registered with the same ``force`` in N.
+    """
 
     def __init__(self, hub: Particle, force: float) -> None:
         self.hub = hub
         self.force = finite("force", force)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force in N, in the X-Y plane and at a right angle to the spoke of ``particle``.
+        """Push ``particle`` around the hub, in the X-Y plane and at a right angle to its spoke.
 
         A positive force rotates the wheel counter-clockwise. The force is the same at every
         distance from the hub, but a particle at the hub's position gets no force, because the
@@ -54,11 +57,11 @@ class RimDrive:
 
 
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
-    """Return the angular velocity of a wheel about its hub in rad/s.
+    """Measure how fast a wheel rotates about its hub, in rad/s.
 
-    Divide the angular momentum of the rim, which is the sum of m (x v_y - y v_x), by its moment of
-    inertia, which is the sum of m (x^2 + y^2). The hub may itself move, so use positions and
-    velocities relative to the hub. Return 0 if the moment of inertia is zero.
+    This angular velocity is the angular momentum of the rim, the sum of m (x v_y - y v_x), divided
+    by its moment of inertia, the sum of m (x^2 + y^2). The hub may itself move, so use positions
+    and velocities relative to the hub. Return 0 if the moment of inertia is zero.
     """
     turning, inertia = 0.0, 0.0
     for particle in rim:
@@ -70,7 +73,7 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 
 
 def deformation(rods: Sequence[Rod]) -> float:
-    """Return the largest relative error in the length of a rod (8.3c).
+    """Measure how much a wheel is deformed, as the largest relative error of a rod's length (8.3c).
 
     The relative error is the difference between the actual and the intended length, divided by the
     intended length. Return 0 if there are no rods.
@@ -82,7 +85,7 @@ def deformation(rods: Sequence[Rod]) -> float:
 
 
 class Wheel:
-    """A wheel: its ``hub``, ``rim``, ``rods`` and ``world``.
+    """A wheel that rotates about a hub: its ``hub``, ``rim``, ``rods`` and ``world``.
 
     A RimDrive with a ``force`` in N pushes each of the first ``driven`` particles of the rim.
 
@@ -106,5 +109,5 @@ class Wheel:
             self.world.registry.add(particle, self.drive)
 
     def step(self, duration: float) -> None:
-        """Make one time step. ``duration`` is in s."""
+        """Move the wheel forward by one time step of ``duration`` s."""
         self.world.step(duration)

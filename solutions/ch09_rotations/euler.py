@@ -22,7 +22,11 @@ from ch09_rotations.quaternion import Quaternion
 
 
 def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
-    """Convert three Euler angles to an orientation, and return it as a unit quaternion."""
+    """Convert three Euler angles to a unit quaternion that describes the same orientation.
+
+    The angles are in radians. The object rotates by x about the world's X axis first, then by y
+    about Y, and then by z about Z.
+    """
     first = Quaternion.from_axis_angle(Vector3(1.0, 0.0, 0.0), x)
     second = Quaternion.from_axis_angle(Vector3(0.0, 1.0, 0.0), y)
     third = Quaternion.from_axis_angle(Vector3(0.0, 0.0, 1.0), z)
@@ -30,7 +34,7 @@ def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
 
 
 def rate_map(x: float, y: float, z: float) -> Matrix3:
-    """Return the matrix that maps the rates of the three angles to the angular velocity.
+    """Return the matrix that converts the rates of the three Euler angles to an angular velocity.
 
     The rates are the speeds in rad/s at which the three angles change, and the angular velocity is
     a vector in rad/s, in world axes. Each column of the matrix is the axis about which the object
@@ -49,10 +53,11 @@ def rate_map(x: float, y: float, z: float) -> Matrix3:
 
 
 def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
-    """Return the rates of the three angles in rad/s that produce ``angular_velocity``.
+    """Compute how fast the three Euler angles must change to produce ``angular_velocity``.
 
-    ``angular_velocity`` is in world axes. Near gimbal lock the rates become very large, and in
-    gimbal lock no rates can produce a rotation about the lost axis.
+    The result contains the rates of x, y and z in rad/s, and ``angular_velocity`` is in world axes.
+    Near gimbal lock the rates become very large, and in gimbal lock no rates can produce a rotation
+    about the lost axis.
 
     Raises:
         ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is

@@ -19,10 +19,11 @@ M = TypeVar("M", "Matrix3", "Matrix4")
 
 
 class Matrix4:
-    """A 3x4 matrix: a Matrix3 with a translation as the fourth column.
+    """A 3x4 matrix, which can rotate, scale and shear a point and then move it.
 
-    Pass its twelve numbers row by row. ``entries`` is the tuple of all twelve, and ``m[row,
-    column]`` reads one of them, with rows from 0 to 2 and columns from 0 to 3.
+    Its first three columns are a Matrix3, and the fourth column is the translation. Pass its twelve
+    numbers row by row. ``entries`` is the tuple of all twelve, and ``m[row, column]`` reads one of
+    them, with rows from 0 to 2 and columns from 0 to 3.
     """
 
     __slots__ = ("entries",)
@@ -41,11 +42,11 @@ class Matrix4:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether all numbers are exactly equal."""
+        """Test whether all numbers of two matrices are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and column."""
+        """Return the number in a row and a column, as in ``m[0, 3]``."""
         row, column = place
         if row not in range(3) or column not in range(4):
             raise IndexError(f"row must be from 0 to 2 and column from 0 to 3, got {place!r}")
@@ -56,15 +57,15 @@ class Matrix4:
     @overload
     def __matmul__(self, other: Matrix4) -> Matrix4: ...
     def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
-        """Return ``m.transform(other)`` for a vector, and ``m.product(other)`` for a matrix."""
+        """Let ``m @ v`` mean ``m.transform(v)``, and ``a @ b`` mean ``a.product(b)``."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Transform the point ``v``, including the translation, and return a new vector (9.4.2).
+        """Multiply the 3x3 part by the point ``v``, add the translation, and return a new vector.
 
-        You can also write ``m @ v``.
+        You can also write ``m @ v``. Book: section 9.4.2.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -75,18 +76,24 @@ class Matrix4:
         )
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return the matrix product ``self @ m``, which applies ``m`` first (9.4.2)."""
+        """Return ``self @ m``, which transforms a point by ``m`` first and then by ``self``.
+
+        The matrix product is a new matrix. Book: section 9.4.2.
+        """
         if not isinstance(m, Matrix4):
             raise TypeError(f"m must be a Matrix4, got {m!r}")
         linear = _linear(self).product(_linear(m))
         return _joined(linear, self.transform(_translation(m)))
 
     def determinant(self) -> float:
-        """Return the determinant of the 3x3 part. The book's listing has a wrong sign (E-28)."""
+        """Compute the factor by which the matrix changes volumes: the determinant of its 3x3 part.
+
+        It is negative for a reflection. The book's listing has a wrong sign (E-28).
+        """
         return _linear(self).determinant()
 
     def inverse(self) -> Matrix4:
-        """Return the inverse as a new matrix (9.4.3).
+        """Compute the matrix that undoes this one, as a new matrix.
 
         Its 3x3 part is the inverse of this matrix's 3x3 part. To get its translation, multiply the
         negative of this matrix's translation by that inverse. Do not copy the book's listings,
@@ -94,13 +101,15 @@ class Matrix4:
 
         Raises:
             ValueError: if ``Matrix3.inverse`` rejects the 3x3 part.
+
+        Book: section 9.4.3.
         """
         back = _linear(self).inverse()
         return _joined(back, -back.transform(_translation(self)))
 
     @staticmethod
     def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
-        """Return the matrix that converts coordinates of an object to world coordinates.
+        """Create the matrix that converts the coordinates of an object to world coordinates.
 
         ``q`` is the orientation of the object and ``p`` its position, so the matrix rotates by
         ``q`` and then adds ``p``.
@@ -113,11 +122,12 @@ class Matrix4:
         return _joined(Matrix3.from_quaternion(q), p)
 
     def transform_inverse(self, v: Vector3) -> Vector3:
-        """Return the point that ``transform`` maps to ``v``, as a new vector (9.4.5).
+        """Find the point that ``transform`` maps to ``v``, and return it as a new vector.
 
-        Subtract the translation, and then multiply by the transpose of the 3x3 part. This is faster
-        than a general inverse, but it is right only for a rotation, because only then is the
-        transpose the inverse.
+        It converts world coordinates back to the coordinates of an object. Subtract the
+        translation, and then multiply by the transpose of the 3x3 part. This is faster than a
+        general inverse, but it is right only for a rotation, because only then is the transpose the
+        inverse. Book: section 9.4.5.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -126,9 +136,10 @@ class Matrix4:
         return Vector3(a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
 
     def transform_direction(self, v: Vector3) -> Vector3:
-        """Return the direction ``v``, transformed without the translation, as a new vector (9.4.5).
+        """Multiply the direction ``v`` by the 3x3 part only, and return a new vector.
 
-        The translation moves points, but it does not change directions.
+        The translation moves points, but it does not change directions, such as a normal. Book:
+        section 9.4.5.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -137,9 +148,10 @@ class Matrix4:
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
     def transform_inverse_direction(self, v: Vector3) -> Vector3:
-        """Return the direction that ``transform_direction`` maps to ``v``, as a new vector (9.4.5).
+        """Find the direction that ``transform_direction`` maps to ``v``, as a new vector.
 
         Multiply ``v`` by the transpose of the 3x3 part, which for a rotation is also the inverse.
+        Book: section 9.4.5.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -149,7 +161,7 @@ class Matrix4:
 
 
 def change_basis(m: M, basis: M) -> M:
-    """Return ``m`` expressed in other axes: the product basis * m * basis^-1 (9.4.6).
+    """Convert the matrix ``m`` to other axes, and return the product basis * m * basis^-1.
 
     ``m`` works on coordinates in the old axes, and ``basis`` converts these coordinates to the new
     axes. The result does the same as ``m`` for coordinates in the new axes: it converts them to the
@@ -158,6 +170,8 @@ def change_basis(m: M, basis: M) -> M:
     Raises:
         ValueError: if ``basis`` has no inverse.
         TypeError: if the two are not matrices of the same size.
+
+    Book: section 9.4.6.
     """
     if not isinstance(m, (Matrix3, Matrix4)) or type(m) is not type(basis):
         raise TypeError(f"m and basis must be matrices of the same size, got {m!r} and {basis!r}")
@@ -176,7 +190,7 @@ def _translation(m: Matrix4) -> Vector3:
 
 
 def _joined(linear: Matrix3, translation: Vector3) -> Matrix4:
-    """Return a Matrix4 from its two parts."""
+    """Create a Matrix4 from its 3x3 part and its translation."""
     a, b, c, d, e, f, g, h, i = linear.entries
     x, y, z = translation
     return Matrix4(a, b, c, x, d, e, f, y, g, h, i, z)

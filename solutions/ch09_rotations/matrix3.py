@@ -46,11 +46,11 @@ class Matrix3:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether all numbers are exactly equal."""
+        """Test whether all numbers of two matrices are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and column."""
+        """Return the number in a row and a column, as in ``m[0, 2]``."""
         row, column = place
         if row not in range(3) or column not in range(3):
             raise IndexError(f"row and column must be from 0 to 2, got {place!r}")
@@ -61,13 +61,16 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Return ``m.transform(other)`` for a vector, and ``m.product(other)`` for a matrix."""
+        """Let ``m @ v`` mean ``m.transform(v)``, and ``a @ b`` mean ``a.product(b)``."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return the matrix times ``v`` as a new vector (9.4.2). You can also write ``m @ v``."""
+        """Multiply the matrix by the vector ``v``, and return the result as a new vector.
+
+        You can also write ``m @ v``. Book: section 9.4.2.
+        """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z
@@ -75,7 +78,10 @@ class Matrix3:
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return the matrix product ``self @ m``, which applies ``m`` first (9.4.2)."""
+        """Return ``self @ m``, which transforms a vector by ``m`` first and then by ``self``.
+
+        The matrix product is a new matrix. Book: section 9.4.2.
+        """
         if not isinstance(m, Matrix3):
             raise TypeError(f"m must be a Matrix3, got {m!r}")
         a, b, c, d, e, f, g, h, i = self.entries
@@ -87,25 +93,34 @@ class Matrix3:
         )
 
     def transpose(self) -> Matrix3:
-        """Return the matrix with rows and columns swapped (9.4.3).
+        """Swap the rows and columns of the matrix, and return the result as a new matrix.
 
-        The transpose of a rotation is its inverse.
+        The transpose of a rotation is its inverse. Book: section 9.4.3.
         """
         a, b, c, d, e, f, g, h, i = self.entries
         return Matrix3(a, d, g, b, e, h, c, f, i)
 
     def determinant(self) -> float:
-        """Return the factor by which volumes change. It is negative for a reflection (9.4.3)."""
+        """Compute the determinant, the factor by which the matrix changes volumes.
+
+        It is negative for a reflection. Book: section 9.4.3.
+        """
         first, second, third = _rows(self)
         return first.dot(second.cross(third))
 
     def inverse(self) -> Matrix3:
-        """Return the inverse as a new matrix (9.4.3).
+        """Compute the matrix that undoes this one, as a new matrix.
+
+        A matrix that is almost singular has an inverse too, but rounding errors make it useless. So
+        the limit ``SINGULAR`` is compared with a ratio that does not depend on the scale of the
+        matrix.
 
         Raises:
             ValueError: if an entry is not finite, or if the matrix is singular, which means that
                 |determinant| is at most ``SINGULAR`` (1e-13) times the product of the rows'
                 lengths. The message shows the determinant, and its ratio to that product.
+
+        Book: section 9.4.3.
         """
         rows = _rows(self)
         lengths = [row.magnitude() for row in rows]
@@ -121,7 +136,7 @@ class Matrix3:
         return Matrix3(*(number for row in zip(*scaled, strict=True) for number in row))
 
     def is_rotation(self) -> bool:
-        """Return whether the matrix is a pure rotation, without scaling, shear or reflection.
+        """Test whether the matrix only rotates, without scaling, shear or reflection.
 
         The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
         with itself must be 1, and its scalar product with each other row must be 0, both within
@@ -137,7 +152,7 @@ class Matrix3:
 
     @staticmethod
     def from_quaternion(q: Quaternion) -> Matrix3:
-        """Return the matrix that rotates vectors in the same way as the quaternion ``q``.
+        """Create the matrix that rotates vectors in the same way as the quaternion ``q``.
 
         The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
         transpose of this matrix, which rotates in the opposite direction (E-11).
@@ -157,7 +172,7 @@ class Matrix3:
         )
 
     def to_quaternion(self) -> Quaternion:
-        """Return the unit quaternion of this rotation. Both q and -q are accepted.
+        """Convert a rotation matrix to a unit quaternion. Both q and -q are accepted.
 
         The diagonal gives four sums, which are 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
         component that has the largest sum, which is at least 1, and compute the other components

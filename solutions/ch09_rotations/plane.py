@@ -16,7 +16,7 @@ Point = tuple[float, float]
 
 
 def wrap_angle(angle: float) -> float:
-    """Return the equivalent angle in the range -pi < angle <= pi (9.1.1).
+    """Convert an angle to the equivalent angle in the range -pi < angle <= pi (9.1.1).
 
     Angles that differ by a full turn point in the same direction, so wrap them before you compare
     them. The angles pi and -pi are the same direction too, and both give pi.
@@ -26,17 +26,17 @@ def wrap_angle(angle: float) -> float:
 
 
 def angle_to_vector(angle: float) -> Point:
-    """Return the unit vector (cos(angle), sin(angle)) in the direction of an angle (Eq. 9.1)."""
+    """Return the direction of an angle as the unit vector (cos(angle), sin(angle)) (Eq. 9.1)."""
     finite("angle", angle)
     return math.cos(angle), math.sin(angle)
 
 
 def rotate_point(point: Point, angle: float, origin: Point) -> Point:
-    """Return the world position of a point that is given relative to an object (Eq. 9.2).
+    """Convert a point from the coordinates of an object to world coordinates (Eq. 9.2).
 
-    ``angle`` is the object's orientation in the world, and ``origin`` is its position. Rotate
-    ``point`` first and then add ``origin``, because in the other order the position would rotate
-    too.
+    ``point`` is given relative to the object, for example the headlight of a car. ``angle`` is the
+    object's orientation in the world, and ``origin`` is its position. Rotate ``point`` first and
+    then add ``origin``, because in the other order the position would rotate too.
 
     >>> x, y = rotate_point((1.5, -0.75), 3 * math.pi / 8, (4, 3.85))  # a headlight of a car
     >>> round(x, 2), round(y, 2)
@@ -49,13 +49,15 @@ def rotate_point(point: Point, angle: float, origin: Point) -> Point:
 
 
 def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point:
-    """Return the mean of the positions, weighted by the masses (9.1.3).
+    """Compute the center of mass of several bodies: their mean position, weighted by their masses.
 
     ``masses`` are in kg. ``positions`` are in m, in the same order as the masses.
 
     Raises:
         ValueError: if there are no masses, if the numbers of masses and positions differ, if a mass
             is not positive, or if a number is not finite.
+
+    Book: section 9.1.3.
     """
     if not masses or len(masses) != len(positions):
         raise ValueError(

@@ -53,7 +53,7 @@ class Quaternion:
         yield self.k
 
     def __eq__(self, other: object) -> bool:
-        """Return whether all components are exactly equal.
+        """Test whether all components are exactly equal.
 
         The quaternions q and -q are therefore unequal, although they represent the same
         orientation.
@@ -67,22 +67,25 @@ class Quaternion:
         return Quaternion(self.r, self.i, self.j, self.k)
 
     def magnitude(self) -> float:
-        """Return the length, sqrt(r^2 + i^2 + j^2 + k^2), which is 1 for an orientation.
+        """Compute the length, sqrt(r^2 + i^2 + j^2 + k^2), which is 1 for an orientation.
 
         The result must also be correct for components as large as 1e200 and as small as 1e-200.
         """
         return math.hypot(self.r, self.i, self.j, self.k)
 
     def is_unit(self) -> bool:
-        """Return whether the length is within ``UNIT_TOLERANCE`` of 1. Return False for NaN."""
+        """Test whether the length is 1 to within ``UNIT_TOLERANCE``, as for every orientation.
+
+        If a component is NaN, the result is False.
+        """
         return abs(self.magnitude() - 1.0) <= UNIT_TOLERANCE
 
     def normalize(self) -> None:
-        """Divide all components by the length, in place (9.4.8).
+        """Scale the quaternion to length 1, in place, by dividing each component by the length.
 
         A zero quaternion cannot be divided by its length, so it becomes (1, 0, 0, 0), the
         reference. The result must also be correct for components as large as 1e200 and as small as
-        1e-200.
+        1e-200. Book: section 9.4.8.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -94,11 +97,17 @@ class Quaternion:
         self.k /= length
 
     def conjugate(self) -> Quaternion:
-        """Return the new quaternion (r, -i, -j, -k). For a unit quaternion, it is the inverse."""
+        """Return the new quaternion (r, -i, -j, -k).
+
+        For a unit quaternion it is the inverse, so it undoes the rotation.
+        """
         return Quaternion(self.r, -self.i, -self.j, -self.k)
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Return the new quaternion ``self * q``, which rotates by q first (9.4.9)."""
+        """Multiply two quaternions: the new quaternion ``self * q`` rotates by q first.
+
+        Book: section 9.4.9.
+        """
         if not isinstance(q, Quaternion):
             return NotImplemented
         return Quaternion(
@@ -110,13 +119,15 @@ class Quaternion:
 
     @staticmethod
     def from_axis_angle(axis: Vector3, angle: float) -> Quaternion:
-        """Return the rotation by ``angle`` in radians about ``axis`` (Eq. 9.4).
+        """Create the quaternion of a rotation by ``angle`` in radians about ``axis``.
 
         Only the direction of the axis matters, so the axis may have any length except 0. The result
         is a new unit quaternion.
 
         Raises:
             ValueError: if the axis is zero or a number is not finite.
+
+        Book: Eq. 9.4.
         """
         direction = finite_vector("axis", axis).normalized()
         if direction.squared_magnitude() == 0.0:
@@ -128,11 +139,12 @@ class Quaternion:
         )
 
     def to_axis_angle(self) -> tuple[Vector3, float]:
-        """Return the axis as a new unit vector, and the angle in radians, from 0 to pi.
+        """Convert the rotation to an axis, which is a new unit vector, and an angle from 0 to pi.
 
-        The quaternions q and -q are the same rotation, so they give the same result. For a
-        half-turn, the axis and its opposite are both accepted. For an angle of 0 every axis would
-        be right, so return X. The result must also be correct for angles as small as 1e-200.
+        The angle is in radians. The quaternions q and -q are the same rotation, so they give the
+        same result. For a half-turn, the axis and its opposite are both accepted. For an angle of 0
+        every axis would be right, so return X. The result must also be correct for angles as small
+        as 1e-200.
 
         Raises:
             ValueError: if the length is not 1 (``is_unit``).
@@ -147,10 +159,13 @@ class Quaternion:
         return (axis, angle) if angle > 0.0 else (Vector3(1.0, 0.0, 0.0), 0.0)
 
     def rotate(self, v: Vector3) -> Vector3:
-        """Rotate ``v`` and return the result, q (0, v) q*, as a new vector.
+        """Rotate the vector ``v`` by this quaternion, and return the result as a new vector.
 
-        Raises: ValueError: if the quaternion's length is not 1 (``is_unit``), because such a
-        quaternion would also scale ``v``.
+        The result is q (0, v) q*, where q* is the conjugate of this quaternion q.
+
+        Raises:
+            ValueError: if the quaternion's length is not 1 (``is_unit``), because such a quaternion
+                would also scale ``v``.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -180,7 +195,7 @@ class Quaternion:
             self.r, self.i, self.j, self.k = turned
 
     def add_scaled(self, vector: Vector3, scale: float) -> None:
-        """Add scale/2 times (0, vector) q to q, in place (Eq. 9.5).
+        """Rotate approximately, in place, by adding scale/2 times (0, vector) q to q (Eq. 9.5).
 
         If ``vector`` is an angular velocity and ``scale`` is a duration, this is the book's time
         step for an orientation. It is accurate only to first order, and it makes the quaternion

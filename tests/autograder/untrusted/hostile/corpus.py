@@ -1,6 +1,7 @@
 """The hostile submissions: what each one tries, what it honestly earns, and how it is handed in.
 
-Most are a file KIND/NAME.py, handed in as sums.py. Its docstring says what it tries, then
+Most are a file NAME.py in the folder of its kind or below it, handed in as sums.py. Its docstring
+says what it tries, then
 
     earns: the exercises that its code solves, of add, counter and total; or all, or nothing
     says: words that must stand in the messages of the checks it loses (may be left out)
@@ -149,7 +150,8 @@ def all_submissions() -> list[Submission]:
     import odd_zips  # noqa: F401 - adds its own
     from odd_files import ODD
 
-    files = (path for kind in ("controls", *KINDS) for path in sorted(HOSTILE.glob(f"{kind}/*.py")))
+    kinds = ("controls", *KINDS)
+    files = (path for kind in kinds for path in sorted((HOSTILE / kind).rglob("*.py")))
     return [*map(_from_source, files), *ODD]
 
 
@@ -164,7 +166,7 @@ def _from_source(path: Path) -> Submission:
         source = completed(path.read_text(encoding="utf-8"), earns)
         write(at / "ch90_sums/sums.py", with_places(source, world))
 
-    kind, name = path.parent.name, path.stem
+    kind, name = path.relative_to(HOSTILE).parts[0], path.stem
     says, student = words.get("says", ""), f"{kind}-{name}"
     return Submission(kind, name, tries, earns, says, student, build)
 

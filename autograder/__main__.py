@@ -106,7 +106,9 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 def run_watch(arguments: argparse.Namespace) -> int:
     """Rerun the checks of the student's current exercise each time the student saves a file."""
-    from autograder.student.watch import watch  # imported only here, so that check starts quickly
+    from autograder.student.watching.watch import (
+        watch,  # imported only here, so that check starts quickly
+    )
 
     engine = find_engine(arguments.engine)
     given, chapters = split_given(select_chapters(arguments.chapter), arguments.given)

@@ -23,6 +23,7 @@ STUDENT_TOOLS = {
     ),
     "autograder/checks": "*.py",
     "autograder/student": "*.py",
+    "autograder/student/watching": "*.py",
     "studies": (
         "__init__.py __main__.py drawing.py engine.py plot.py readings.py reason.py timing.py"
     ),

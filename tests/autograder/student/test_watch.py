@@ -13,7 +13,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from autograder.student import keys
+from autograder.student.watching import keys
 from small import RIGHT, make_students_root
 from terminal import KEYS, PATIENCE, Terminal, command, pty, save, small, termios
 

@@ -14,13 +14,13 @@ from watchfiles import watch as changes_in
 
 from autograder.checks.given import with_given
 from autograder.manifest import ROOT, Chapter
-from autograder.student import keys
 from autograder.student.memory import Memory
-from autograder.student.page import KEYS
-from autograder.student.progress import Progress
 from autograder.student.reset import question, reset
 from autograder.student.screen import print_chapter, print_report
-from autograder.student.session import TROUBLE, Session
+from autograder.student.watching import keys
+from autograder.student.watching.page import KEYS
+from autograder.student.watching.progress import Progress
+from autograder.student.watching.session import TROUBLE, Session
 from autograder.wrapping import plain_console
 
 TICK = 100  # milliseconds until we look again whether a key was pressed

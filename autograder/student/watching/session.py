@@ -13,13 +13,13 @@ from autograder.checks.runner import GraderError
 from autograder.commands import check_command
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result, result_of
-from autograder.student.edits import Edits
 from autograder.student.failure import failure_of
 from autograder.student.finish import end_of
 from autograder.student.memory import state_of
-from autograder.student.page import Page
-from autograder.student.progress import Progress, lacks_anything, lacks_physics
 from autograder.student.screen import STYLES, Report, inherited_notes
+from autograder.student.watching.edits import Edits
+from autograder.student.watching.page import Page
+from autograder.student.watching.progress import Progress, lacks_anything, lacks_physics
 from autograder.student.written import all_pass
 
 TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows it and goes on

@@ -1,0 +1,1 @@
+"""The command watch, which checks the code of a student after every save."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import textwrap
 import tomllib
 from collections.abc import Iterable, Sequence
@@ -93,7 +94,8 @@ def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence
 
 def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: Path) -> None:
     """Write a module of the reference with other bodies in some functions. Docstrings stay."""
-    lines, found = _lines_and_bodies(ROOT / "solutions" / chapter.name / file)
+    source, found = _lines_and_bodies(ROOT / "solutions" / chapter.name / file)
+    lines = [*source]
     for name in sorted(bodies, key=lambda name: found[name].start, reverse=True):  # from the end
         where, indent = found[name], "    " * (1 + name.removesuffix(".setter").count("."))
         lines[where.start : where.stop] = textwrap.indent(bodies[name].strip("\n"), indent).split(
@@ -117,7 +119,8 @@ def body_of(chapter: Chapter, wrong: Wrong) -> str:
     return body
 
 
-def _lines_and_bodies(file: Path) -> tuple[list[str], dict[str, slice]]:
+@functools.cache
+def _lines_and_bodies(file: Path) -> tuple[tuple[str, ...], dict[str, slice]]:
     """Return the lines of a module, and for each function the range of lines that is its body."""
     source = file.read_text(encoding="utf-8")
     found = {}
@@ -125,4 +128,4 @@ def _lines_and_bodies(file: Path) -> tuple[list[str], dict[str, slice]]:
         first = function.body[0]
         start = first.end_lineno if ast.get_docstring(function) else first.lineno - 1
         found[name] = slice(start, function.end_lineno)
-    return source.splitlines(), found
+    return tuple(source.splitlines()), found

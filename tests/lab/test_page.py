@@ -155,8 +155,7 @@ def test_the_keyboard_is_enough(page: Any, address: str) -> None:
     assert float(page.input_value("[name=stiffness]")) > 100.0
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("size", [PHONE, DESK], ids=["phone", "desk"])
+@pytest.mark.parametrize(("size", "scheme"), [(PHONE, "light"), (DESK, "dark")])
 def test_it_is_accessible_and_fits(
     browser: Any, address: str, scheme: str, size: dict[str, int]
 ) -> None:

@@ -28,7 +28,7 @@ from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_
 from autograder.wrapping import plain_console
 
 MARKER = ".unpacked.json"
-COUNTS = (".zip", ".py", ".md")  # we ignore files of all other types
+COUNTS = (".zip", ".py", ".md", ".csv")  # we ignore files of all other types
 # These limits are in bytes. A student's zip may have 5 MB. We unpack a larger one as well, so that
 # the grader can report that it is too large.
 LARGEST_FILE = 50_000_000
@@ -138,7 +138,8 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
     """Extract the students' files from the zip of a class into ``folder``.
 
-    Only zips, Python files and Markdown files are extracted. Return notes on rejected files.
+    Only zips and the types of files that students hand in are extracted. Return notes on rejected
+    files.
     """
     notes: list[str] = []
     sizes: Counter[str] = Counter()

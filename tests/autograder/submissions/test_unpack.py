@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from autograder.manifest import load_chapters
 from autograder.submissions import unpack
 from autograder.submissions.find import find_submissions
 from autograder.submissions.unpack import class_folder
@@ -66,6 +67,14 @@ def test_a_download_from_moodle_is_read(tmp_path: Path) -> None:
     text = "it is text that was typed into the platform"
     assert notes == [f"Di_15_assignsubmission_onlinetext was left out: {text}"]
     assert not [*tmp_path.rglob("film.mp4")], "what cannot count is not unpacked"
+
+
+def test_every_file_that_students_hand_in_is_unpacked(tmp_path: Path) -> None:
+    files = [f"{chapter.name}/{name}" for chapter in load_chapters() for name in chapter.handed_in]
+    zipped = class_zip(tmp_path, {f"ann/{file}": b"" for file in files})
+    folder = class_folder(zipped) / "ann"
+    there = [file.relative_to(folder).as_posix() for file in folder.rglob("*") if file.is_file()]
+    assert sorted(there) == sorted(files)
 
 
 def test_the_zips_in_a_folder_count_like_folders(tmp_path: Path) -> None:

@@ -199,7 +199,7 @@ def against_peers(
         if importlib.util.find_spec(peer) is None:
             console.print(
                 f"{peer} is not installed. To install it:\n"
-                f"  {shown_python()} -m pip install -r studies/benchmarks/peers.txt"
+                f"  {shown_python()} -m pip install -r studies/peers.txt"
             )
             continue
         theirs = statements[peer]

@@ -37,7 +37,7 @@ def test_every_exercise_has_three_wrong_submissions(chapter: Chapter) -> None:
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
 def test_a_survivor_is_a_line_of_the_reference_and_has_a_reason(chapter: Chapter) -> None:
-    path = ROOT / "tests" / chapter.name / "survivors.toml"
+    path = ROOT / "tests" / "strength" / "survivors" / f"{chapter.name}.toml"
     edits = {edit for exercise in chapter.exercises for edit in exercise.edit}
     seen = set()
     for survivor in tomllib.loads(path.read_text(encoding="utf-8"))["survivor"]:

@@ -1,7 +1,7 @@
 """Mutants of the reference: bodies with one operator or number changed, which checks should notice.
 
 Cosmic Ray makes the mutations. A mutant that survives is either as right as the reference, which
-the chapter's survivors.toml then explains, or a mistake that no check notices. Results are kept in
+survivors/ then explains, or a mistake that no check notices. Results are kept in
 build/strength/. A mutant runs again if the file of the check that killed it has changed. A mutant
 that survived runs again if any check of its chapter has changed.
 """
@@ -190,7 +190,7 @@ def _state(chapter: str, check: str) -> str:
 
 def read_survivors(chapter: Chapter) -> list[Survivor]:
     """Return the survivors that are known to do the same as the reference."""
-    path = ROOT / "tests" / chapter.name / "survivors.toml"
+    path = ROOT / "tests" / "strength" / "survivors" / f"{chapter.name}.toml"
     if not path.exists():
         return []
     found = tomllib.loads(path.read_text(encoding="utf-8"))

@@ -220,7 +220,7 @@ def test_a_peer_that_is_not_there_is_named(subject: Any, monkeypatch: pytest.Mon
     screen = io.StringIO()
     lines = subject.lines(Console(file=screen))
     assert [line.what for line in lines if "geometric mean" in line.what] == []
-    assert "-m pip install -r studies/benchmarks/peers.txt" in screen.getvalue()
+    assert "-m pip install -r studies/peers.txt" in screen.getvalue()
 
 
 @pytest.mark.parametrize("subject", [vectors, rotations])

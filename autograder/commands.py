@@ -10,9 +10,9 @@ import shutil
 import sys
 from pathlib import Path
 
-from autograder.clean import clean
 from autograder.make_venv import shown_python
 from autograder.manifest import ROOT
+from autograder.text.clean import clean
 
 # Each variable of make has such an option. Scenes, and the exercise of hint and reset, have none,
 # because they are positional arguments.

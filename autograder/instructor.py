@@ -135,7 +135,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 def run_handout(arguments: argparse.Namespace) -> int:
     """Build the folder that students receive for an assignment or for some chapters."""
     from autograder.course.handout import about
-    from autograder.handout import make_handout
+    from autograder.handouts.handout import make_handout
 
     work = work_of(arguments, handed_out=True)
     make_handout(work.chapters, work.given, arguments.out, about=about(work))
@@ -186,8 +186,8 @@ def run_stubs(arguments: argparse.Namespace) -> int:
     They are generated from our solutions and the manifests. With --check, only list the files that
     are out of date.
     """
-    from autograder.stubs import stale_stubs, write_stubs
-    from autograder.tables import write_tables
+    from autograder.handouts.stubs import stale_stubs, write_stubs
+    from autograder.handouts.tables import write_tables
 
     if arguments.check:
         stale = stale_stubs()

@@ -16,7 +16,7 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.manifest import ROOT
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 from studies.benchmarks.kept import FILE, keep
 from studies.reason import shown
 from studies.timing import Line, Measurement, measure

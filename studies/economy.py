@@ -17,7 +17,7 @@ from pathlib import Path
 from matplotlib import pyplot
 
 from autograder.manifest import ROOT
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 from studies.drawing import BLUE, GRAY
 from studies.reason import shown
 from studies.timing import Line, Measurement, measure, timer, versus

@@ -6,8 +6,8 @@ from dataclasses import asdict
 from typing import Any
 
 from autograder.answers import FILE, sections_of
+from autograder.handouts.stubs import make_stubs
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
-from autograder.stubs import make_stubs
 
 
 def course() -> dict[str, Any]:

@@ -18,7 +18,7 @@ import zipfile
 from pathlib import Path
 from sysconfig import get_path
 
-from autograder.handout import make_handout
+from autograder.handouts.handout import make_handout
 from autograder.manifest import ROOT, load_chapters
 from web.imports import imported_by
 from web.node import PACKAGES, WEB, run_node

@@ -12,7 +12,7 @@ import json
 import re
 from pathlib import Path
 
-from autograder.handout import CHARTS
+from autograder.handouts.handout import CHARTS
 from autograder.manifest import ROOT
 from lab.catalog import Entry, entries, load
 from lab.drawing.pen import Pen

@@ -18,9 +18,9 @@ from autograder.checks.events import Event, read_event
 from autograder.checks.judge import Ending, is_stopped, judge
 from autograder.checks.missing import while_imported
 from autograder.checks.verdict import Verdict, mark_blocked, needs_of, with_needs
-from autograder.clean import clean
 from autograder.manifest import ROOT, Chapter
 from autograder.message import Kind, Message
+from autograder.text.clean import clean
 
 HURRIED = 0.25  # once a function has hung twice, later checks get only this part of the time limit
 LONGEST_MESSAGE = 8000  # characters; a message contains returned values, and these may be huge

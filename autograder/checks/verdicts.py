@@ -31,7 +31,7 @@ from autograder.checks.gone import explain_gone
 from autograder.checks.in_process import InProcess, Send
 from autograder.message import NOTHING, Message
 from autograder.records import from_json
-from autograder.wrapping import few_lines
+from autograder.text.wrapping import few_lines
 
 if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker

@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from autograder.clean import clean_line
 from autograder.course.lines import Lines, Path
+from autograder.text.clean import clean_line
 
 MOST_SIMILAR = 3
 LARGEST = 1_000_000  # the largest number that we accept for points, percent and so on

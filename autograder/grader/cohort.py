@@ -39,7 +39,7 @@ from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
 from autograder.submissions.codes import key_path
 from autograder.submissions.find import Submission, find_submissions
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 
 
 @dataclass(frozen=True)

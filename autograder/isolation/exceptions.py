@@ -12,9 +12,9 @@ from typing import Any
 
 from autograder.checks.faults import Fault, StudentLeft
 from autograder.checks.nearest import MOST_SLOTS, Unknown
-from autograder.clean import clean
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError
 from autograder.message import Place
+from autograder.text.clean import clean
 
 FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 

@@ -15,11 +15,11 @@ from typing import Any, NoReturn
 from autograder.checks.explain import NOT_IMPLEMENTED
 from autograder.checks.faults import CheckEnded
 from autograder.checks.missing import MissingName
-from autograder.clean import clean
 from autograder.isolation.exceptions import exception_of, known_name, text_of_worker
 from autograder.isolation.patience import Patience
 from autograder.isolation.wire import BrokenProtocolError, Wire, pack, unpack
 from autograder.message import Kind, Message
+from autograder.text.clean import clean
 
 BROKEN = "the code broke the protocol between its process and the checks"
 

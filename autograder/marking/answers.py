@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from autograder.answers import FILE, Question, model_answer, questions_of
-from autograder.clean import clean
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.student.written import flowing
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
+from autograder.text.clean import clean
 
 LONGEST = 20_000  # the page shows at most this many characters of an answer
 

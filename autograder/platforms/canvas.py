@@ -8,10 +8,10 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from autograder.clean import clean_line
 from autograder.reports.gradebook import FORMULA, as_cell
 from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList, Member
+from autograder.text.clean import clean_line
 
 HEADER = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
 # If the title of a column contains one of these words, Canvas ignores the column.

@@ -9,7 +9,7 @@ from typing import Any
 import yaml  # type: ignore[import-untyped]
 
 from autograder.course.points import rescaled
-from autograder.handout import make_handout
+from autograder.handouts.handout import make_handout
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.scores import possible
 

@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from autograder.clean import clean
 from autograder.manifest import Chapter, Exercise
 from autograder.release.counts import Counts, count
 from autograder.similarity.code import Function, read_functions
 from autograder.similarity.compare import Passage
 from autograder.similarity.pages import pieces_of
+from autograder.text.clean import clean
 
 Texts = Mapping[str, str]  # the text of each module in a chapter, by file name
 OUTSIDE = ""  # stands for code outside of functions

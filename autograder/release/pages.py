@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from autograder.clean import clean
 from autograder.release.compare import Compared
 from autograder.reports.pages import render
 from autograder.reports.texts import replace_file
 from autograder.submissions.find import file_name
+from autograder.text.clean import clean
 
 TEMPLATES = Path(__file__).parent / "templates"
 

@@ -11,8 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from autograder.answers import FILE, sections_of
+from autograder.handouts.stubs import messages_of, stub_module
 from autograder.manifest import ROOT, Chapter
-from autograder.stubs import messages_of, stub_module
 
 
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:

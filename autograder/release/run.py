@@ -24,7 +24,7 @@ from autograder.reports.results import read_results
 from autograder.reports.texts import replace_file
 from autograder.submissions.find import Submission, find_submissions
 from autograder.submissions.stage import stage
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 
 RECORD = "released.txt"  # lists what was released, and shows that the folder is a release
 UNFINISHED = "This release was interrupted. Run the same command again.\n"

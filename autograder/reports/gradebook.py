@@ -11,11 +11,11 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from autograder.clean import clean_line
 from autograder.manifest import Chapter
 from autograder.reports.report import StudentReport
 from autograder.reports.texts import number, replace_file
 from autograder.scores import possible
+from autograder.text.clean import clean_line
 
 MISSING = "nothing handed in"
 UNMATCHED = "not on the roster"

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from autograder.clean import clean_line
 from autograder.records import to_json
 from autograder.reports.report import ExerciseReport, StudentReport, tiers
 from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
+from autograder.text.clean import clean_line
 
 OURS = "grader error, please retry: this is not the submission's fault and does not count as zero"
 

@@ -11,12 +11,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from autograder.clean import clean
 from autograder.manifest import Chapter, Exercise
 from autograder.reports.gradebook import as_cell
 from autograder.reports.report import ExerciseReport, StudentReport
 from autograder.scores import shown
 from autograder.submissions.csv_rows import read_csv
+from autograder.text.clean import clean
 
 HEADER = ["student", "exercise", "points", "comment"]
 # A spreadsheet would take such a comment for a formula, so we store it with an apostrophe in front.

@@ -10,8 +10,8 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from autograder.clean import clean
 from autograder.reports.texts import number
+from autograder.text.clean import clean
 
 SHARED = Path(__file__).parent / "templates"
 

@@ -6,9 +6,9 @@ from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-from autograder.clean import clean, clean_line
 from autograder.files import replace_bytes
 from autograder.scores import shown
+from autograder.text.clean import clean, clean_line
 
 T = TypeVar("T")
 

@@ -14,12 +14,12 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from autograder.clean import clean
 from autograder.manifest import Chapter
 from autograder.reports.pages import render
 from autograder.reports.texts import replace_file
 from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Shared
 from autograder.similarity.winnow import covered
+from autograder.text.clean import clean
 
 TEMPLATES = Path(__file__).parent / "templates"
 FEWEST_ROWS = 30  # the index lists this many pairs, or more if more of them stand out

@@ -11,7 +11,7 @@ from autograder.similarity.collect import collect, ground_of
 from autograder.similarity.compare import FEWEST, Work, compare
 from autograder.similarity.pages import write_pages
 from autograder.submissions.find import find_submissions
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 
 
 def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:

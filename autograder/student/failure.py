@@ -18,7 +18,7 @@ from autograder.manifest import Chapter, chapters_below, numbers_of
 from autograder.message import Kind, Row
 from autograder.scores import Result
 from autograder.student.places import next_place
-from autograder.wrapping import few_lines, print_rows, print_wrapped
+from autograder.text.wrapping import few_lines, print_rows, print_wrapped
 
 if TYPE_CHECKING:
     from rich.console import Console

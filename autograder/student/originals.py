@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from autograder.lock import read_lock, stub_hash
+from autograder.handouts.lock import read_lock, stub_hash
 from autograder.manifest import ROOT, Chapter
 
 

@@ -17,8 +17,8 @@ import libcst as cst
 from autograder.commands import command
 from autograder.definitions import bound_names, functions
 from autograder.files import replace_bytes
+from autograder.handouts.stubs import messages_of, pristine_stub, without_bodies
 from autograder.manifest import ROOT, Chapter, Exercise
-from autograder.stubs import messages_of, pristine_stub, without_bodies
 from autograder.student.put_back import put_back
 
 COPIES = ROOT / "build" / "reset"

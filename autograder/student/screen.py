@@ -21,7 +21,7 @@ from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
 from autograder.student.originals import changed_files
 from autograder.student.written import all_pass
-from autograder.wrapping import plain_console, print_wrapped
+from autograder.text.wrapping import plain_console, print_wrapped
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -8,8 +8,8 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
-from autograder.clean import visible
 from autograder.submissions.exports import Exported, read_export
+from autograder.text.clean import visible
 
 LONGEST_NAME = 100  # bytes without the suffix; file systems allow 255 in all
 SILENT = (

@@ -9,9 +9,9 @@ import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
 
-from autograder.clean import clean_line
 from autograder.reports.gradebook import FORMULA
 from autograder.submissions.csv_rows import Table, read_csv
+from autograder.text.clean import clean_line
 
 COLUMNS = ("id", "name", "email", "login")
 UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a student

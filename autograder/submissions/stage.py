@@ -11,8 +11,8 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
+from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter
-from autograder.stubs import KEPT
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, NotTakenError, cause, refuse_all, search_folder
 from autograder.submissions.zips import search_zip, search_zips_in

@@ -25,7 +25,7 @@ from autograder.reports.texts import replace_file
 from autograder.submissions.find import SILENT, printable
 from autograder.submissions.folders import NotTakenError
 from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_zip, read_entry
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 
 MARKER = ".unpacked.json"
 COUNTS = (".zip", ".py", ".md", ".csv")  # we ignore files of all other types

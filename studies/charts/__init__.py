@@ -24,7 +24,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from autograder.manifest import ROOT
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 from studies.reason import shown
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.manifest import ROOT
-from autograder.wrapping import plain_console, print_wrapped
+from autograder.text.wrapping import plain_console, print_wrapped
 
 if TYPE_CHECKING:
     from studies.accuracy.measure import Point

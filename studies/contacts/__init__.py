@@ -18,7 +18,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from autograder.manifest import ROOT
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 from studies.reason import shown
 
 QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest run of a solver

@@ -21,7 +21,7 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from autograder.manifest import ROOT
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 from studies.reason import shown
 
 if TYPE_CHECKING:

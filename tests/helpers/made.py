@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from autograder.lock import read_lock, stub_hash
+from autograder.handouts.lock import read_lock, stub_hash
+from autograder.handouts.stubs import complete_hashes
 from autograder.manifest import ROOT
-from autograder.stubs import complete_hashes
 
 
 @cache

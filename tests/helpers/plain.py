@@ -12,8 +12,8 @@ from pathlib import Path
 
 import libcst
 
+from autograder.handouts.stubs import with_bodies
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.stubs import with_bodies
 
 # Replaces arguments.py. Every function returns its argument without checking it.
 ARGUMENTS = """

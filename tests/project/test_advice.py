@@ -20,7 +20,7 @@ from autograder.checks.explain import explain_import
 from autograder.checks.faults import Fault
 from autograder.checks.verdict import Verdict
 from autograder.definitions import functions
-from autograder.handout import STUDENT_TOOLS
+from autograder.handouts.handout import STUDENT_TOOLS
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.message import Message, Place
 from autograder.student.places import next_place

@@ -12,8 +12,7 @@ from pathlib import Path
 import pytest
 
 from autograder.definitions import functions
-from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.stubs import (
+from autograder.handouts.stubs import (
     complete_hashes,
     make_stubs,
     read_lock,
@@ -22,7 +21,8 @@ from autograder.stubs import (
     stub_module,
     write_stubs,
 )
-from autograder.tables import with_table
+from autograder.handouts.tables import with_table
+from autograder.manifest import ROOT, Chapter, load_chapters
 from copies import copy_tree
 from made import made_stubs
 

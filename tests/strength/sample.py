@@ -12,7 +12,7 @@ from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.reports.report import StudentReport
 from autograder.submissions.find import Submission
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 
 STUDENTS = ("ada", "ben", "dina", "finn", "hana")
 WIDTH = 130  # characters of a line; some messages are longer

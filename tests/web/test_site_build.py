@@ -9,8 +9,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from autograder.handouts.stubs import make_stubs
 from autograder.manifest import ROOT
-from autograder.stubs import make_stubs
 from lab.drawing.pen import ARROWS, COLORS, Pen
 from web import __main__ as site
 from web import node

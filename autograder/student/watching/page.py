@@ -11,7 +11,7 @@ from rich.console import Console
 
 from autograder.message import Row, laid_out
 from autograder.student.failure import Failure, few_printed
-from autograder.wrapping import MOST_PRINTED, MOST_PRINTED_LINES, cut, wrapped, wrapped_rows
+from autograder.text.wrapping import MOST_PRINTED, MOST_PRINTED_LINES, cut, wrapped, wrapped_rows
 
 KEYS = "h next hint   l list   a check all   r reset   p plot   q quit"
 Line = tuple[str, str]  # a text and its style

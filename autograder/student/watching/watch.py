@@ -21,7 +21,7 @@ from autograder.student.watching import keys
 from autograder.student.watching.page import KEYS
 from autograder.student.watching.progress import Progress
 from autograder.student.watching.session import TROUBLE, Session
-from autograder.wrapping import plain_console
+from autograder.text.wrapping import plain_console
 
 TICK = 100  # milliseconds until we look again whether a key was pressed
 

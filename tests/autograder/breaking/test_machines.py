@@ -13,9 +13,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from autograder import handout
 from autograder.commands import sentence
 from autograder.files import is_new, replace_bytes, temporary_of
+from autograder.handouts import handout
 from autograder.manifest import ROOT, load_chapters
 from studies import __main__ as studies
 from studies.reason import reason

@@ -22,6 +22,7 @@ from autograder.course.model import Work
 from autograder.course.reading import read_course
 from autograder.grader.cohort import ClassOptions
 from autograder.grader.cohort import grade as grade_class
+from autograder.handouts.stubs import messages_of, without_bodies
 from autograder.instructor import run_handout
 from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, load_chapter, load_chapters
@@ -30,7 +31,6 @@ from autograder.platforms.grade_one import grade_one
 from autograder.platforms.gradescope import make_gradescope
 from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
-from autograder.stubs import messages_of, without_bodies
 from autograder.student.screen import Report, first_open, points_of
 from copies import copy_tree
 from small import RIGHT, hand_in, make_root

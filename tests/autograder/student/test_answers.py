@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from autograder.answers import PLACE, blank_answers, model_answer, questions_of, sections_of
-from autograder.handout import make_handout
+from autograder.handouts.handout import make_handout
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.student.written import open_questions
 

@@ -18,7 +18,7 @@ from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.grader.assignment import Assignment
 from autograder.grader.grading import grade_submission
-from autograder.handout import make_handout
+from autograder.handouts.handout import make_handout
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, select_chapters
 from autograder.message import Kind, Message

@@ -11,7 +11,7 @@ import pytest
 
 from autograder.manifest import ROOT
 from autograder.message import laid_out
-from autograder.wrapping import cut, few_lines, wrapped, wrapped_rows
+from autograder.text.wrapping import cut, few_lines, wrapped, wrapped_rows
 from small import RIGHT, make_students_root
 from terminal import HEIGHT, KEYS, WIDTH, Terminal, save
 

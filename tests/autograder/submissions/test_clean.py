@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from autograder.clean import clean, clean_line
+from autograder.text.clean import clean, clean_line
 
 WORDS = "Åsa B, O'Neill, 王, 🦊, [red], <b>, =1, \\x1b"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from autograder.handout import student_tools
+from autograder.handouts.handout import student_tools
 from autograder.manifest import ROOT
 
 MANIFEST = """

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from autograder.definitions import functions
-from autograder.handout import make_handout
+from autograder.handouts.handout import make_handout
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from copies import copy_tree
 from graded import points_of

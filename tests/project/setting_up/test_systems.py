@@ -18,7 +18,7 @@ import pytest
 from autograder import make_venv
 from autograder.checks.runner import Limits, run_checks
 from autograder.checks.verdict import Verdict
-from autograder.handout import make_handout, student_tools
+from autograder.handouts.handout import make_handout, student_tools
 from autograder.manifest import ROOT, load_chapters
 from copies import copy_tree
 from graded import points_of

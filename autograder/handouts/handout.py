@@ -10,20 +10,21 @@ from pathlib import Path
 
 from autograder.checks.arrange import shared_by_checks
 from autograder.course.handout import for_students, manifest_of
+from autograder.handouts.stubs import KEPT, make_stubs
+from autograder.handouts.tables import with_table
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter
-from autograder.stubs import KEPT, make_stubs
-from autograder.tables import with_table
 
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py clean.py commands.py definitions.py files.py "
-        "local_server.py lock.py make_venv.py manifest.py message.py records.py scores.py "
-        "stubs.py wrapping.py"
+        "__init__.py __main__.py answers.py commands.py definitions.py files.py local_server.py "
+        "make_venv.py manifest.py message.py records.py scores.py"
     ),
     "autograder/checks": "*.py",
+    "autograder/handouts": "__init__.py lock.py stubs.py",
     "autograder/student": "*.py",
     "autograder/student/watching": "*.py",
+    "autograder/text": "*.py",
     "studies": (
         "__init__.py __main__.py drawing.py engine.py plot.py readings.py reason.py timing.py"
     ),

@@ -21,7 +21,7 @@ from ruff import find_ruff_bin  # type: ignore[import-untyped]
 from autograder.answers import blank_answers
 from autograder.definitions import functions
 from autograder.files import replace_bytes
-from autograder.lock import LOCK_NAME, read_lock, stub_hash
+from autograder.handouts.lock import LOCK_NAME, read_lock, stub_hash
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 KEPT = "stubs"  # the folder of a hand-out with the original stubs

@@ -65,8 +65,8 @@ def test_the_axes_of_aiming(rng: Random) -> None:
         ),
     ):
         names = {QUARTER: "math.pi / 2", -QUARTER: "-math.pi / 2"}
-        angles = ", ".join(names.get(angle, "0.0") for angle in (azimuth, elevation))
-        about(f"aim({speed}, {angles})", cause=cause)
+        shown = [names.get(angle, "0.0") for angle in (azimuth, elevation)]
+        about(f"aim({speed}, azimuth={shown[0]}, elevation={shown[1]})", cause=cause)
         got = xyz(ballistics.aim(speed, azimuth, elevation))
         small = math.radians(QUARTER)
         degrees = (
@@ -125,7 +125,7 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
     about.read = "the docstring of aim"
     turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
     for a, e in ((azimuth, elevation), *turned):
-        about.call = f"aim({speed}, {a}, {e})"
+        about.call = f"aim({speed}, azimuth={a:.6g}, elevation={e:.6g})"
         got = xyz(ballistics.aim(speed, a, e))
         level = speed * math.cos(e)
         wanted = (level * math.sin(a), speed * math.sin(e), level * math.cos(a))
@@ -210,7 +210,7 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     names.append(names[0])
     calls = "; ".join(f'r.fire("{name}")' for name in names)
     about(
-        f"r = BallisticRange(); {calls}; r.shots",
+        f"r = BallisticRange(); {calls}",
         cause="Append each new shot to the end of self.shots, so that the shots stay in the order "
         "in which they were fired.",
     )
@@ -224,7 +224,7 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
         "every shot, and a new list of shots for every range."
     )
     at.shots[0].particle.velocity.x = 99.0
-    about.call = f"{about.call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
+    about.call += "; r.shots[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
     got = at.shots[3].particle.velocity.x
     expect_close(got, 0.0, tolerance=ROUNDED)
     about.call = f"{about.call}; len(BallisticRange().shots)"
@@ -294,7 +294,7 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
 def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     azimuth, elevation = round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(0.3, 1.2), 3)
     about.call = (
-        f'r = BallisticRange(); r.fire("artillery", {azimuth}, {elevation}); '
+        f'r = BallisticRange(); r.fire("artillery", azimuth={azimuth}, elevation={elevation}); '
         "r.shots[-1].particle.velocity"
     )
     about(
@@ -330,8 +330,8 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
 @pytest.mark.robust
 def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
     about.cause = (
-        "There is no such type of shot, or the angle is not finite. Check both before you add a "
-        "shot to the list, so that a rejected call changes nothing."
+        "Reject a name without a type, and an angle that is not finite. Check both before you add "
+        "a shot to the list, so that a rejected call changes nothing."
     )
     about.read = "the docstring of fire"
     at = BallisticRange()

@@ -24,7 +24,9 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     )
     about.read = BURST
     t = round(rng.uniform(1.0, 3.0), 3)
-    about.call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
+    about.call = (
+        f"burst_positions(start={start}, speeds={speeds}, acceleration={a}, damping=1.0, time={t})"
+    )
     got = closed_form.burst_positions(start, speeds, a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     mistakes = [
@@ -56,7 +58,10 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     damping = round(rng.uniform(0.2, 0.8), 3)
     k = -math.log(damping)
     gone = -math.expm1(-k * t) / k
-    about.call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
+    about.call = (
+        f"burst_positions(start={start}, speeds={speeds}, acceleration={a}, damping={damping}, "
+        f"time={t})"
+    )
     got = closed_form.burst_positions(start, speeds, a, damping, t)
     without = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     blame(
@@ -75,7 +80,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.9")
 def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
-    about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); the number of calls of drag_factors"
+    about.call = "burst_positions with 50 speeds; the number of calls of drag_factors"
     about.cause = (
         "You call drag_factors again for each spark, although the factors don't depend on its "
         "speed. Call drag_factors once, before the loop."
@@ -84,18 +89,24 @@ def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
     positions, calls = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
     expect_close(max(0, calls - 1), 0, then=" after the first")
     about.cause = "There are 50 speeds, so return a list of 50 positions."
-    name = "len(burst_positions(1, [2.0] * 50, -10, 0.5, 1))"
+    name = "burst_positions with 50 speeds; the number of positions that it returns"
     expect_close(len(positions), 50, call=name)
 
 
 @pytest.mark.exercise("B4.9")
 def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     start = number(rng)
-    about(f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)", read=BURST)
+    about(
+        f"burst_positions(start={start}, speeds=[3.0, -4.0], acceleration=-10.0, damping=0.5, "
+        "time=0.0)",
+        read=BURST,
+    )
     about.cause = "At time 0 no spark has moved yet. Return the start position for each of them."
     got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
     expect_close(got, [start, start])
-    about.call = f"len(burst_positions({start}, [], -10.0, 0.5, 1.0))"
+    about.call = (
+        f"len(burst_positions(start={start}, speeds=[], acceleration=-10.0, damping=0.5, time=1.0))"
+    )
     about.cause = "If there are no speeds, there are no sparks, so return an empty list."
     got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
     expect_close(got, 0)
@@ -114,7 +125,9 @@ def test_a_burst_starts_somewhere(bad: float) -> None:
     empty = (1.0, [], -10.0, 0.5, 1.0)
     for i, of in ((0, good), (2, good), (3, good), (4, good), (0, empty)):
         data = (*of[:i], bad, *of[i + 1 :])
-        about.call = f"burst_positions{data}"
+        names = ("start", "speeds", "acceleration", "damping", "time")
+        shown = ", ".join(f"{name}={n}" for name, n in zip(names, data, strict=True))
+        about.call = f"burst_positions({shown})"
         expect_error(
             lambda data=data: closed_form.burst_positions(*data),
             ValueError,

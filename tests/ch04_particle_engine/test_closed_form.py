@@ -23,7 +23,10 @@ def particle_of(
     x: Components, v: Components, a: Components, damping: float, mass: float = 1.0
 ) -> tuple[str, Any]:
     """Return the code that makes a particle, and the particle."""
-    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, damping={damping})"
+    words = (
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+        f"damping={damping})"
+    )
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), damping=damping, mass=mass)
     return words, p
 
@@ -46,7 +49,9 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         (1.5, round(rng.uniform(1.0, 3.0), 3)),  # the formula also holds for a damping above 1
         (0.9999, 3000.0),  # k t decides whether the drag is small, not k
     ):
-        about.call = f"drag_factors({damping}, {time}), which returns (kept, gone, fallen)"
+        about.call = (
+            f"drag_factors(damping={damping}, time={time}), which returns (kept, gone, fallen)"
+        )
         k = -math.log(damping)
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
@@ -121,7 +126,10 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
             "damping, and return the factors 1, 0 and 0.",
         ),
     ):
-        about(f"drag_factors({damping}, {t}), which returns (kept, gone, fallen)", cause=cause)
+        about(
+            f"drag_factors(damping={damping}, time={t:.6g}), which returns (kept, gone, fallen)",
+            cause=cause,
+        )
         got = closed_form.drag_factors(damping, t)
         expect_close(got, wanted)
 
@@ -137,7 +145,9 @@ def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> N
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):
         t = round(rng.uniform(most - 1.0, most), 3)
-        about.call = f"drag_factors({damping!r}, {t}), which returns (kept, gone, fallen)"
+        about.call = (
+            f"drag_factors(damping={damping!r}, time={t}), which returns (kept, gone, fallen)"
+        )
         got = closed_form.drag_factors(damping, t)
         # A series that is cut early or begins elsewhere may be wrong by up to 1e-9.
         wanted = by_series(damping, t)
@@ -154,11 +164,16 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
     )
     damping = round(rng.uniform(0.3, 0.9), 3)
     for t in (1.0 / 60.0, 1e-6):
-        about.call = f"drag_factors({damping}, {t}), which returns (kept, gone, fallen)"
+        about.call = (
+            f"drag_factors(damping={damping}, time={t:.6g}), which returns (kept, gone, fallen)"
+        )
         wanted = by_series(damping, t)
         got = closed_form.drag_factors(damping, t)
         expect_close(got, wanted, tolerance=1e-13)
-        name = f"fallen / t^2, where fallen is the third factor of drag_factors({damping}, {t})"
+        name = (
+            f"fallen / t^2, where fallen is the third factor of drag_factors(damping={damping}, "
+            f"time={t:.6g})"
+        )
         share = got[2] / (t * t)
         expect_close(share, wanted[2] / (t * t), call=name, tolerance=1e-8)
 
@@ -206,7 +221,7 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
     about.call = (
-        f"{words}; the state after {first} s, continued for another {second} s, compared with "
+        f"{words}; the state after {first} s, continued for another {second} s, which must equal "
         f"state_after(p, {first + second:.6g})"
     )
     about.cause = (
@@ -233,7 +248,8 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
         then = ("; the position", "; the velocity")[i]
         expect_close(got, wanted, then=then, tolerance=1e-11)
     about.call = (
-        f"{words}; state_after(p, {first}); the velocity, compared with the slope of the position"
+        f"{words}; state_after(p, {first}); the velocity, which must equal the slope of the "
+        "position"
     )
     about.cause = (
         "Your velocity is not the rate at which your position changes. Check that both formulas "
@@ -323,9 +339,9 @@ def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
     )
     about.read = f"{FACTORS}, and of state_after"
     for call, attempt in (
-        (f"drag_factors({bad}, 1)", lambda: closed_form.drag_factors(bad, 1.0)),
-        (f"drag_factors(0.5, {bad})", lambda: closed_form.drag_factors(0.5, bad)),
-        (f"drag_factors(1, {bad})", lambda: closed_form.drag_factors(1.0, bad)),
+        (f"drag_factors(damping={bad}, time=1)", lambda: closed_form.drag_factors(bad, 1.0)),
+        (f"drag_factors(damping=0.5, time={bad})", lambda: closed_form.drag_factors(0.5, bad)),
+        (f"drag_factors(damping=1, time={bad})", lambda: closed_form.drag_factors(1.0, bad)),
         (f"state_after(Particle(), {bad})", lambda: closed_form.state_after(Particle(), bad)),
         (
             f"state_after(Particle(mass=math.inf), {bad})",

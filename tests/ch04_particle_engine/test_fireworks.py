@@ -79,20 +79,19 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         f"with random = Random({seed})"
     )
     about.read = "the docstring of make_firework; book 4.2.1"
-    made = probes.lit(FIRST, seed, MANY)
+    call, made = about.call, probes.lit(FIRST, seed, MANY)
     columns = {}
     for i, axis in enumerate("XYZ"):
         about.cause = (
             "This component of the velocity is not spread evenly between its limits. Draw each "
             "component with random.uniform and the two limits of its own axis."
         )
-        columns[axis] = [firework[5 + i] for firework in made]
-        expect_even(
-            f"{about.call}; the {axis} components of the velocities", columns[axis], low[i], high[i]
-        )
+        columns[f"the {axis} components"] = drawn = [firework[5 + i] for firework in made]
+        expect_even(f"{call}; the {axis} components of the velocities", drawn, low[i], high[i])
     ages = [firework[1] for firework in made]
     if min(ages) < max(ages):  # another check tests whether ages are drawn at all
-        columns["the age"] = ages
+        columns["the ages"] = ages
+    about.call = call
     about.cause = (
         "Two of the random numbers depend on each other, probably because you use one draw for "
         "both. Draw the age and each component of the velocity separately."
@@ -131,8 +130,8 @@ def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
     seed, x, v, own = rng.randrange(10**6), components(rng), components(rng), components(rng)
     data: probes.RuleData = (3, 1.0, 1.0, own, own, 0.5, ())
     about.call = (
-        f"a rule with the velocity {own}; parent = Particle(Vector3{x}, Vector3{v}); "
-        "make_firework(rule, random, parent)"
+        f"a rule with the velocity {own}; parent = Particle(position=Vector3{x}, "
+        f"velocity=Vector3{v}); make_firework(rule, random, parent)"
     )
     about.read = "the docstring of make_firework; book 4.2.3"
     (firework,) = probes.lit(data, seed, 1, (x, v))

@@ -43,7 +43,10 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
     y, drawn = -round(rng.uniform(0.1, 0.9), 3), -round(rng.uniform(2.0, 9.0), 3)
     about.read = "the docstring of bounce"
     for vy in (drawn, -0.125):
-        about.call = f"p = Particle(Vector3({x}, {y}, 3), Vector3({vx}, {vy}, {vz})); bounce(p)"
+        about.call = (
+            f"p = Particle(position=Vector3({x}, {y}, 3), velocity=Vector3({vx}, {vy}, {vz})); "
+            "bounce(p)"
+        )
         p = Particle(Vector3(x, y, 3.0), Vector3(vx, vy, vz))
         grenade.bounce(p)
         mirrored = (
@@ -97,13 +100,15 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
         read="the docstring of bounce",
     )
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
-        about.call = f"p = Particle(Vector3(1, {y}, 3), Vector3{v}); bounce(p)"
+        about.call = f"p = Particle(position=Vector3(1, {y}, 3), velocity=Vector3{v}); bounce(p)"
         p = Particle(Vector3(1.0, y, 3.0), Vector3(*v))
         grenade.bounce(p)
         now = xyz(p.position)
         expect_unchanged("p.position", now, (1.0, y, 3.0))
         expect_unchanged("p.velocity", xyz(p.velocity), v)
-    about.call = f"p = Particle(Vector3(1, -1e-9, 3), Vector3{v}); bounce(p); p.position.y"
+    about.call = (
+        f"p = Particle(position=Vector3(1, -1e-9, 3), velocity=Vector3{v}); bounce(p); p.position.y"
+    )
     about.cause = (
         "This grenade is only 1e-9 m below the ground, but it must bounce too. Move every particle "
         "with y < 0 back to y = 0."
@@ -122,7 +127,7 @@ def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
     about.read = "the docstring of bounce"
     for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
         v = (number(rng), vy, number(rng))
-        about.call = f"p = Particle(Vector3(1, -0.5, 3), Vector3{v}); bounce(p)"
+        about.call = f"p = Particle(position=Vector3(1, -0.5, 3), velocity=Vector3{v}); bounce(p)"
         p = Particle(Vector3(1.0, -0.5, 3.0), Vector3(*v))
         grenade.bounce(p)
         got = xyz(p.position)
@@ -135,8 +140,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     x, v, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     a, damping = components(rng), round(rng.uniform(0.1, 0.8), 3)
     about.call = (
-        f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass!r}, damping={damping!r}); "
-        "pieces = fragments(p)"
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+        f"mass={mass!r}, damping={damping!r}); pieces = fragments(p)"
     )
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
@@ -176,7 +181,7 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
 def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about(
-        f"p = Particle(Vector3{x}, Vector3{v}); pieces = fragments(p)",
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}); pieces = fragments(p)",
         read="the docstring of fragments",
     )
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
@@ -211,7 +216,9 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
 @pytest.mark.exercise("4.1")
 def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
     x, v = components(rng), components(rng)
-    about.call = f"p = Particle(Vector3{x}, Vector3{v}, mass=6); pieces = fragments(p)"
+    about.call = (
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, mass=6); pieces = fragments(p)"
+    )
     about.cause = (
         "A fragment shares a vector with the grenade or with another fragment. Create a new "
         "particle with new vectors for each fragment."
@@ -332,8 +339,8 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
 def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> None:
     about.read = "the docstring of grenade_after"
     about.call = (
-        'shot = Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0, -8, 5))); shot.age = 4; '
-        "grenade_after(shot)"
+        'shot = Shot("grenade", Particle(position=Vector3(0, -0.5, 9), velocity=Vector3(0, -8, '
+        "5))); shot.age = 4; grenade_after(shot)"
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0.0, -8.0, 5.0)))
     shot.age = 4.0

@@ -15,7 +15,7 @@ from expect import about, blame, cause_of, expect_close, expect_error
 @pytest.mark.exercise("B4.1")
 def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     about(
-        "muzzle_energy(0.005, 500)",
+        "muzzle_energy(mass=0.005, speed=500)",
         cause="The kinetic energy of the bullet is m v^2 / 2. Check each factor of your formula "
         "against it.",
         read="book 4.1.1; errata.md",
@@ -35,11 +35,11 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     ]
     expect_close(got, 625.0, cause=cause_of(got, mistakes, about.cause))
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
-    about.call = f"muzzle_energy({mass}, {speed})"
+    about.call = f"muzzle_energy(mass={mass}, speed={speed})"
     got = scaling.muzzle_energy(mass, speed)
     expect_close(got, 0.5 * mass * speed * speed)
     about(
-        f"muzzle_energy({mass}, 0)",
+        f"muzzle_energy(mass={mass}, speed=0)",
         cause="A speed of 0 is valid, because a body can be at rest. Check the speed with "
         "not_negative from arguments.py, and return 0.",
     )
@@ -55,7 +55,7 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         (round(rng.uniform(2.0, 90.0), 3), 0.25),
     ):
         about.call = (
-            f"slowed_mass({mass}, {factor}); the energy of a shot with that mass at "
+            f"slowed_mass(mass={mass}, factor={factor}); the energy of a shot with that mass at "
             f"{500.0 / factor:.6g} m/s, in J"
         )
         about.cause = (
@@ -102,8 +102,8 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
         (0.0, 4.0),
     ):
         about.call = (
-            f"slowed_gravity({gravity}, {factor}); how far a shot with that gravity drops on its "
-            f"first 100 m at {500.0 / factor:.6g} m/s, in m"
+            f"slowed_gravity(gravity={gravity}, factor={factor}); how far a shot with that gravity "
+            f"drops on its first 100 m at {500.0 / factor:.6g} m/s, in m"
         )
         about.cause = (
             "You reject this gravity, but it may be negative or 0. Check it with finite from "

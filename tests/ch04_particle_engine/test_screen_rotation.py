@@ -21,7 +21,7 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
     about.read = ANGLE
     start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.85, 1.0), 3)
     for turning in (rate, -rate):
-        about.call = f"screen_angle({start}, {turning}, 2.5)"
+        about.call = f"screen_angle(start={start}, rate={turning}, time=2.5)"
         about.cause = (
             "The angle must be start + rate x time, reduced to the range from -pi to pi. With a "
             "negative rate it can become negative."
@@ -55,7 +55,7 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
     beyond = rng.uniform(0.3, 1.2), rng.uniform(3.5, 4.5)  # to either side of half a turn
     for angle in (way * (turns * 2.0 * math.pi + part) for way in (1.0, -1.0) for part in beyond):
         rate = round((angle - 0.5) / 20.0, 3)
-        about.call = f"screen_angle(0.5, {rate}, 20)"
+        about.call = f"screen_angle(start=0.5, rate={rate}, time=20)"
         about.cause = (
             "The angle must be from -pi to pi. Add or subtract full turns of 2 pi until it is."
         )
@@ -110,7 +110,7 @@ def test_angles_just_beyond_half_a_turn() -> None:
         (0.0, -1.0, 10.0, 2.0 * turn - 10.0),
         (0.5, 1.0, -0.25, 0.25),  # a negative time was before
     ):
-        about.call = f"screen_angle({start}, {rate}, {time})"
+        about.call = f"screen_angle(start={start}, rate={rate}, time={time})"
         got = screen_rotation.screen_angle(start, rate, time)
         expect_close(got, wanted, tolerance=1e-14)
 
@@ -140,7 +140,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
     ):
         shown = f"{turned:.6g}" if turned != math.pi / 2.0 else "math.pi / 2"
         about(
-            f"screen_corners(({x}, {y}), {size}, {shown}); x and y of each corner, in order",
+            f"screen_corners(center=({x}, {y}), size={size}, angle={shown}); x and y of each "
+            "corner, in order",
             cause=cause,
         )
         corners = screen_rotation.screen_corners((x, y), size, turned)

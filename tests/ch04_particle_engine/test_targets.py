@@ -22,8 +22,8 @@ ROUNDED = 1e-12  # some roundings of numbers up to 20, divided by at least 1
 def words(start: Components, end: Components) -> str:
     """Return the call for this box in words."""
     return (
-        f"a box with corners at (1, 2, 3) and (3, 6, 9); hit_fraction(Vector3{start}, "
-        f"Vector3{end}, box)"
+        f"a box with corners at (1, 2, 3) and (3, 6, 9); hit_fraction(start=Vector3{start}, "
+        f"end=Vector3{end}, block=box)"
     )
 
 
@@ -38,7 +38,7 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     z = round(rng.uniform(10.2, 11.4), 3)
     about.call = (
         f"a block with its center at (0, 1, {z}), which is 1 cm thick along Z; "
-        "hit_fraction(Vector3(0, 1, 10), Vector3(0.1, 1.1, 11.67), block)"
+        "hit_fraction(start=Vector3(0, 1, 10), end=Vector3(0.1, 1.1, 11.67), block=block)"
     )
     about.cause = (
         "The path of this shot starts in front of the block and ends behind it, so it hits the "
@@ -112,8 +112,8 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
         sizes, away = sizes[turn:] + sizes[:turn], away[turn:] + away[:turn]
         start = tuple(c + sign * a for c, a in zip(center, away, strict=True))
         about.call = (
-            f"block = TargetBlock(Vector3{center}, {sizes}, mass=10); hit_fraction(Vector3{start}, "
-            f"Vector3{center}, block)"
+            f"block = TargetBlock(Vector3{center}, {sizes}, mass=10); "
+            f"hit_fraction(start=Vector3{start}, end=Vector3{center}, block=block)"
         )
         block = TargetBlock(Vector3(*center), sizes, mass=10.0)
         got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)

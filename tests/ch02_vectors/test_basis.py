@@ -44,10 +44,11 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
     basis = basis_of(a, b)
     for i in range(3):
         for j in range(i, 3):
-            name = f"{about.call}; the scalar product of the results {i + 1} and {j + 1}"
+            other = "itself" if i == j else f"vector {j + 1}"
+            name = f"{about.call}; the scalar product of vector {i + 1} of the basis with {other}"
             about.cause = (
                 "The three vectors of the basis must be perpendicular to each other. Check vector "
-                "2 first, which you should compute as c x a."
+                "2 first: with c = a x b, it should be c x a."
             )
             if i == j:
                 about.cause = (
@@ -59,7 +60,7 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
                 (
                     along,
                     "Vector 2 of your basis is the normalized b, which is not perpendicular to a. "
-                    "Compute it as c x a instead.",
+                    "Compute it as c x a instead, with c = a x b.",
                 ),
                 (
                     1.0 - along**2,
@@ -86,14 +87,14 @@ def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Rando
         first, second, _ = basis_of(a, b)
         length = math.sqrt(dot(a, a))
         wanted = (a[0] / length, a[1] / length, a[2] / length)
-        expect_close(first, wanted, then="; the first vector", tolerance=1e-12)
+        expect_close(first, wanted, then="; vector 1 of the basis", tolerance=1e-12)
         about.cause = (
             "Vector 2 of your basis points away from b. Compute c = a x b first, and then vector 2 "
             "as c x a."
         )
         leans = dot(second, b) > 0.0
         expect_exactly(
-            leans, True, then="; is the scalar product of the second vector and b positive?"
+            leans, True, then="; is the scalar product of vector 2 of the basis with b positive?"
         )
 
 
@@ -111,7 +112,7 @@ def test_the_basis_is_right_handed(rng: Random) -> None:
     expect_close(
         third,
         wanted,
-        then="; the third vector, which must be the vector product of the other two",
+        then="; vector 3 of the basis, which must be the vector product of the other two",
         tolerance=1e-12,
     )
 
@@ -212,7 +213,10 @@ def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
         first, _, third = basis_of((x, y, z), b, about.cause)
         got = dot(first, third)
         expect_close(
-            got, 0.0, then="; the scalar product of the results 1 and 3", tolerance=tolerance
+            got,
+            0.0,
+            then="; the scalar product of vectors 1 and 3 of the basis",
+            tolerance=tolerance,
         )
 
 

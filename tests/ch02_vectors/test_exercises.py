@@ -175,8 +175,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = (
-        f"two unit vectors, v = Vector3{rounded(a)} and w = Vector3{rounded(b)} when rounded; "
-        "remove_projection(v, w)"
+        f"two unit vectors, a = Vector3{rounded(a)} and b = Vector3{rounded(b)} when rounded; "
+        "remove_projection(a, b)"
     )
     about.cause = (
         "You reject unit vectors whose lengths differ from 1 only by rounding. Instead of "
@@ -186,7 +186,7 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     c, d, angle = exercises.remove_projection(v, w)
     about.cause = (
         "Return three results: the number c = a . b, the vector d = b - c a, and the angle between "
-        "a and d in radians. Here a is v, and b is w."
+        "a and d in radians."
     )
     along = dot(a, b)
     name = f"{about.call}; the first result, c"
@@ -240,8 +240,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         "You change one of the caller's vectors. The operations add_scaled, -= and *= work in "
         "place, so write b - a * c, which creates a new vector."
     )
-    expect_unchanged("v", xyz(v), a, read="the docstring of remove_projection")
-    expect_unchanged("w", xyz(w), b, read="the docstring of remove_projection")
+    expect_unchanged("a", xyz(v), a, read="the docstring of remove_projection")
+    expect_unchanged("b", xyz(w), b, read="the docstring of remove_projection")
 
 
 def remove_projection_of_length(length: float) -> object:
@@ -304,9 +304,9 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
         "direction. Raise ValueError."
     )
     about.read = "the docstring of remove_projection"
-    for b, second in ((a, "v"), ((-a[0], -a[1], -a[2]), "-v")):
-        about.call = f"a unit vector, v = Vector3{rounded(a)} when rounded"
-        about.call += f"; remove_projection(v, {second})"
+    for b, second in ((a, "a"), ((-a[0], -a[1], -a[2]), "-a")):
+        about.call = f"a unit vector, a = Vector3{rounded(a)} when rounded"
+        about.call += f"; remove_projection(a, {second})"
         expect_error(
             lambda b=b: exercises.remove_projection(Vector3(*a), Vector3(*b)),
             ValueError,

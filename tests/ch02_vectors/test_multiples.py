@@ -37,8 +37,8 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
         about.call = f"v = Vector3{a}; v * {factor}"
         expect_close(xyz(v * factor), wanted)
         reads = (
-            "Your __mul__ changes v. Return a new vector and leave v unchanged, because only v *= "
-            "changes v."
+            "Your __mul__ changes v, but only v *= may do that. Return a new vector and leave v "
+            "unchanged."
         )
         expect_unchanged("v", xyz(v), a, cause=reads)
         about.call = f"v = Vector3{a}; {factor} * v"
@@ -86,8 +86,8 @@ def test_division_by_a_number(rng: Random) -> None:
     got = xyz(v / divisor)
     expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
     reads = (
-        "Your __truediv__ changes v. Return a new vector and leave v unchanged, because only v /= "
-        "changes v."
+        "Your __truediv__ changes v, but only v /= may do that. Return a new vector and leave v "
+        "unchanged."
     )
     expect_unchanged("v", xyz(v), a, cause=reads)
     about.call = f"{made}; {step}"

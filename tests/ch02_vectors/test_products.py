@@ -140,8 +140,8 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     blame(got, mistakes)
     expect_close(got, wanted)
     about.cause = (
-        "Your component_product changes a vector. Return a new vector and leave v and w unchanged, "
-        "because only component_product_update changes v."
+        "Your component_product changes v or w, but only component_product_update may change v. "
+        "Return a new vector and leave both unchanged."
     )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)

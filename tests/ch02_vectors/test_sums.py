@@ -37,8 +37,8 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     )
     expect_close(xyz(v + w), wanted)
     about.cause = (
-        "Your __add__ changes a vector. Return a new vector and leave v and w unchanged, because "
-        "only v += w changes v."
+        "Your __add__ changes v or w, but only v += w may change v. Return a new vector and leave "
+        "both unchanged."
     )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
@@ -70,8 +70,8 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-14)
     about.cause = (
-        "Your __sub__ changes a vector. Return a new vector and leave v and w unchanged, because "
-        "only v -= w changes v."
+        "Your __sub__ changes v or w, but only v -= w may change v. Return a new vector and leave "
+        "both unchanged."
     )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)

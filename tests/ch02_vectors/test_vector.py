@@ -73,7 +73,7 @@ def test_clear_leaves_zero(rng: Random) -> None:
         [
             (
                 a,
-                "v did not change. Set its three components to zero, because assigning to the name "
+                "v did not change. Set self.x, self.y and self.z to zero. Assigning to the name "
                 "self, as in self = Vector3(), doesn't change v.",
             )
         ],
@@ -112,8 +112,8 @@ def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
     about.read = "the docstring of Vector3.__neg__"
     expect_close(xyz(-v), scaled(a, -1.0))
     about.cause = (
-        "Your __neg__ changes v. Return a new vector and leave v unchanged, because only invert "
-        "changes v itself."
+        "Your __neg__ changes v, but only invert may do that. Return a new vector and leave v "
+        "unchanged."
     )
     expect_unchanged("v", xyz(v), a)
 
@@ -267,8 +267,8 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     blame(got, mistakes)
     expect_close(got, scaled(a, 1.0 / length))
     about.cause = (
-        "Your normalized changes v. It must return a new vector and leave v unchanged. Only "
-        "normalize changes v."
+        "Your normalized changes v, but only normalize may do that. Return a new vector and leave "
+        "v unchanged."
     )
     expect_unchanged("v", xyz(v), a)
     first = v.normalized()

@@ -56,8 +56,8 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
-                "You add the whole velocity, which is the distance of one second. Multiply it by "
-                "the duration h first.",
+                "You add the whole velocity, which is the displacement in one second. Multiply it "
+                "by the duration h first.",
             ),
             (x, "The position did not change. Call self.drift(duration) in integrate."),
         ]
@@ -333,7 +333,7 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
 @pytest.mark.exercise("B3.4")
 def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     x, v, h = components(rng), components(rng), draw_frame(rng)
-    about.call = f"p of a subclass of Particle that overrides kick; p.integrate({h}); "
+    about.call = f"a particle p whose class overrides kick; p.integrate({h}); "
     about.read = "the docstring of integrate"
     kicks = probes.kicks_of_a_step(x, v, h)
     about.cause = (

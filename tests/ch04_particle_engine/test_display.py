@@ -319,10 +319,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         ),
     ):
         about.cause = cause
-        about.call = (
-            f"fireworks of types {[type for type, *_ in lit]} burn, where 1 is a rocket and 2 a "
-            f"spark; {misses} misses so far; is_over(display)"
-        )
+        burning = " and ".join({1: "a rocket", 2: "a spark"}[type] for type, *_ in lit) or "none"
+        about.call = f"burning fireworks: {burning}; {misses} misses so far; is_over(display)"
         a_game = game(*lit)
         a_game.misses = misses
         expect_exactly(display.is_over(a_game), over)

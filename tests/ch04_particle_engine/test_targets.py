@@ -46,7 +46,7 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     )
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
-    expect_exactly(got is None, False, then=" is None", read=READ)
+    expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
     about.cause = (
         "Return the fraction of the path after which the shot reaches the near face of the block: "
@@ -77,7 +77,7 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     ):
         about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
         expect_close(got, wanted, read=READ)
 
 
@@ -94,7 +94,7 @@ def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     ):
         about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
         expect_close(got, wanted, read=READ)
 
 
@@ -117,7 +117,7 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
         )
         block = TargetBlock(Vector3(*center), sizes, mass=10.0)
         got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
-        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
         wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
         expect_close(got, wanted, read=READ, tolerance=ROUNDED)
 
@@ -150,7 +150,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
         "A path that starts inside the block hits it at once. Return 0 for it, and never a "
         "negative fraction."
     )
-    expect_exactly(answers[0] is None, False, then=" is None")
+    expect_exactly(answers[0] is None, False, then="; is the result None, for a miss?")
     expect_close(answers, (0.0, 0.0, 0.0), tolerance=0.0)
 
 
@@ -208,7 +208,7 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, missed, then=" is None", read=READ)
+        expect_exactly(got is None, missed, then="; is the result None, for a miss?", read=READ)
 
 
 @pytest.mark.exercise("4.3b")
@@ -228,7 +228,7 @@ def test_a_way_that_cuts_the_corner_misses() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, missed, then=" is None", read=READ)
+        expect_exactly(got is None, missed, then="; is the result None, for a miss?", read=READ)
 
 
 @pytest.mark.exercise("4.3b")
@@ -282,7 +282,7 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
         expect_close(got, wanted, read=READ, tolerance=0.0)
     about(
         words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0)),

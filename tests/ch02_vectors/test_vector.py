@@ -177,7 +177,7 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
 def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
     a, length = whole_length(rng)
     about.cause = (
-        "You square components whose squares are too large or too small for a float. Use "
+        "The square of 1e200 is too large for a float, and the square of 1e-200 is too small. Use "
         "math.hypot, which avoids both overflow and underflow."
     )
     about.read = "the docstring of Vector3.magnitude"

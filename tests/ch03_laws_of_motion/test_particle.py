@@ -56,7 +56,7 @@ def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
         "which is True or False, and not a number."
     )
     for mass in (1.0, 1e9, 0.001):
-        about.call = f"p = Particle(mass={mass}); p.has_finite_mass"
+        about.call = f"p.has_finite_mass of a particle p with a mass of {mass} kg"
         got = Particle(mass=mass).has_finite_mass
         expect_exactly(got, True)
 
@@ -252,8 +252,8 @@ def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
 )
 def test_text_is_no_number(name: str, good: float) -> None:
     about.cause = (
-        "A text is not a number. In the setter, pass the value to a function of arguments.py, "
-        "which raises the TypeError for you."
+        "A text is not a number. In the setter, pass the value to one of the functions in "
+        "arguments.py, which raise the TypeError for you."
     )
     about.read = f"the docstring of {name}"
     expect_refusal(name, "2", TypeError, good=good, read=about.read)

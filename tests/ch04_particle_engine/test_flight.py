@@ -268,8 +268,8 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
         expect_close(got, wanted, tolerance=2.0 * 50.0 * h)
         errors.append(got[0] - wanted[0])
     about.call = (
-        "the flight of an artillery shot with two step lengths; the error of the time of flight at "
-        "500 steps per second, divided by the error at 1000 steps per second"
+        'r = BallisticRange(); r.fire("artillery"); r.update(h) until the shot lands; the error of '
+        "the time of flight for h = 1/500 s, divided by the error for h = 1/1000 s"
     )
     about.cause = (
         "If the time steps are half as long, the error must be half as large. Check that each "

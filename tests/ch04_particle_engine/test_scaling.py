@@ -161,8 +161,8 @@ def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_gravity_are_finite(bad: float) -> None:
     about.cause = (
-        "The speed must be finite and not negative, and gravity must be finite. Pass the speed to "
-        "not_negative and gravity to finite, both from arguments.py."
+        "The speed must be finite and not negative, and gravity must be finite. Check them with "
+        "not_negative and finite from arguments.py."
     )
     about.read = "the docstrings in scaling.py"
     for call, attempt in (

@@ -9,7 +9,7 @@ import pytest
 
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
-from draw import Components, components, direction, dot
+from draw import Components, components, direction, dot, rounded
 from expect import (
     UNCHANGED,
     about,
@@ -49,16 +49,16 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
     long, b = two_at_an_angle(rng, rng.uniform(low, high))
     about.read = "book 2.1.7, Eq. 2.4"
     for a in (long, (0.01 * long[0], 0.01 * long[1], 0.01 * long[2])):
-        about.call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
+        about.call = f"scalar_product_and_angle(Vector3{rounded(a)}, Vector3{rounded(b)})"
         about.cause = (
-            "Return a pair: the scalar product a . b, followed by the word for the kind of angle."
+            "Return a pair: the scalar product a . b, and one of the words acute, right and obtuse."
         )
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
-        name = f"{about.call}, the first"
+        name = f"{about.call}; the first result, the scalar product"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
         divided = (
-            "The result is the cosine of the angle, because you divided by both lengths. Return "
-            "the scalar product itself."
+            "You return the cosine of the angle, because you divide by both lengths. Return the "
+            "scalar product itself."
         )
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
@@ -68,10 +68,10 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
         )
         if got == "right":
             about.cause = (
-                "Only a scalar product of exactly 0 means a right angle. This product is small, "
-                "but its sign still decides between acute and obtuse, so don't round it."
+                "You treat a small scalar product as 0, but only exactly 0 means a right angle. "
+                "This product is small, but its sign still decides, so don't round it."
             )
-        expect_exactly(got, word, then=", the second")
+        expect_exactly(got, word, then="; the second result, the kind of angle")
 
 
 @pytest.mark.exercise("2.2a")
@@ -80,13 +80,14 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     x, y = rng.choice((1.0, 2.0, 4.0, 8.0)), rng.choice((1.0, 2.0, 4.0, 8.0))
     about.call = f"scalar_product_and_angle(Vector3({x}, {y}, 0), Vector3({-y}, {x}, 3))"
     about.cause = (
-        "A scalar product of 0 means a right angle, because the cosine of a right angle is 0."
+        "The scalar product is exactly 0 here, so the angle is a right angle, whose cosine is 0. "
+        "Return the word right."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     a, b = Vector3(x, y, 0.0), Vector3(-y, x, 3.0)
     product, got = exercises.scalar_product_and_angle(a, b)
-    expect_close(product, 0.0, then=", the first")
-    expect_exactly(got, "right", then=", the second")
+    expect_close(product, 0.0, then="; the first result, the scalar product")
+    expect_exactly(got, "right", then="; the second result, the kind of angle")
 
 
 @pytest.mark.exercise("2.2a")
@@ -94,8 +95,8 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
 def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
     about.call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.cause = (
-        "This scalar product is NaN, which is neither positive nor negative, so it tells you "
-        "nothing about the angle. Raise ValueError."
+        "The scalar product is NaN here, so it has no sign and tells you nothing about the angle. "
+        "Raise ValueError."
     )
     about.read = "the docstring of scalar_product_and_angle"
     good = Vector3(1.0, 2.0, 3.0)
@@ -114,7 +115,7 @@ def test_the_angles_of_the_book() -> None:
     a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
     about.call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     about.cause = (
-        "Divide a . b by both lengths to get the cosine of the angle, and return math.acos of that "
+        "Divide a . b by both lengths to get the cosine of the angle. Return math.acos of this "
         "cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
@@ -122,27 +123,26 @@ def test_the_angles_of_the_book() -> None:
     mistakes = [
         (
             135.0,
-            "The angle is in degrees, but it should be in radians. math.acos already returns "
-            "radians, so leave its result as it is.",
+            "Your angle is in degrees, but it must be in radians. The function math.acos already "
+            "returns radians, so leave its result as it is.",
         ),
         (
             math.pi,
-            "You took the arccosine of a . b itself, but a . b is the cosine only if both vectors "
-            "have length 1. Divide it by both lengths first.",
+            "You pass a . b itself to math.acos, but it is the cosine only if both vectors have "
+            "length 1. Divide it by both lengths first.",
         ),
         (
             -math.sqrt(0.5),
-            "The result is the cosine of the angle. Pass it to math.acos to get the angle itself.",
+            "You return the cosine of the angle. Pass it to math.acos to get the angle itself.",
         ),
         (
             0.25 * math.pi,
-            "The scalar product is negative here, so the angle must be obtuse, but its sign was "
-            "lost on the way. Perhaps you took an absolute value somewhere.",
+            "You lose the sign of the scalar product, perhaps by taking an absolute value. It is "
+            "negative here, so the angle must be obtuse.",
         ),
         (
             -0.25 * math.pi,
-            "You passed the cosine to math.asin. The function that turns a cosine into an angle "
-            "is math.acos.",
+            "You pass the cosine to math.asin, which needs a sine. Pass it to math.acos instead.",
         ),
     ]
     blame(got, mistakes)
@@ -150,7 +150,7 @@ def test_the_angles_of_the_book() -> None:
     about.call = "angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     about.cause = (
         "Two angles between 0 and pi have the same sine, because sin t = sin(pi - t). Return both "
-        "of them as a pair, the smaller one first."
+        "as a pair, the smaller one first."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     angles = exercises.angles_by_vector_product(a, b)
@@ -158,27 +158,27 @@ def test_the_angles_of_the_book() -> None:
     mistakes = [
         (
             (0.0, math.pi),
-            "sqrt(1 - (a . b)^2) is the sine of the angle only if a and b are unit vectors. "
-            "Normalize both vectors first, or divide |a x b| by both lengths instead.",
+            "You use sqrt(1 - (a . b)^2) as the sine, which is right only if a and b are unit "
+            "vectors. Normalize both first, or divide |a x b| by both lengths.",
         ),
         (
             (0.5 * math.pi, 0.5 * math.pi),
-            "|a x b| was used as the sine of the angle, but it also contains the lengths of a and "
+            "You use |a x b| as the sine of the angle, but it also contains the lengths of a and "
             "b. Divide it by both lengths first.",
         ),
         (
             (45.0, 135.0),
-            "The angles are in degrees, but they should be in radians. math.asin already returns "
-            "radians, so leave its result as it is.",
+            "Your angles are in degrees, but they must be in radians. The function math.asin "
+            "already returns radians, so leave its result as it is.",
         ),
         (
             wanted[::-1],
-            "Both angles are right, but in the wrong order. Return the smaller one first.",
+            "You return the two angles in the wrong order. Return the smaller one first.",
         ),
         (
             wanted[0],
-            "You returned only one of the two possible angles. Since pi - t has the same sine as "
-            "t, return both as a pair.",
+            "You return only one of the two possible angles. Return t and pi - t as a pair, "
+            "because both have the same sine.",
         ),
     ]
     blame(angles, mistakes)
@@ -191,15 +191,15 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
     angle = rng.uniform(0.3, 1.4) if kind == "acute" else rng.uniform(1.7, 2.8)
     a, b = two_at_an_angle(rng, angle)
     v, w = Vector3(*a), Vector3(*b)
-    about.call = f"v, w = Vector3{a}, Vector3{b}; angle_by_scalar_product(v, w)"
+    about.call = f"v, w = Vector3{rounded(a)}, Vector3{rounded(b)}; angle_by_scalar_product(v, w)"
     about.cause = (
-        "Divide v . w by both lengths to get the cosine of the angle, and return math.acos of that "
+        "Divide v . w by both lengths to get the cosine of the angle. Return math.acos of this "
         "cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(v, w)
     other = (
-        "The result is pi minus the angle, so the sign of the scalar product was lost or flipped. "
+        "You return pi minus the angle, because you lose or flip the sign of the scalar product. "
         "Check where your code changes the sign of v . w."
     )
     blame(got, [(math.pi - angle, other)])
@@ -215,11 +215,10 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     angle = rng.uniform(0.3, 1.4) if kind == "acute" else rng.uniform(1.7, 2.8)
     a, b = two_at_an_angle(rng, angle)
     v, w = Vector3(*a), Vector3(*b)
-    about.call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
+    about.call = f"v, w = Vector3{rounded(a)}, Vector3{rounded(b)}; angles_by_vector_product(v, w)"
     about.cause = (
-        "The sine of the angle is |v x w| divided by both lengths. Compute its arcsine t, and "
-        "return t and pi - t in radians. Don't use sqrt(1 - (v . w)^2), which is the sine only for "
-        "unit vectors."
+        "The sine of the angle is |v x w| divided by both lengths. Compute t = math.asin of this "
+        "sine, and return t and pi - t in radians, the smaller one first."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)
@@ -234,7 +233,7 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
 def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None:
     # In many of the 40 pairs, rounding leaves a cosine or a sine slightly above 1.
     about.cause = (
-        "Rounding can push a cosine or a sine slightly above 1 or below -1, and then math.acos or "
+        "Rounding can make a cosine or a sine slightly larger than 1, and then math.acos or "
         "math.asin raises an error. Clamp the cosine and the sine to the range from -1 to 1 first."
     )
     about.read = "the hints of exercise 2.5"
@@ -265,8 +264,8 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
         return function(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0))
 
     about.cause = (
-        "A zero vector has no direction, so it makes no angle with another vector. Raise "
-        "ValueError."
+        "One of the vectors is zero, so it has no direction and no angle to the other vector. "
+        "Raise ValueError."
     )
     about.read = f"the docstring of {name}"
     for call, attempt in (
@@ -283,8 +282,8 @@ def test_nan_has_no_angle() -> None:
     lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
     about.call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.cause = (
-        "Your clamp may be hiding the NaN, because min(1.0, nan) is 1.0 while min(nan, 1.0) is "
-        "nan. Pass the number that you clamp as the first argument of min and max."
+        "Your clamp probably hides the NaN, because min(1.0, nan) is 1.0 but min(nan, 1.0) is nan. "
+        "Pass the number that you clamp as the first argument of min and max."
     )
     about.read = "the docstring of angle_by_scalar_product"
     got = exercises.angle_by_scalar_product(lost, good)
@@ -296,7 +295,7 @@ def test_nan_has_no_angle() -> None:
         len(angles),
         2,
         call=f"len({about.call})",
-        cause="If a component is NaN, the angle is unknown. Return a pair of two NaNs.",
+        cause="One component is NaN, so both angles are unknown. Return a pair of two NaNs.",
     )
     for angle in angles:
-        expect_nan(angle)
+        expect_nan(angle, then="; one of the two angles")

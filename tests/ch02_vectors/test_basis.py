@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
-from draw import Components, components, dot
+from draw import Components, components, dot, rounded
 from expect import (
     about,
     blame,
@@ -28,7 +28,7 @@ X_AXIS, Y_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 def basis_of(
     a: Components,
     b: Components,
-    cause: str = "A basis has three vectors. Return all three of them.",
+    cause: str = "Return a new orthonormal basis of exactly three vectors.",
 ) -> list[Components]:
     """Return the three vectors of the basis as plain numbers."""
     about(f"make_orthonormal_basis(Vector3{a}, Vector3{b})", cause=cause)
@@ -44,27 +44,28 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
     basis = basis_of(a, b)
     for i in range(3):
         for j in range(i, 3):
-            name = f"{about.call}; the scalar product of vectors {i + 1} and {j + 1}"
+            other = "itself" if i == j else f"vector {j + 1}"
+            name = f"{about.call}; the scalar product of vector {i + 1} of the basis with {other}"
             about.cause = (
-                "The three vectors of a basis must be perpendicular to each other. Check vector 2 "
-                "first, which should be c x a."
+                "The three vectors of the basis must be perpendicular to each other. Check vector "
+                "2 first: with c = a x b, it should be c x a."
             )
             if i == j:
                 about.cause = (
-                    f"Vector {i + 1} must have length 1. The check compares its squared length, "
-                    "which must then be 1 too. Make sure that you normalize this vector."
+                    f"Vector {i + 1} of your basis does not have length 1, so its scalar product "
+                    "with itself is not 1. Normalize it."
                 )
             along = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
             mistakes = [
                 (
                     along,
-                    "Vector 2 is the normalized b, which is usually not perpendicular to a. "
-                    "Compute it as c x a instead.",
+                    "Vector 2 of your basis is the normalized b, which is not perpendicular to a. "
+                    "Compute it as c x a instead, with c = a x b.",
                 ),
                 (
                     1.0 - along**2,
-                    "You didn't normalize a x b. Even if a and b are unit vectors, its length is "
-                    "only the sine of the angle between them, so divide it by its length.",
+                    "You don't normalize a x b. Even for unit vectors a and b, its length is only "
+                    "the sine of the angle between them, so divide it by its length.",
                 ),
             ]
             got = dot(basis[i], basis[j])
@@ -80,18 +81,21 @@ def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Rando
         a, b = components(rng), components(rng)
         about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
         about.cause = (
-            "Vector 1 must be the normalized a. Only b may be turned, to make vector 2 "
-            "perpendicular to a."
+            "Vector 1 of your basis is not the normalized a. Keep the direction of a, and rotate "
+            "only b to make it perpendicular to a."
         )
         first, second, _ = basis_of(a, b)
         length = math.sqrt(dot(a, a))
         wanted = (a[0] / length, a[1] / length, a[2] / length)
-        expect_close(first, wanted, then=", vector 1", tolerance=1e-12)
+        expect_close(first, wanted, then="; vector 1 of the basis", tolerance=1e-12)
         about.cause = (
-            "Vector 2 points away from b. Compute c = a x b first, and then vector 2 as c x a."
+            "Vector 2 of your basis points away from b. Compute c = a x b first, and then vector 2 "
+            "as c x a."
         )
         leans = dot(second, b) > 0.0
-        expect_exactly(leans, True, then="; (vector 2) . b > 0")
+        expect_exactly(
+            leans, True, then="; is the scalar product of vector 2 of the basis with b positive?"
+        )
 
 
 @pytest.mark.exercise("B2.10")
@@ -99,13 +103,18 @@ def test_the_basis_is_right_handed(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
     about.cause = (
-        "The basis is left-handed, because you swapped the factors of a vector product. Compute c "
-        "= a x b first, and then b = c x a."
+        "Your basis is left-handed, because you swap the factors of a vector product. Compute c = "
+        "a x b first, and then b = c x a."
     )
     about.read = "book 2.1.9"
     (ax, ay, az), (bx, by, bz), third = basis_of(a, b)
     wanted = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
-    expect_close(third, wanted, then=", vector 3", tolerance=1e-12)
+    expect_close(
+        third,
+        wanted,
+        then="; vector 3 of the basis, which must be the vector product of the other two",
+        tolerance=1e-12,
+    )
 
 
 @pytest.mark.exercise("B2.10")
@@ -114,8 +123,8 @@ def test_the_arguments_stay_as_they_were(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; make_orthonormal_basis(v, w)"
     about.cause = (
-        "One of the arguments was changed. normalize works in place, as the book's function does, "
-        "so use normalized, which returns a new vector."
+        "You change one of the arguments, because normalize works in place. Use normalized, which "
+        "returns a new vector."
     )
     about.read = "the docstring of make_orthonormal_basis"
     first, _, _ = make_orthonormal_basis(v, w)
@@ -131,15 +140,15 @@ def expect_same_basis(a: Components, b: Components, scale: float) -> None:
     """Expect the same basis from a longer a and a shorter b."""
     long = (a[0] * scale, a[1] * scale, a[2] * scale)
     short = (b[0] / scale, b[1] / scale, b[2] / scale)
-    about.call = f"make_orthonormal_basis(Vector3{long}, Vector3{short})"
+    about.call = f"make_orthonormal_basis(Vector3{rounded(long)}, Vector3{rounded(short)})"
     about.cause = (
-        "The lengths of a and b must not affect the basis. Normalize both vectors before you take "
+        "Your basis depends on the lengths of a and b. Normalize both vectors before you compute "
         "their vector product."
     )
     about.read = "the docstring of make_orthonormal_basis"
     wanted, got = basis_of(a, b), basis_of(long, short, about.cause)
     for i in range(3):
-        expect_close(got[i], wanted[i], then=f", vector {i + 1}", tolerance=1e-12)
+        expect_close(got[i], wanted[i], then=f"; vector {i + 1} of the basis", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B2.10")
@@ -169,8 +178,8 @@ def expect_refusal(a: Components, b: Components) -> None:
 @pytest.mark.robust
 def test_vectors_along_one_axis_are_refused() -> None:
     about.cause = (
-        "Parallel vectors, even those that point in opposite directions, don't span a plane and so "
-        "don't define a basis. Raise ValueError."
+        "These two vectors are parallel, so they don't define a plane and cannot give a basis. "
+        "Raise ValueError, even if they point in opposite directions."
     )
     for scale in (2.0, -3.0):
         expect_refusal(Y_AXIS, (0.0, scale, 0.0))
@@ -180,8 +189,8 @@ def test_vectors_along_one_axis_are_refused() -> None:
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = (
-        "These vectors are parallel, but rounding leaves a vector product of about 1e-16. Compare "
-        "its length with a small limit instead of 0."
+        "You accept parallel vectors, because rounding leaves a vector product of about 1e-16. "
+        "Compare its length with a small limit instead of 0."
     )
     # In nearly all of the 40 pairs, rounding leaves a vector product that is not exactly zero.
     for _ in range(40):
@@ -193,8 +202,8 @@ def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
 def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
     x, y, z = components(rng)
     about.cause = (
-        "These vectors are nearly parallel but not quite. The sine of the angle between them is "
-        "well above 1e-12, so return a basis."
+        "You reject vectors that are nearly parallel but not quite. The sine of the angle between "
+        "them is well above 1e-12, so return a basis."
     )
     about.read = "the docstring of make_orthonormal_basis"
     # Rounding errors of 1e-16 are divided by the angle, which is at least 1/30 of the change.
@@ -203,14 +212,19 @@ def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
         about.call = f"make_orthonormal_basis(Vector3{(x, y, z)}, Vector3{b})"
         first, _, third = basis_of((x, y, z), b, about.cause)
         got = dot(first, third)
-        expect_close(got, 0.0, then="; the scalar product of vectors 1 and 3", tolerance=tolerance)
+        expect_close(
+            got,
+            0.0,
+            then="; the scalar product of vectors 1 and 3 of the basis",
+            tolerance=tolerance,
+        )
 
 
 @pytest.mark.exercise("B2.10")
 @pytest.mark.robust
 def test_the_zero_vector_is_refused() -> None:
     about.cause = (
-        "A zero vector has no direction, so it cannot span a plane with another vector. Raise "
+        "One of the vectors is zero and has no direction, so it cannot give a basis. Raise "
         "ValueError."
     )
     expect_refusal((0.0, 0.0, 0.0), Y_AXIS)
@@ -222,8 +236,8 @@ def test_the_zero_vector_is_refused() -> None:
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_vectors_that_are_not_finite_are_refused(bad: float) -> None:
     about.cause = (
-        "A vector with an infinite component has no well-defined direction, so it cannot be part "
-        "of a basis. Raise ValueError."
+        "One of the vectors has an infinite component, so it has no direction and cannot give a "
+        "basis. Raise ValueError."
     )
     expect_refusal((bad, 0.0, 0.0), Y_AXIS)
     expect_refusal(X_AXIS, (0.0, bad, 0.0))

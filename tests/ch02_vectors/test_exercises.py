@@ -9,7 +9,7 @@ import pytest
 
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
-from draw import components, direction, dot, number
+from draw import components, direction, dot, number, rounded
 from expect import (
     about,
     blame,
@@ -31,13 +31,14 @@ ZERO = (0.0, 0.0, 0.0)
 def test_split_the_vector_of_the_book() -> None:
     about.call = "split(Vector3(2, -2, -2))"
     about.cause = (
-        "Return a pair: the length of v, and a new unit vector that points in the same direction."
+        "Return a pair: the length of v, and a new vector of length 1 that points in the same "
+        "direction."
     )
     about.read = "book 2.1"
     magnitude, unit = exercises.split(Vector3(2.0, -2.0, -2.0))
     if not is_plain(magnitude):
         about.cause = (
-            "Both results are right, but in the wrong order. Return the length first and the "
+            "You return the two results in the wrong order. Return the length first and the "
             "direction second."
         )
     blame(
@@ -45,28 +46,28 @@ def test_split_the_vector_of_the_book() -> None:
         [
             (
                 12.0,
-                "The first result is the squared length of v. Return the length itself, which is "
-                "v.magnitude().",
+                "You return the squared length of v as the first result. Return the length itself, "
+                "which is v.magnitude().",
             )
         ],
     )
     third = 1.0 / math.sqrt(3.0)
-    expect_close(magnitude, math.sqrt(12.0), then=", the first")
+    expect_close(magnitude, math.sqrt(12.0), then="; the first result, the length")
     wanted = (third, -third, -third)
     mistakes = [
         (
             (2.0, -2.0, -2.0),
-            "The second result is v itself. Divide v by its length to get its direction, which is "
-            "a vector of length 1.",
+            "You return v itself as the second result. Divide v by its length to get its "
+            "direction, which is a vector of length 1.",
         ),
         (
             (1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0),
-            "You divided v by its squared length. Divide it by its length instead, so that the "
-            "result is a unit vector.",
+            "You divide v by its squared length. Divide it by its length instead, so that the "
+            "result has length 1.",
         ),
     ]
     blame(xyz(unit), mistakes)
-    expect_close(xyz(unit), wanted, then=", the second")
+    expect_close(xyz(unit), wanted, then="; the second result, the direction")
 
 
 @pytest.mark.exercise("2.1")
@@ -75,17 +76,18 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; split(v)"
     about.cause = (
-        "Return a pair: the length of v, and a new unit vector that points in the same direction."
+        "Return a pair: the length of v, and a new vector of length 1 that points in the same "
+        "direction."
     )
     about.read = "book 2.1"
     magnitude, unit = exercises.split(v)
     length = math.sqrt(dot(a, a))
-    expect_close(magnitude, length, then=", the first")
+    expect_close(magnitude, length, then="; the first result, the length")
     wanted = (a[0] / length, a[1] / length, a[2] / length)
-    expect_close(xyz(unit), wanted, then=", the second")
+    expect_close(xyz(unit), wanted, then="; the second result, the direction")
     about.cause = (
-        "This call changed v, because normalize works in place. Use normalized, which returns a "
-        "new vector."
+        "You change v, because normalize works in place. Use normalized, which returns a new "
+        "vector."
     )
     expect_unchanged("v", xyz(v), a, read="the docstring of split")
 
@@ -94,13 +96,13 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
 def test_split_the_zero_vector() -> None:
     about.call = "split(Vector3(0, 0, 0))"
     about.cause = (
-        "The length of this vector is 0, so don't divide by it. Return the zero vector as the "
-        "direction."
+        "The length of this vector is 0, so don't divide by it. Return 0 and a new zero vector as "
+        "the direction."
     )
     about.read = "the docstring of split"
     magnitude, unit = exercises.split(Vector3(0.0, 0.0, 0.0))
-    expect_close(magnitude, 0.0, then=", the first")
-    expect_close(xyz(unit), ZERO, then=", the second")
+    expect_close(magnitude, 0.0, then="; the first result, the length")
+    expect_close(xyz(unit), ZERO, then="; the second result, the direction")
 
 
 # 2.4 The component that makes two vectors perpendicular
@@ -108,22 +110,22 @@ def test_split_the_zero_vector() -> None:
 
 @pytest.mark.exercise("2.4")
 def test_the_perpendicular_vector_of_the_book() -> None:
-    about.call = "make_perpendicular(Vector3(1, 2, 3), 7, -2)"
+    about.call = "make_perpendicular(Vector3(1, 2, 3), x=7, y=-2)"
     about(
-        cause="Two vectors are perpendicular if their scalar product is 0, so solve 1 * 7 + 2 * "
-        "(-2) + 3 z = 0 for z.",
+        cause="Two vectors are perpendicular if their scalar product is 0. Solve 1 * 7 + 2 * (-2) "
+        "+ 3 z = 0 for z.",
         read="book 2.1.7",
     )
     got = exercises.make_perpendicular(Vector3(1.0, 2.0, 3.0), 7.0, -2.0)
     mistakes = [
         (
             1.0,
-            "The sign of z is wrong. The x and y terms change sign when you move them to the "
+            "Your z has the wrong sign. The x and y terms change sign when you move them to the "
             "other side of the equation: 3 z = -(1 * 7 + 2 * (-2)).",
         ),
         (
             -3.0,
-            "The result is 3 z, so one last step is missing. Divide by a.z to get z.",
+            "You return 3 z instead of z. Divide it by a.z, which is 3 here.",
         ),
     ]
     blame(got, mistakes)
@@ -135,11 +137,11 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
     about(
         cause="Solve a.x x + a.y y + a.z z = 0 for z. This works for every a.z except 0, so don't "
-        "reject an a.z that is merely small.",
+        "reject a small a.z.",
         read="book 2.1.7",
     )
     for z in (az, -az, az * 1e-12, az * -1e-12):
-        about.call = f"make_perpendicular(Vector3{(ax, ay, z)}, {x}, {y})"
+        about.call = f"make_perpendicular(Vector3{(ax, ay, z)}, x={x}, y={y})"
         got = exercises.make_perpendicular(Vector3(ax, ay, z), x, y)
         # The rounding errors of two terms of up to 100, which may cancel, are divided by z.
         tolerance = 1e-12 / abs(z)
@@ -151,10 +153,10 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
 @pytest.mark.robust
 def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
     x, y, _ = components(rng)
-    about.call = f"make_perpendicular(Vector3({x}, {y}, 0), 1, 2)"
+    about.call = f"make_perpendicular(Vector3({x}, {y}, 0), x=1, y=2)"
     about.cause = (
-        "If a.z is 0, the scalar product is the same for every z, so the equation has no solution "
-        "for z. Raise ValueError."
+        "Here a.z is 0, so the scalar product is the same for every z and the equation has no "
+        "solution. Raise ValueError."
     )
     about.read = "the docstring of make_perpendicular"
     expect_error(
@@ -172,10 +174,13 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     # Their length is 1 within rounding, but not exactly.
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
-    about.call = f"v, w = Vector3{a}, Vector3{b}; remove_projection(v, w)"
+    about.call = (
+        f"two unit vectors, a = Vector3{rounded(a)} and b = Vector3{rounded(b)} when rounded; "
+        "remove_projection(a, b)"
+    )
     about.cause = (
-        "Both arguments are unit vectors to within rounding, so accept them. Instead of comparing "
-        "their lengths with 1 by ==, allow a tolerance of 1e-6."
+        "You reject unit vectors whose lengths differ from 1 only by rounding. Instead of "
+        "comparing their lengths with 1 by ==, allow a tolerance of 1e-6."
     )
     about.read = "book 2.1.7"
     c, d, angle = exercises.remove_projection(v, w)
@@ -184,54 +189,59 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         "a and d in radians."
     )
     along = dot(a, b)
-    name = f"{about.call}, the first"
+    name = f"{about.call}; the first result, c"
     expect_close(c, along, call=name, tolerance=1e-12)
     wanted = (b[0] - along * a[0], b[1] - along * a[1], b[2] - along * a[2])
-    name = f"{about.call}, the second"
+    name = f"{about.call}; the second result, d"
     mistakes = [
         (
             tuple(along * n for n in a),
-            "The result is c a, which is the projection itself. Subtract it from b to get the "
-            "part of b that is perpendicular to a.",
+            "You return c a, which is the projection itself. Subtract it from b to get the part of "
+            "b that is perpendicular to a.",
         ),
         (
             tuple(-n for n in wanted),
-            "The result is c a - b, so you subtracted the wrong way around. Return d = b - c a.",
+            "You return c a - b, which points in the opposite direction. Return d = b - c a.",
         ),
         (
             tuple(b[i] + along * a[i] for i in range(3)),
-            "The result is b + c a, so you added the projection to b. Subtract it instead: d = b "
-            "- c a.",
+            "You return b + c a, because you add the projection to b. Subtract it instead: d = b - "
+            "c a.",
         ),
         (
             tuple(a[i] - along * b[i] for i in range(3)),
-            "The result is a - c b, so a and b are swapped. Return d = b - c a.",
+            "You return a - c b, because you swap a and b. Return d = b - c a.",
         ),
     ]
     expect_close(
         xyz(d), wanted, call=name, cause=cause_of(xyz(d), mistakes, about.cause), tolerance=1e-12
     )
     # A sine gives a right angle only to the root of a rounding error: 5e-8 for 1e-15.
-    name = f"{about.call}, the third"
+    name = f"{about.call}; the third result, the angle"
     mistakes = [
-        (90.0, "The angle is in degrees, but it should be in radians."),
+        (
+            90.0,
+            "Your angle is in degrees, but it must be in radians. Leave the result of math.acos or "
+            "math.asin as it is.",
+        ),
         (
             math.acos(max(-1.0, min(along, 1.0))),
-            "The result is the angle between a and b. Return the angle between a and d instead.",
+            "You return the angle between a and b. Return the angle between a and d instead.",
         ),
     ]
     about.cause = cause_of(
         angle,
         mistakes,
-        "d is perpendicular to a, so the angle between them must be pi / 2.",
+        "The angle between a and d must be pi / 2, because d is perpendicular to a. Check how you "
+        "compute this angle.",
     )
     expect_close(angle, math.pi / 2.0, call=name, tolerance=1e-7)
     about.cause = (
-        "You changed one of the caller's vectors. add_scaled, -= and *= work in place, so write b "
-        "- a * c, which creates a new vector."
+        "You change one of the caller's vectors. The operations add_scaled, -= and *= work in "
+        "place, so write b - a * c, which creates a new vector."
     )
-    expect_unchanged("v", xyz(v), a, read="the docstring of remove_projection")
-    expect_unchanged("w", xyz(w), b, read="the docstring of remove_projection")
+    expect_unchanged("a", xyz(v), a, read="the docstring of remove_projection")
+    expect_unchanged("b", xyz(w), b, read="the docstring of remove_projection")
 
 
 def remove_projection_of_length(length: float) -> object:
@@ -243,16 +253,16 @@ def remove_projection_of_length(length: float) -> object:
 @pytest.mark.robust
 def test_what_is_not_a_unit_vector_is_refused() -> None:
     about.cause = (
-        "This length differs from 1 by only 5e-7, which is within the tolerance of 1e-6, so accept "
-        "it. Don't compare lengths with ==."
+        "You reject a vector whose length differs from 1 by only 5e-7, which is within the "
+        "tolerance of 1e-6. Accept it, and don't compare lengths with ==."
     )
     about.read = "the docstring of remove_projection"
     for length in (1.0 - 5e-7, 1.0 + 5e-7):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
     about.cause = (
-        "c a is the projection of b only if a is a unit vector. Check the lengths of both a and b "
-        "before you compute anything."
+        "You accept a vector whose length is not 1, but c a is the projection of b only for unit "
+        "vectors. Check the lengths of both a and b first."
     )
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
@@ -274,7 +284,7 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 def test_nan_is_not_a_unit_vector() -> None:
     about.call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
     about(
-        cause="If a component is NaN, so is the length, and the vector is not a unit vector. "
+        cause="One component is NaN, so the length is NaN too and the vector is not a unit vector. "
         "Raise ValueError.",
         read="the docstring of remove_projection",
     )
@@ -290,20 +300,21 @@ def test_nan_is_not_a_unit_vector() -> None:
 def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
     a = direction(rng)
     about.cause = (
-        "These vectors are parallel, so d is nothing but rounding error and its direction means "
-        "nothing. Raise ValueError."
+        "These vectors are parallel, so nothing is left of b except rounding errors, and d has no "
+        "direction. Raise ValueError."
     )
     about.read = "the docstring of remove_projection"
-    for b in (a, (-a[0], -a[1], -a[2])):
-        about.call = f"remove_projection(Vector3{a}, Vector3{b})"
+    for b, second in ((a, "a"), ((-a[0], -a[1], -a[2]), "-a")):
+        about.call = f"a unit vector, a = Vector3{rounded(a)} when rounded"
+        about.call += f"; remove_projection(a, {second})"
         expect_error(
             lambda b=b: exercises.remove_projection(Vector3(*a), Vector3(*b)),
             ValueError,
             allowed=lambda: remove_projection_of_length(1.0),
         )
     about.cause = (
-        "If d is shorter than 1e-6, treat a and b as parallel. Compare the length of d with 1e-6 "
-        "instead of 0."
+        "You accept vectors that count as parallel, because d is shorter than 1e-6. Compare the "
+        "length of d with 1e-6 instead of 0."
     )
     x = Vector3(1.0, 0.0, 0.0)
     # Both have length 1 to the last digit, and d is their Y component.
@@ -311,7 +322,7 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
     expect_error(
         lambda: exercises.remove_projection(x, short),
         ValueError,
-        call=f"remove_projection(Vector3(1, 0, 0), Vector3({short.x!r}, 5e-07, 0))",
+        call="remove_projection(Vector3(1, 0, 0), Vector3(0.9999999999999, 5e-07, 0))",
         allowed=lambda: exercises.remove_projection(x, enough),
     )
 
@@ -321,23 +332,22 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
 
 @pytest.mark.exercise("2.7")
 def test_ten_seconds_with_the_velocity_of_the_book() -> None:
-    about.call = "position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)"
+    about.call = "position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), duration=10)"
     about(
-        cause="At a constant velocity v, the position after a time t is p' = p + v t. Return it "
-        "as a new vector.",
+        cause="The position after a time t must be p' = p + v t. Return it as a new vector.",
         read="book 2.2, Eq. 2.7",
     )
     got = exercises.position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     mistakes = [
         (
             (4, 4, -2),
-            "You added the velocity as if one second had passed. Multiply it by the time t first.",
+            "You add the velocity as if one second had passed. Multiply it by the time t first.",
         ),
-        ((10, -10, 20), "The result is only v t, the displacement. Add it to the position p."),
+        ((10, -10, 20), "You return only v t, the displacement. Add it to the position p."),
         (
             (40, 40, -20),
-            "The result is (p + v) t, so you multiplied the position by the time as well. "
-            "Multiply only the velocity by t.",
+            "You return (p + v) t, because you multiply the position by the time as well. Multiply "
+            "only the velocity by t.",
         ),
     ]
     blame(xyz(got), mistakes)
@@ -348,10 +358,11 @@ def test_ten_seconds_with_the_velocity_of_the_book() -> None:
 def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     start, velocity, duration = components(rng), components(rng), rng.uniform(0.1, 20.0)
     p, v = Vector3(*start), Vector3(*velocity)
-    about.call = f"p, v = Vector3{start}, Vector3{velocity}; position_after(p, v, {duration})"
+    about.call = (
+        f"p, v = Vector3{start}, Vector3{velocity}; position_after(p, v, duration={duration:.6g})"
+    )
     about(
-        cause="At a constant velocity v, the position after a time t is p' = p + v t. Return it "
-        "as a new vector.",
+        cause="The position after a time t must be p' = p + v t. Return it as a new vector.",
         read="book 2.2, Eq. 2.7",
     )
     got = exercises.position_after(p, v, duration)
@@ -360,8 +371,8 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     expect_close(xyz(got), wanted, tolerance=1e-12)
     about.read = "the docstring of position_after"
     about.cause = (
-        "You changed one of the caller's vectors. add_scaled, += and *= work in place, so write p "
-        "+ v * t, which creates a new vector."
+        "You change one of the caller's vectors. The operations add_scaled, += and *= work in "
+        "place, so write p + v * t, which creates a new vector."
     )
     expect_unchanged("p", xyz(p), start)
     expect_unchanged("v", xyz(v), velocity)
@@ -371,10 +382,10 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -1.0, math.inf, math.nan])
 def test_a_duration_must_be_positive_and_finite(duration: float) -> None:
-    about.call = f"position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), {duration})"
+    about.call = f"position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), duration={duration})"
     about.cause = (
-        "A duration must be positive and finite, but your code accepted this one. Pass it to "
-        "checked_duration before you use it."
+        "You accept a duration that is not positive and finite. Pass it to checked_duration before "
+        "you use it."
     )
     about.read = "the docstring of position_after"
     expect_error(

@@ -28,7 +28,7 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = Vector3(*a)
     about.cause = (
-        "Multiply each component by the number, which may be an int or a float, and return the "
+        "Multiply each component by the number, which may be an int or a float. Return the "
         "products as a new vector."
     )
     about.read = "book 2.1.3"
@@ -36,7 +36,10 @@ def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
         wanted = scaled(a, factor)
         about.call = f"v = Vector3{a}; v * {factor}"
         expect_close(xyz(v * factor), wanted)
-        reads = f"v * {factor} must return a new vector and leave v unchanged. Only v *= changes v."
+        reads = (
+            "Your __mul__ changes v, but only v *= may do that. Return a new vector and leave v "
+            "unchanged."
+        )
         expect_unchanged("v", xyz(v), a, cause=reads)
         about.call = f"v = Vector3{a}; {factor} * v"
         expect_close(xyz(factor * v), wanted)
@@ -49,8 +52,8 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     made, step = f"v = Vector3{a}", f"v *= {scale}"
     about.call = f"{made}; {step}"
     about.cause = (
-        "Multiply each component of self by the number, and end the method with return self, "
-        "because Python assigns its result to v."
+        "Multiply each component of self by the number. End the method with return self, because "
+        "Python assigns its result to v."
     )
     about.read = "book 2.1.3, and the docstring of Vector3.__imul__"
     v *= scale
@@ -67,26 +70,29 @@ def test_division_by_a_number(rng: Random) -> None:
     mistakes = [
         (
             tuple(n // divisor for n in a),
-            "The operator // rounds down to a whole number. Use / instead.",
+            "You divide with the operator //, which rounds down to a whole number. Use / instead.",
         ),
         (
             scaled(a, divisor),
-            "You multiplied by the number. This operator must divide each component by it.",
+            "You multiply by the number. This operator must divide each component by it.",
         ),
     ]
     made, step = f"v = Vector3{a}", f"v /= {divisor}"
     about(
         f"{made}; v / {divisor}",
-        cause="Divide each component by the number, and return the quotients as a new vector.",
+        cause="Divide each component by the number. Return the quotients as a new vector.",
     )
     about.read = "the docstring of Vector3.__truediv__"
     got = xyz(v / divisor)
     expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
-    reads = f"v / {divisor} must return a new vector and leave v unchanged. Only v /= changes v."
+    reads = (
+        "Your __truediv__ changes v, but only v /= may do that. Return a new vector and leave v "
+        "unchanged."
+    )
     expect_unchanged("v", xyz(v), a, cause=reads)
     about.call = f"{made}; {step}"
     about.cause = (
-        "Divide each component of self by the number, and end the method with return self, because "
+        "Divide each component of self by the number. End the method with return self, because "
         "Python assigns its result to v."
     )
     about.read = "the docstring of Vector3.__itruediv__"
@@ -108,8 +114,8 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "Division by zero has no meaningful result. Python raises ZeroDivisionError for you, so "
-        "don't catch it."
+        "You return a result for a division by zero, which has none. Python raises "
+        "ZeroDivisionError for you, so don't catch or avoid it."
     )
     about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (
@@ -135,12 +141,10 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
         changed *= factor
         return changed
 
-    asked = (
-        "Check isinstance(..., Vector3) first, and raise TypeError if the other operand is a "
-        "vector."
-    )
+    asked = "Raise TypeError if the other operand is a Vector3."
     product = (
-        f"v * w could mean any of three different products, so * accepts only numbers. {asked}"
+        "You accept a vector as the factor, but two vectors have three different products, so * "
+        f"accepts only numbers. {asked}"
     )
     about.read = "the docstring of Vector3.__mul__"
     for call, attempt, allowed, cause in (
@@ -155,7 +159,8 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
             f"Vector3{a} / Vector3{b}",
             lambda: v / w,
             lambda: v / 2.0,
-            f"A vector cannot be divided by a vector. {asked}",
+            "You accept a vector as the divisor, but a vector cannot be divided by a vector. "
+            f"{asked}",
         ),
     ):
         about(call, cause=cause)

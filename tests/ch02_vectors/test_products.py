@@ -11,7 +11,7 @@ import pytest
 
 from ch02_vectors.probes import walk
 from ch02_vectors.vector import Vector3
-from draw import Components, components, dot, number
+from draw import Components, components, dot, number, rounded
 from expect import (
     LOST,
     UNCHANGED,
@@ -35,8 +35,8 @@ def expect_vectors_only(
     a, b = components(rng), components(rng)
     about.call = f"v = Vector3{a}; {expression}"
     about.cause = (
-        "The argument is not a vector, so raise TypeError. Check isinstance(v, Vector3) before you "
-        "use its components."
+        "The argument is a number and not a vector, so raise TypeError. Check isinstance(v, "
+        "Vector3) before you use its components."
     )
     about.read = "the docstring of the method"
     expect_error(
@@ -56,7 +56,8 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     wanted = (a[0] + b[0] * scale, a[1] + b[1] * scale, a[2] + b[2] * scale)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.add_scaled(w, {scale})"
     about(
-        cause="Multiply w by scale and add the product to v itself, but leave w unchanged.",
+        cause="v must become v + w times the number. Multiply w by the number and add the product "
+        "to v itself, but leave w unchanged.",
         read="book 2.1.4",
     )
     v.add_scaled(w, scale)
@@ -64,19 +65,19 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
         (a, LOST),
         (tuple(a[i] * scale + b[i] for i in range(3)), "Your code multiplies v by the number "
          "instead of w. Multiply w by it, and add the product to v."),
-        (tuple((a[i] + b[i]) * scale for i in range(3)), "You multiplied the whole sum by the "
+        (tuple((a[i] + b[i]) * scale for i in range(3)), "You multiply the whole sum v + w by the "
          "number. Multiply only w by it, and then add the product to v."),
-        (tuple(a[i] + b[i] for i in range(3)), "You added w as is, without the number. Multiply w "
-         "by the number first."),
-        (tuple(b[i] * scale for i in range(3)), "The result is only w times the number. Add that "
+        (tuple(a[i] + b[i] for i in range(3)), "You add w without the number. Multiply w by the "
+         "number first."),
+        (tuple(b[i] * scale for i in range(3)), "v is now only w times the number. Add this "
          "product to the components that v already has."),
     ]  # fmt: skip
     blame(xyz(v), mistakes)
     # The rounding errors of numbers up to 100.
-    expect_close(xyz(v), wanted, tolerance=1e-12)
+    expect_close(xyz(v), wanted, then="; v", tolerance=1e-12)
     about.cause = (
-        "You changed w, which belongs to the caller. w *= number works in place, so use w * "
-        "number, or multiply the components one by one."
+        "You change w, which belongs to the caller, probably with w *= number. Use w * number, or "
+        "multiply the components one by one."
     )
     expect_unchanged("w", xyz(w), b)
 
@@ -87,21 +88,21 @@ def test_add_scaled_with_itself(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.add_scaled(v, 2)"
     about.cause = (
-        "Here self and the argument are the same vector, v, so a change to one is also a change to "
-        "the other. Read every component of the argument before you change it."
+        "Here self and the argument are the same vector, v, so each change to self also changes "
+        "the argument. Read each component before you change it."
     )
     about.read = "the docstring of Vector3.add_scaled"
     v.add_scaled(v, 2.0)
-    expect_close(xyz(v), (3.0 * a[0], 3.0 * a[1], 3.0 * a[2]))
+    expect_close(xyz(v), (3.0 * a[0], 3.0 * a[1], 3.0 * a[2]), then="; v")
 
 
 @pytest.mark.exercise("B2.6")
 def test_add_scaled_frame_after_frame(rng: Random) -> None:
     start, velocity = components(rng), components(rng)
     wanted = tuple(p + 10.0 * v for p, v in zip(start, velocity, strict=True))
-    about.call = f"p, v = Vector3{start}, Vector3{velocity}; 600 times p.add_scaled(v, 1 / 60)"
+    about.call = f"p, v = Vector3{start}, Vector3{velocity}; p.add_scaled(v, 1 / 60) 600 times; p"
     about(
-        cause="Each call must add v times 1/60 s to the position: p' = p + v h.",
+        cause="After 600 calls, p must be p + 10 v. Each call must add v times 1/60 to p.",
         read="book 2.2, Eq. 2.7",
     )
     got = walk(start, velocity, 1.0 / 60.0, 600)
@@ -124,15 +125,12 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product(w)"
-    about.cause = (
-        "Multiply the matching components: x by x, y by y and z by z. Return the three products as "
-        "a new vector."
-    )
+    about.cause = "Multiply x by x, y by y and z by z. Return the three products as a new vector."
     about.read = "book 2.1.6"
     got = xyz(v.component_product(w))
     scalar = (
-        "The result is the scalar product, a single number. The component product is a vector, so "
-        "don't add up the three products."
+        "The result is the scalar product, a single number. Return the three products as a vector "
+        "instead of adding them up."
     )
     mistakes = [
         (dot(a, b), scalar),
@@ -142,8 +140,8 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     blame(got, mistakes)
     expect_close(got, wanted)
     about.cause = (
-        "component_product must return a new vector and leave v and w unchanged. Only "
-        "component_product_update changes v."
+        "Your component_product changes v or w, but only component_product_update may change v. "
+        "Return a new vector and leave both unchanged."
     )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
@@ -156,12 +154,13 @@ def test_the_component_product_in_place(rng: Random) -> None:
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product_update(w)"
     about(
-        cause="This method must change v itself, so store the three products in its components.",
+        cause="This method must change v itself. Store the three products of the matching "
+        "components in v.",
         read="book 2.1.6",
     )
     v.component_product_update(w)
     blame(xyz(v), [(a, LOST)])
-    expect_close(xyz(v), wanted)
+    expect_close(xyz(v), wanted, then="; v")
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 
 
@@ -172,12 +171,12 @@ def test_the_component_product_with_itself(rng: Random) -> None:
     wanted = (a[0] * a[0], a[1] * a[1], a[2] * a[2])
     about.call = f"v = Vector3{a}; v.component_product_update(v)"
     about.cause = (
-        "Here self and the argument are the same vector, v, so a change to one is also a change to "
-        "the other. Read each component before you change it."
+        "Here self and the argument are the same vector, v, so each change to self also changes "
+        "the argument. Read each component before you change it."
     )
     about.read = "book 2.1.6"
     v.component_product_update(v)
-    expect_close(xyz(v), wanted)
+    expect_close(xyz(v), wanted, then="; v")
 
 
 @pytest.mark.exercise("B2.7")
@@ -201,7 +200,7 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
     about(
-        cause="The scalar product is a single number. Multiply the matching components and add up "
+        cause="The scalar product is a single number. Multiply the matching components, and add up "
         "the three products."
     )
     about.read = "book 2.1.7, Eq. 2.4"
@@ -209,12 +208,12 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     got = v.dot(w)
     mistakes = [
         (wanted / (math.hypot(*a) * math.hypot(*b)), "The result is the cosine of the angle, "
-         "because you divided by both lengths. The scalar product is |v| |w| cos t, so leave the "
-         "lengths in."),
-        (a[0] * b[0] + a[1] * b[1], "The product of the z components is missing from the sum. Add "
+         "because you divide by both lengths. Return the sum of the three products without "
+         "dividing it."),
+        (a[0] * b[0] + a[1] * b[1], "The product of the z components is missing from your sum. Add "
          "v.z * w.z."),
-        (math.hypot(*a) * math.hypot(*b), "The result is |v| |w|, so the cosine of the angle is "
-         "missing. Multiply the matching components and add up the products instead."),
+        (math.hypot(*a) * math.hypot(*b), "The result is |v| |w|, the product of the lengths. "
+         "Multiply the matching components instead, and add up the three products."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
@@ -228,8 +227,8 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v @ w"
     about(
-        cause="The operator @ is another way to write the scalar product, so v @ w must equal "
-        "v.dot(w). In __matmul__, return self.dot(v).",
+        cause="The operator @ must return the scalar product, so that v @ w equals v.dot(w). In "
+        "__matmul__, return self.dot(v).",
         read="book 2.1.7, Eq. 2.4",
     )
     got = Vector3(*a) @ Vector3(*b)
@@ -242,10 +241,10 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
     a = (0.0, first, 0.0)
     b = (second * math.sin(angle), second * math.cos(angle), 0.0)
     wanted = first * second * math.cos(angle)
-    about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
+    about.call = f"v, w = Vector3{rounded(a)}, Vector3{rounded(b)}; v.dot(w)"
     about.cause = (
-        "The angle between v and w is obtuse, so the scalar product is negative, if only slightly. "
-        "Don't round it to 0."
+        "The angle between v and w is obtuse, so the scalar product must be negative. Don't round "
+        "it, and don't take an absolute value."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = Vector3(*a).dot(Vector3(*b))
@@ -258,14 +257,15 @@ def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
     w = Vector3(1.0, 1.0, 1.0)
     about(
         "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="If any component is NaN, the scalar product must be NaN too. Check your code for "
+        cause="One component is NaN, so the scalar product must be NaN too. Check your code for "
         "max, min and comparisons, because each of them can hide a NaN.",
     )
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))
     about(
         "Vector3(inf, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="The products are 1 * inf, 1 and 1, so their sum must be infinity.",
+        cause="The three products are infinity, 1 and 1, so their sum must be infinity. Don't "
+        "limit or round it.",
     )
     got = Vector3(math.inf, 1.0, 1.0).dot(w)
     expect_exactly(got, math.inf)
@@ -290,8 +290,8 @@ def vector_product(a: Components, b: Components) -> Components:
 def test_x_cross_y_is_z_and_so_on_round() -> None:
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     about(
-        cause="With right-handed axes, X x Y = Z, Y x Z = X and Z x X = Y. Check the order of the "
-        "terms in each component."
+        cause="The vector product of two axes must be the third axis: X x Y = Z, Y x Z = X and Z x "
+        "X = Y. Check the order of the terms in each component."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     products = []
@@ -304,13 +304,13 @@ def test_x_cross_y_is_z_and_so_on_round() -> None:
         about.call = call
         if all(turned):
             about.cause = (
-                "All three signs are flipped. The result is b x a, which is -(a x b), so swap the "
-                "two terms in every component."
+                "All three components of your vector product have the wrong sign. The result is b "
+                "x a instead of a x b, so swap the two terms in every component."
             )
         elif turned[i]:
             about.cause = (
-                f"The sign of the {'zxy'[i]} component is flipped. Swap the two terms of "
-                f"{'zxy'[i]}."
+                f"The {'zxy'[i]} component of your vector product has the wrong sign. Swap the two "
+                f"terms of {'zxy'[i]}."
             )
         expect_close(got, wanted)
 
@@ -321,8 +321,8 @@ def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
     about.cause = (
-        "Return a new vector. Its x component uses only y and z, its y component uses only z and "
-        "x, and its z component uses only x and y."
+        "Check which components you multiply. The x component of the result uses only y and z, its "
+        "y component only z and x, and its z component only x and y."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     wanted = vector_product(a, b)
@@ -340,7 +340,8 @@ def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
     wanted = (0.0, first * second * math.sin(angle), 0.0)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
     about.cause = (
-        "The y component must be v.z * w.x - v.x * w.z. Check that its two terms are in this order."
+        "Your y component is wrong. It must be v.z * w.x - v.x * w.z, with its two terms in this "
+        "order."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     got = Vector3(*a).cross(Vector3(*b))
@@ -352,7 +353,10 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross_update(w)"
-    about.cause = "After this call, v must hold v x w, the same result that cross returns."
+    about.cause = (
+        "v must become v x w, the same vector that v.cross(w) returns. Store its three components "
+        "in v."
+    )
     about.read = "the docstring of Vector3.cross_update"
     v.cross_update(w)
     wanted = vector_product(a, b)
@@ -360,12 +364,11 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     y = a[2] * b[0] - x * b[2]
     mistakes = [
         (a, LOST),
-        ((x, y, x * b[1] - y * b[0]), "y was computed from the new x, which you had already "
-        "stored. Compute all three components before you store any "
-        "of them."),
+        ((x, y, x * b[1] - y * b[0]), "Your y component is computed from the new x, which you have "
+         "already stored. Compute all three components before you store any of them."),
     ]  # fmt: skip
     blame(xyz(v), mistakes)
-    expect_close(xyz(v), wanted, tolerance=1e-12)
+    expect_close(xyz(v), wanted, then="; v", tolerance=1e-12)
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
 
 
@@ -375,13 +378,12 @@ def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.cross_update(v)"
     about.cause = (
-        "The vector product of a vector with itself is zero. Since v is both factors here, "
-        "overwriting one of its components changes both. Read all the components before you change "
-        "any of them."
+        "The vector product of v with itself must be zero. Here v is both factors, so each change "
+        "to v changes both of them. Compute all three components before you store any."
     )
     about.read = "book 2.1.8"
     v.cross_update(v)
-    expect_close(xyz(v), (0.0, 0.0, 0.0), tolerance=1e-12)
+    expect_close(xyz(v), (0.0, 0.0, 0.0), then="; v", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B2.9")

@@ -34,14 +34,12 @@ def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
     for duration in (round(rng.uniform(0.1, 5.0), 3), 1e-300, 1e300, rng.randint(1, 9)):
         about.call = f"checked_duration({duration!r})"
         about.cause = (
-            "Every positive, finite number is a valid duration, so accept this one and return "
-            "float(duration)."
+            "You reject or change a valid duration. Accept every positive, finite number, and "
+            "return float(duration)."
         )
         got = exercises.checked_duration(duration)
         expect_close(got, float(duration), tolerance=0.0)
-        about.cause = (
-            "An int is a valid duration, but you must return it as a float. Return float(duration)."
-        )
+        about.cause = "You return the duration as an int. Convert it, and return float(duration)."
         expect_exactly(got, float(duration))
 
 
@@ -49,8 +47,8 @@ def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
 def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
     for value in (0.0, -round(rng.uniform(0.1, 5.0), 3), -1e-300, 0):
         about.cause = (
-            "A step needs a positive duration, because no time passes in a step of 0 s. Raise "
-            "ValueError unless the duration is above 0."
+            "You accept a duration that is zero or negative. Raise ValueError unless the duration "
+            "is above 0, because time must pass in a step."
         )
         expect_refusal(value, ValueError, about.cause)
 
@@ -58,11 +56,11 @@ def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
 @pytest.mark.exercise("B2.11")
 def test_infinite_durations_and_nan_are_refused() -> None:
     infinite = (
-        "An infinitely long step would send every particle to infinity, so reject an infinite "
-        "duration with a ValueError."
+        "You accept an infinite duration, which moves every particle to infinity. Reject it with a "
+        "ValueError."
     )
     nan = (
-        "Every comparison with NaN is False, so a test such as duration <= 0 doesn't catch NaN. "
+        "Every comparison with NaN is False, so a test such as duration <= 0 does not catch NaN. "
         "Test for the valid range, 0.0 < duration < math.inf, and reject everything else."
     )
     expect_refusal(math.inf, ValueError, infinite)
@@ -74,8 +72,8 @@ def test_infinite_durations_and_nan_are_refused() -> None:
 @pytest.mark.parametrize("value", ["0.5", None, [0.5]], ids=["text", "none", "list"])
 def test_what_is_not_a_number_is_refused(value: Any) -> None:
     about.cause = (
-        "This value is not a number at all, so raise TypeError. Check isinstance(duration, (int, "
-        "float)), because calling float() would accept a string such as '0.5'."
+        "This value is not a number, so raise TypeError. Check isinstance(duration, (int, float)), "
+        "because float() accepts a string such as '0.5'."
     )
     expect_refusal(value, TypeError, about.cause)
 
@@ -85,7 +83,7 @@ def test_what_is_not_a_number_is_refused(value: Any) -> None:
 def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
     about(
         "checked_duration(0.5)",
-        cause="Every positive, finite number is a valid duration, so don't raise an error for it.",
+        cause="You reject a valid duration. Raise no error for a positive, finite number.",
     )
     about.read = READ
     exercises.checked_duration(0.5)
@@ -96,11 +94,11 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
         message = str(error)
     about.call = f"the error message of checked_duration({value!r})"
     about.cause = (
-        "The message must name the argument and show its value, so that the reader can see what "
-        'went wrong. For example: f"duration must be positive and finite, got {duration!r}".'
+        "Your error message must name the argument and show its value, so that a reader can see "
+        'what is wrong. For example: f"duration must be positive and finite, got {duration!r}".'
     )
     wanted = ("duration", str(value))
     got = tuple(word for word in wanted if word in message)
     if got != wanted:
-        about.call = f"{about.call}, which says {message!r}"
+        about.call = f"{about.call}, which is {message!r}; the required words that it contains"
     expect_exactly(got, wanted)

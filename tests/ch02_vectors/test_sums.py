@@ -37,7 +37,8 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     )
     expect_close(xyz(v + w), wanted)
     about.cause = (
-        "v + w must return a new vector and leave v and w unchanged. Only v += w changes v."
+        "Your __add__ changes v or w, but only v += w may change v. Return a new vector and leave "
+        "both unchanged."
     )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
@@ -58,18 +59,19 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     mistakes = [
         (
             tuple(-n for n in wanted),
-            "The result is w - v, so the operands are swapped. Subtract the components of w from "
+            "The result is w - v, because you swap the operands. Subtract the components of w from "
             "those of v.",
         ),
         (
             (a[0] + b[0], a[1] + b[1], a[2] + b[2]),
-            "The result is v + w. Subtract the components instead of adding them.",
+            "The result is v + w. Subtract the components of w instead of adding them.",
         ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-14)
     about.cause = (
-        "v - w must return a new vector and leave v and w unchanged. Only v -= w changes v."
+        "Your __sub__ changes v or w, but only v -= w may change v. Return a new vector and leave "
+        "both unchanged."
     )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
@@ -87,8 +89,8 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     made, step = f"v, other = Vector3{a}, Vector3{b}", f"v {operator} other"
     about.call = f"{made}; {step}"
     about.cause = (
-        "Change the components of self, and end the method with return self, because Python "
-        "assigns its result to v."
+        "Change the components of self. End the method with return self, because Python assigns "
+        "its result to v."
     )
     about.read = "book 2.1.4"
     if operator == "+=":
@@ -100,14 +102,15 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     mistakes = [
         (
             opposite,
-            f"The result is v {wrong_sign} other. Check the sign between the components.",
+            f"The result is v {wrong_sign} other, because one sign is wrong. Compute v "
+            f"{operator[0]} other for each component.",
         )
     ]
     blame(xyz(v), mistakes)
-    expect_close(xyz(v), wanted, tolerance=1e-14)
+    expect_close(xyz(v), wanted, then="; v", tolerance=1e-14)
     about.cause = (
-        "This operation should change only self, but it changed the other vector too. Read the "
-        "other vector's components without assigning to them."
+        "Your method changes the other vector too, but it must change only self. Read the "
+        "components of the other vector without assigning to them."
     )
     expect_unchanged("other", xyz(w), b)
     expect_same_object(made, step, v, before)
@@ -118,15 +121,15 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v, w = Vector3(*a), Vector3(*a)
     about.cause = (
-        "Here self and the argument are the same vector, v, so a change to one is also a change to "
-        "the other. Read each component before you change it."
+        "Here self and the argument are the same vector, v, so each change to self also changes "
+        "the argument. Read each component before you change it."
     )
     about(f"v = Vector3{a}; v -= v", read="book 2.1.4")
     v -= v
-    expect_close(xyz(v), ZERO)
+    expect_close(xyz(v), ZERO, then="; v")
     about.call = f"v = Vector3{a}; v += v"
     w += w
-    expect_close(xyz(w), tuple(2.0 * n for n in a))
+    expect_close(xyz(w), tuple(2.0 * n for n in a), then="; v")
 
 
 @pytest.mark.exercise("B2.5")
@@ -135,8 +138,8 @@ def test_a_vector_plus_a_number_is_refused(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "The other operand is not a Vector3, so return NotImplemented, and Python raises the "
-        "TypeError for you."
+        "The other operand is a number and not a Vector3, so return NotImplemented. Python then "
+        "raises the TypeError for you."
     )
     about.read = "the docstring of Vector3.__add__"
     for call, attempt, allowed in (

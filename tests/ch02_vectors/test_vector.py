@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from ch02_vectors.vector import Vector3
-from draw import Components, components
+from draw import Components, components, rounded
 from expect import (
     LOST,
     about,
@@ -63,8 +63,8 @@ def test_clear_leaves_zero(rng: Random) -> None:
     v = Vector3(*a)
     about(
         f"v = Vector3{a}; v.clear()",
-        cause="This method must change the vector itself. Set all three components of self to "
-        "zero.",
+        cause="Your clear does not set every component to zero. Set all three components of self, "
+        "x, y and z.",
     )
     about.read = "the docstring of Vector3.clear"
     v.clear()
@@ -73,11 +73,12 @@ def test_clear_leaves_zero(rng: Random) -> None:
         [
             (
                 a,
-                f"{LOST} Assigning to the name self, as in self = Vector3(), doesn't change v.",
+                "v did not change. Set self.x, self.y and self.z to zero. Assigning to the name "
+                "self, as in self = Vector3(), doesn't change v.",
             )
         ],
     )
-    expect_close(xyz(v), ZERO)
+    expect_close(xyz(v), ZERO, then="; v")
 
 
 @pytest.mark.exercise("B2.1")
@@ -86,17 +87,17 @@ def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.invert()"
     about.cause = (
-        "Inverting a vector reverses its direction. Flip the sign of every component of self, for "
-        "example with self.x = -self.x."
+        "Your invert must reverse the direction of the vector itself. Flip the sign of every "
+        "component of self, for example with self.x = -self.x."
     )
     about.read = "book 2.1, and errata.md"
     v.invert()
     printed = (
-        "The book's listing has a mistake (E-14): it sets x from z and never changes z. Flip the "
-        "sign of each component in place."
+        "The book's listing has a mistake (E-14): it sets x from z and never changes z. Instead, "
+        "flip the sign of each of the three components."
     )
     blame(xyz(v), [(a, LOST), ((-a[2], -a[1], a[2]), printed)])
-    expect_close(xyz(v), scaled(a, -1.0))
+    expect_close(xyz(v), scaled(a, -1.0), then="; v")
 
 
 @pytest.mark.exercise("B2.1")
@@ -105,12 +106,15 @@ def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
     v = Vector3(*a)
     about(
         f"v = Vector3{a}; -v",
-        cause="-v points the opposite way. Return a new vector with the signs of all three "
-        "components flipped.",
+        cause="-v must point in the opposite direction. Return a new vector with the signs of all "
+        "three components flipped.",
     )
     about.read = "the docstring of Vector3.__neg__"
     expect_close(xyz(-v), scaled(a, -1.0))
-    about.cause = "-v must return a new vector and leave v unchanged. Only invert changes v itself."
+    about.cause = (
+        "Your __neg__ changes v, but only invert may do that. Return a new vector and leave v "
+        "unchanged."
+    )
     expect_unchanged("v", xyz(v), a)
 
 
@@ -122,7 +126,8 @@ def test_magnitude_is_the_length(rng: Random) -> None:
     a, length = whole_length(rng)
     about(
         f"Vector3{a}.magnitude()",
-        cause="The magnitude of a vector is its length, sqrt(x^2 + y^2 + z^2).",
+        cause="The magnitude of a vector is its length, sqrt(x^2 + y^2 + z^2). Check your formula "
+        "against it.",
     )
     about.read = "book 2.1"
     got = Vector3(*a).magnitude()
@@ -130,12 +135,12 @@ def test_magnitude_is_the_length(rng: Random) -> None:
         (length**2, "The result is the squared length. Take its square root."),
         (
             math.hypot(a[0], a[1]),
-            "The result is the length without z. Add the square of z to the sum.",
+            "You leave out z, so this is the length without z. Add the square of z to the sum.",
         ),
         (
             sum(a),
-            "The result is the sum of the components. Square each of them first, and then take "
-            "the square root of the sum.",
+            "You return the sum of the components. Square each of them first, and then take the "
+            "square root of the sum.",
         ),
     ]
     blame(got, mistakes)
@@ -147,19 +152,20 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
     a, length = whole_length(rng)
     about(
         f"Vector3{a}.squared_magnitude()",
-        cause="The squared magnitude is x^2 + y^2 + z^2, with no square root.",
+        cause="The squared magnitude is x^2 + y^2 + z^2, without a square root. Check your formula "
+        "against it.",
     )
     about.read = "book 2.1"
     got = Vector3(*a).squared_magnitude()
     mistakes = [
         (
             length,
-            "The result is the length itself. This method returns the squared length, so leave "
+            "You return the length itself. This method must return the squared length, so leave "
             "out the square root.",
         ),
         (
             a[0] ** 2 + a[1] ** 2,
-            "The result is x^2 + y^2. Add the square of z.",
+            "You return x^2 + y^2. Add the square of z.",
         ),
     ]
     blame(got, mistakes)
@@ -177,7 +183,7 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
     about.read = "the docstring of Vector3.magnitude"
     for scale in (HUGE, TINY):
         b = scaled(a, scale)
-        about.call = f"Vector3{b}.magnitude()"
+        about.call = f"Vector3{rounded(b)}.magnitude()"
         expect_close(Vector3(*b).magnitude(), length * scale)
 
 
@@ -185,7 +191,8 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
 def test_the_zero_vector_has_the_length_zero() -> None:
     about(
         "Vector3(0, 0, 0).magnitude()",
-        cause="All three components are zero, so the length is zero too.",
+        cause="All three components are zero, so the length must be zero too. Return 0.0 without "
+        "an error.",
     )
     about.read = "book 2.1"
     expect_close(Vector3(0.0, 0.0, 0.0).magnitude(), 0.0)
@@ -198,7 +205,7 @@ def test_nan_stays_visible_in_a_length() -> None:
     lost = Vector3(1.0, math.nan, 2.0)
     about.call = "Vector3(1, nan, 2).magnitude()"
     about.cause = (
-        "If a component is NaN, the length must be NaN too. Check your method for max, min and "
+        "One component is NaN, so the length must be NaN too. Check your method for max, min and "
         "comparisons, because each of them can hide a NaN."
     )
     expect_nan(lost.magnitude())
@@ -215,8 +222,8 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.normalize()"
     about.cause = (
-        "After this call, self must be a unit vector, a vector of length 1. Divide each of its "
-        "three components by the length."
+        "After this call, v must have length 1 and its old direction. Divide each of its three "
+        "components by its length."
     )
     about.read = "book 2.1.3"
     v.normalize()
@@ -226,17 +233,17 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
         (a, LOST),
         (
             scaled(a, length**-2),
-            "You divided the vector by its squared length. Divide it by its length, which "
+            "You divide the vector by its squared length. Divide it by its length, which "
             "magnitude() returns.",
         ),
         (
             (x, y, a[2] / math.hypot(x, y, a[2])),
-            "The length was computed again after x had changed, so y and z were divided by a "
+            "You compute the length again after you have changed x, so you divide y and z by a "
             "different number. Compute the length once, and keep it in a variable.",
         ),
     ]
     blame(xyz(v), mistakes)
-    expect_close(xyz(v), scaled(a, 1.0 / length))
+    expect_close(xyz(v), scaled(a, 1.0 / length), then="; v")
 
 
 @pytest.mark.exercise("B2.4")
@@ -244,28 +251,32 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     a, length = whole_length(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.normalized()"
-    about.cause = "Divide each component by the length, and return the quotients as a new vector."
+    about.cause = (
+        "The result must be a new vector of length 1. Divide each component by the length, and "
+        "return the quotients as a new vector."
+    )
     about.read = "the docstring of Vector3.normalized"
     got = xyz(v.normalized())
     mistakes = [
         (
             scaled(a, length**-2),
-            "You divided the vector by its squared length. Divide it by its length, which "
+            "You divide the vector by its squared length. Divide it by its length, which "
             "magnitude() returns.",
         )
     ]
     blame(got, mistakes)
     expect_close(got, scaled(a, 1.0 / length))
     about.cause = (
-        "normalized must return a new vector and leave v unchanged. Only normalize changes v."
+        "Your normalized changes v, but only normalize may do that. Return a new vector and leave "
+        "v unchanged."
     )
     expect_unchanged("v", xyz(v), a)
     first = v.normalized()
     Vector3(0.0, -1.0, 0.0).normalized()
     about.call = f"u = Vector3{a}.normalized(); Vector3(0, -1, 0).normalized(); u"
     about.cause = (
-        "The second call changed the result of the first, so both calls returned the same object. "
-        "Create a new vector in every call."
+        "The second call of normalized changes u, the result of the first call, so both calls "
+        "return the same object. Create a new vector in every call."
     )
     expect_close(xyz(first), scaled(a, 1.0 / length))
 
@@ -275,14 +286,14 @@ def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
     about.call = "v = Vector3(0, 0, 0); v.normalized()"
     about.cause = (
-        "The zero vector has no direction, so leave it at zero. Test whether the length is 0.0 "
-        "before you divide."
+        "The zero vector has no direction, so the result must be the zero vector. Test whether the "
+        "length is 0.0 before you divide."
     )
     about.read = "book 2.1.3"
     expect_close(xyz(v.normalized()), ZERO)
     about.call = "v = Vector3(0, 0, 0); v.normalize()"
     v.normalize()
-    expect_close(xyz(v), ZERO)
+    expect_close(xyz(v), ZERO, then="; v")
 
 
 @pytest.mark.exercise("B2.4")
@@ -293,23 +304,23 @@ def test_normalize_huge_and_tiny_vectors(rng: Random) -> None:
     for scale in (HUGE, TINY):
         b = scaled(a, scale)
         v = Vector3(*b)
-        about.call = f"v = Vector3{b}; v.normalize()"
+        about.call = f"v = Vector3{rounded(b)}; v.normalize()"
         about.cause = (
-            "The square of such a component is out of range for a float. Compute the length with "
-            "magnitude(), which avoids the squares."
+            "You square components whose squares are too large or too small for a float. Compute "
+            "the length with magnitude(), which avoids this."
         )
         v.normalize()
         taken = (
-            "v did not change. A short vector is not zero, so return early only if magnitude() is "
-            "exactly 0.0."
+            "v did not change, probably because you treat a short vector as zero. A short vector "
+            "is not zero, so return early only if magnitude() is exactly 0.0."
         )
         mistakes = [
             (b, taken),
             (
                 ZERO,
-                "The result is zero because the squared length overflowed to infinity. Compute "
+                "The result is zero, because your squared length overflows to infinity. Compute "
                 "the length with magnitude() instead.",
             ),
         ]
         blame(xyz(v), mistakes)
-        expect_close(xyz(v), scaled(a, 1.0 / length))
+        expect_close(xyz(v), scaled(a, 1.0 / length), then="; v")

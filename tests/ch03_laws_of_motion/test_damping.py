@@ -42,37 +42,40 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
     v, a = components(rng), components(rng)
     about.read = "book 3.3, Eq. 3.5"
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
-        about.call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
+        about.call = (
+            f"damp_per_frame(velocity=Vector3{v}, acceleration=Vector3{a}, damping={d}, "
+            f"duration={h})"
+        )
         about.cause = (
-            "Eq. 3.5 is v' = v d + a h. In every step, multiply the velocity by d and then add the "
-            "acceleration times h."
+            "Eq. 3.5 is v' = v d + a h. Multiply the velocity by the damping d, and then add the "
+            "acceleration times the duration h."
         )
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
         undamped = (
-            "You didn't damp the velocity. Multiply it by d before you add the acceleration times "
-            "h."
+            "You don't damp the velocity. Multiply it by the damping d before you add the "
+            "acceleration times h."
         )
         if d == 0.0:
             undamped = (
-                "A damping of 0 should remove the whole velocity, but all of it is still there. "
-                "Python treats 0 as false in an if statement, so don't use the damping itself as "
-                "the condition."
+                "You treat a damping of 0 as no damping, although it must remove the whole "
+                "velocity. Python treats 0 as false in an if statement, so don't use the damping "
+                "as the condition."
             )
         mistakes = [
             (
                 combined(v, a, d**h, h),
-                "The velocity was multiplied by d^h, as in Eq. 3.6, but this function implements "
-                "Eq. 3.5. Multiply it by d in every step.",
+                "You multiply the velocity by d^h, as in Eq. 3.6, but this function implements Eq. "
+                "3.5. Multiply it by d, whatever the duration is.",
             ),
             (
                 combined(v, a, d, 1.0),
-                "The acceleration is given per second, so multiply it by the duration of the step "
-                "before you add it.",
+                "You add the whole acceleration, which is the change of velocity in one second. "
+                "Multiply it by the duration of the step first.",
             ),
             (
                 combined(v, a, d, d * h),
-                "The acceleration was damped as well. In Eq. 3.5 the factor d applies only to the "
-                "velocity.",
+                "You damp the acceleration as well. In Eq. 3.5 the factor d applies only to the "
+                "old velocity.",
             ),
             (combined(v, a, 1.0, h), undamped),
         ]
@@ -86,21 +89,24 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
     v, drawn = components(rng), draw_damping(rng)
     about.read = "book 3.3, Eq. 3.6"
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
-        about.call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
+        about.call = (
+            f"damp_per_second(velocity=Vector3{v}, acceleration=Vector3(0, 0, 0), damping={d}, "
+            f"duration={h})"
+        )
         about.cause = (
-            "There is no acceleration here, so Eq. 3.6 becomes v' = v d^h, where h is the duration "
-            "of the step."
+            "The acceleration is 0 here, so Eq. 3.6 becomes v' = v d^h, where d is the damping and "
+            "h the duration. Check how you compute d^h."
         )
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         mistakes = [
             (
                 combined(v, v, d, 0.0),
-                "The velocity was multiplied by d, as in Eq. 3.5, but this function implements "
-                "Eq. 3.6. Multiply it by d^h.",
+                "You multiply the velocity by d, as in Eq. 3.5, but this function implements Eq. "
+                "3.6. Multiply it by d^h, where h is the duration.",
             ),
             (
                 combined(v, v, d * h, 0.0),
-                "The velocity was multiplied by d times h, but in Eq. 3.6 h is an exponent. Use "
+                "You multiply the velocity by d times h, but h is an exponent in Eq. 3.6. Use "
                 "damping**duration.",
             ),
         ]
@@ -114,12 +120,18 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
     v, a = components(rng), components(rng)
     about.read = "book 3.3, Eq. 3.6, and errata.md"
     for d in (draw_damping(rng), 0.0, 1.5):
-        about.call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
-        about.cause = "Eq. 3.6 is v' = v d^h + a h. Damp only the velocity, and add a h undamped."
+        about.call = (
+            f"damp_per_second(velocity=Vector3{v}, acceleration=Vector3{a}, damping={d}, "
+            "duration=0.5)"
+        )
+        about.cause = (
+            "Eq. 3.6 is v' = v d^h + a h. Damp only the old velocity, and then add the "
+            "acceleration times h without damping it."
+        )
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "The result is (v + a h) d^h, as in the book's listing and in Particle.kick, which "
-            "contradict Eq. 3.6 (E-16). This function implements Eq. 3.6 itself: v d^h + a h."
+            "You compute (v + a h) d^h, as in the book's listing, which contradicts Eq. 3.6 "
+            "(E-16). This function implements the equation itself, so compute v d^h + a h."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -132,12 +144,14 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
 def test_both_equations_give_a_new_vector(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.cause = (
-        "The vectors v and a belong to the caller, and v *= d would change v itself. Return the "
-        "result as a new vector."
+        "You change one of the vectors that belong to the caller, for example with v *= d. Compute "
+        "the result in a new vector."
     )
     about.read = "the docstring in damping.py"
     for name in ("damp_per_frame", "damp_per_second"):
-        about.call = f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, 0.5, 2.0)"
+        about.call = (
+            f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, damping=0.5, duration=2.0)"
+        )
         v, a = Vector3(*first), Vector3(*second)
         result = getattr(forms, name)(v, a, 0.5, 2.0)
         expect_unchanged("v", xyz(v), first)
@@ -152,7 +166,7 @@ def expect_refusal(
     name: str, damping: Any, duration: Any, error: type[Exception], *, good: tuple[float, float]
 ) -> None:
     """Expect an equation to refuse a damping or a duration, and to accept two valid ones."""
-    about.call = f"{name}(Vector3(1, 2, 3), Vector3(), {damping!r}, {duration!r})"
+    about.call = f"{name}(Vector3(1, 2, 3), Vector3(), damping={damping!r}, duration={duration!r})"
     function = getattr(forms, name)
     expect_error(
         lambda: function(Vector3(1, 2, 3), Vector3(), damping, duration),
@@ -207,10 +221,13 @@ def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
 def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
     damping, frames = draw_damping(rng), rng.choice((20, 40, 80))
     h = 1.0 / frames
-    about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, [[{h}] * {frames}])"
+    about.call = (
+        f"damping_difference(Vector3(), Vector3(0, -10, 0), damping={damping}, runs=[[{h}] * "
+        f"{frames}])"
+    )
     about.cause = (
-        "Start both equations with the same velocity. In every step, update one velocity by Eq. "
-        "3.5 and the other by Eq. 3.6."
+        "Give both equations the same start velocity. In every step, update one velocity by Eq. "
+        "3.5 and the other one by Eq. 3.6."
     )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(), Vector3(0.0, -10.0, 0.0), damping, [[h] * frames])
@@ -223,8 +240,8 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
         [
             (
                 0.0,
-                "Both velocities ended up equal, perhaps because both names refer to the same "
-                "vector. Use two separate copies of the given velocity.",
+                "Your two velocities are equal at the end, perhaps because both names refer to the "
+                "same vector. Start with two separate copies of the given velocity.",
             )
         ],
     )
@@ -235,10 +252,12 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
 def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
-    about.call = f"damping_difference(Vector3{v}, Vector3{a}, {damping}, {runs})"
+    about.call = (
+        f"v, a = Vector3{v}, Vector3{a}; damping_difference(v, a, damping={damping}, runs={runs})"
+    )
     about.cause = (
-        "Every run must start from the given velocity. Compute the difference at the end of each "
-        "run, and return the mean of these differences."
+        "Every run must start from the given velocity. Take the length of the difference at the "
+        "end of each run, and return the mean of these lengths."
     )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
@@ -258,17 +277,17 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     mistakes = [
         (
             wanted * len(runs),
-            "The result is the sum over all runs. Divide it by the number of runs to get the mean.",
+            "You return the sum over all runs. Divide it by the number of runs to get the mean.",
         ),
         (
             math.fsum(speeds) / len(speeds),
-            "The result is the difference of the two speeds. Subtract the velocities as vectors, "
-            "and then take the length of that difference.",
+            "You return the difference of the two speeds. Subtract the velocities as vectors "
+            "first, and then take the length of that difference.",
         ),
         (
             distances[-1],
-            "The result is the difference for the last run alone. Average the differences over "
-            "all runs.",
+            "You return the difference of the last run alone. Return the mean of the differences "
+            "of all runs.",
         ),
     ]
     blame(got, mistakes)
@@ -280,9 +299,13 @@ def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
     first, second = components(rng), components(rng)
     v, a = Vector3(*first), Vector3(*second)
     about.call = (
-        f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, 0.5]])"
+        f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, damping=1.0, "
+        "runs=[[0.5, 0.5]])"
     )
-    about.cause = "With a damping of 1, both equations give v + a h, so the difference must be 0."
+    about.cause = (
+        "With a damping of 1, both equations give v + a h, so the difference must be 0. Check how "
+        "you use the damping in each of them."
+    )
     about.read = "the docstring of damping_difference"
     got = exercises.damping_difference(v, a, 1.0, [[0.5, 0.5]])
     expect_close(got, 0.0, tolerance=1e-13)
@@ -296,7 +319,9 @@ Runs = list[list[float]]
 @scoped
 def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]) -> None:
     """Expect damping_difference to refuse a damping or its runs, and to accept two valid ones."""
-    about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, {runs})"
+    about.call = (
+        f"damping_difference(Vector3(), Vector3(0, -10, 0), damping={damping}, runs={runs})"
+    )
     about.read = "the docstring of damping_difference"
     gravity = Vector3(0.0, -10.0, 0.0)
     expect_error(
@@ -310,8 +335,8 @@ def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]
 @pytest.mark.robust
 def test_no_run_has_no_mean() -> None:
     about.cause = (
-        "There is no mean over an empty list of runs. Raise ValueError before you divide by the "
-        "number of runs."
+        "The list of runs is empty, and an empty list has no mean. Raise ValueError before you "
+        "divide by the number of runs."
     )
     expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
 
@@ -321,8 +346,8 @@ def test_no_run_has_no_mean() -> None:
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
     about.cause = (
-        "This duration is not valid, so it must raise an error. If you call the two damping "
-        "functions in every step, they reject it for you."
+        "The last duration is not positive and finite, so you must reject it. If you call "
+        "damp_per_frame and damp_per_second in every step, they reject it for you."
     )
     expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]))
 

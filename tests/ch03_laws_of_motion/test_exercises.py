@@ -19,19 +19,19 @@ from expect import about, blame, cause_of, expect_close, expect_error, expect_un
 @pytest.mark.exercise("3.1")
 def test_twice_the_mass_gets_half_the_speed() -> None:
     about(
-        "speed_ratio(2, 1)",
-        cause="By a = f / m, the same force accelerates the heavier body less, so it ends up "
-        "slower.",
+        "speed_ratio(first_mass=2, second_mass=1)",
+        cause="The same force accelerates the heavier body less, by a = f / m. Return the speed of "
+        "the first body divided by that of the second.",
     )
     about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
     faster = (
-        "The heavier body came out faster, but by a = f / m it must be slower. Ignore the book's "
-        "sentence that acceleration is proportional to the mass, because it is wrong (E-1)."
+        "You make the heavier body faster, but it must be slower, by a = f / m. The book's "
+        "sentence that acceleration is proportional to the mass is wrong (E-1)."
     )
     mistakes = [
         (2.0, faster),
-        (0.0, "The operator // rounds down to a whole number. Use / instead."),
+        (0.0, "You divide with //, which rounds down to a whole number. Use / instead."),
     ]
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 
@@ -39,10 +39,10 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
 @pytest.mark.exercise("3.1")
 def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
     first, second = round(rng.uniform(1.0, 9.0), 3), round(rng.uniform(10.0, 90.0), 3)
-    about.call = f"speed_ratio({first}, {second})"
+    about.call = f"speed_ratio(first_mass={first}, second_mass={second})"
     about.cause = (
-        "After a time t the speeds are f t / m1 and f t / m2. Divide the first by the second, and "
-        "f and t cancel."
+        "After a time t the two speeds are f t / m1 and f t / m2. Divide the first by the second, "
+        "so that f and t cancel."
     )
     about.read = "the docstring of speed_ratio"
     got = exercises.speed_ratio(first, second)
@@ -73,19 +73,19 @@ def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.exercise("3.2")
 def test_the_force_between_two_people_of_100_kg() -> None:
     about(
-        "gravity_between(100, 100, 1)",
-        cause="By Eq. 3.3, the force between two masses is G m1 m2 / r^2, with G = 6.67428e-11. "
-        "Check your formula against it.",
+        "gravity_between(100, 100, distance=1)",
+        cause="The force between two masses is G m1 m2 / r^2 (Eq. 3.3), with G = 6.67428e-11. "
+        "Check each factor of your formula against it.",
     )
     about.read = "book 3.2, Eq. 3.3"
     got = exercises.gravity_between(100, 100, 1)
     mistakes = [
         (
             6.67428e-11 * 200,
-            "The masses were added, but the force is proportional to each of them. Multiply them "
+            "You add the masses, but the force is proportional to each of them. Multiply them "
             "instead.",
         ),
-        (1e4, "The constant G is missing from the product. Include GRAVITATIONAL_CONSTANT."),
+        (1e4, "You leave out the constant G. Multiply by GRAVITATIONAL_CONSTANT."),
     ]
     blame(got, mistakes)
     expect_close(got, 6.67428e-7, tolerance=1e-20)
@@ -97,27 +97,24 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     about.read = "book 3.2, Eq. 3.3"
     for distance in (round(rng.uniform(2.0, 9.0), 3), 0.25):
         about(
-            f"gravity_between({m1}, {m2}, {distance})",
-            cause="By Eq. 3.3, the force between two masses is G m1 m2 / r^2. Check your formula "
-            "against it.",
+            f"gravity_between({m1}, {m2}, distance={distance})",
+            cause="The force between two masses is G m1 m2 / r^2 (Eq. 3.3), where r is the "
+            "distance. Check each factor of your formula against it.",
         )
         got = exercises.gravity_between(m1, m2, distance)
         wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
         mistakes = [
             (
                 wanted * distance,
-                "The result was divided by the distance once. Divide it by the square of the "
-                "distance.",
+                "You divide by the distance only once. Divide by the square of the distance.",
             ),
             (
                 wanted * distance**2,
-                "The distance makes no difference to your result, but gravity gets weaker with "
-                "distance. Divide by r^2.",
+                "You ignore the distance r, but gravity gets weaker with it. Divide by r^2.",
             ),
             (
                 wanted * distance**4,
-                "Your force grows with distance, but gravity gets weaker with it. Divide by r^2 "
-                "instead of multiplying.",
+                "You multiply by r^2, but gravity gets weaker with distance. Divide by r^2.",
             ),
         ]
         blame(got, mistakes)
@@ -146,7 +143,7 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.robust
 def test_text_is_no_mass_and_no_distance() -> None:
     about.cause = (
-        "Pass the arguments to positive from arguments.py, which raises this TypeError for you."
+        "Pass each argument to positive from arguments.py, which raises the TypeError for you."
     )
     about.read = "the docstring of gravity_between"
     data: Any
@@ -162,7 +159,7 @@ def test_text_is_no_mass_and_no_distance() -> None:
 # 3.4 A position by equation, in steps, and the difference
 
 START, VELOCITY, ACCELERATION = (2.0, 5.0, -1.0), (1.0, -1.0, 2.0), (-2.0, 1.0, 0.5)
-EXAMPLE = f"Vector3{START}, Vector3{VELOCITY}, Vector3{ACCELERATION}"
+EXAMPLE = f"position=Vector3{START}, velocity=Vector3{VELOCITY}, acceleration=Vector3{ACCELERATION}"
 
 
 def vectors(*all_of: Components) -> tuple[Any, ...]:
@@ -173,28 +170,28 @@ def vectors(*all_of: Components) -> tuple[Any, ...]:
 @pytest.mark.exercise("3.4a")
 def test_five_seconds_by_the_equation() -> None:
     about(
-        f"position_by_equation({EXAMPLE}, 5)",
-        cause="With a constant acceleration, the position after a time t is p' = p + v t + a t^2 "
-        "/ 2. Check each term of your formula against it.",
+        f"position_by_equation({EXAMPLE}, time=5)",
+        cause="The position after a time t must be p' = p + v t + a t^2 / 2. Check each term of "
+        "your formula against this.",
     )
     about.read = "book 2.2, Eq. 2.9"
     got = exercises.position_by_equation(*vectors(START, VELOCITY, ACCELERATION), 5)
     mistakes = [
         (
             (-43.0, 25.0, 21.5),
-            "The factor 1/2 is missing from the acceleration term, which must be a t^2 / 2.",
+            "You leave out the factor 1/2 in the term of the acceleration. Use a t^2 / 2.",
         ),
         (
             (2.0, 2.5, 10.25),
-            "The acceleration term has t in it, but it needs the square of the time: a t^2 / 2.",
+            "You multiply the acceleration by t instead of the square of the time. Use a t^2 / 2.",
         ),
         (
             (-20.0, 7.5, 16.25),
-            "The result is only the displacement. Add the start position p to it.",
+            "You return only the displacement v t + a t^2 / 2. Add the start position p to it.",
         ),
         (
             (-22.0, 16.5, 7.25),
-            "You added the velocity as if one second had passed. Multiply it by the time t first.",
+            "You add the velocity as if one second had passed. Multiply it by the time t first.",
         ),
     ]
     blame(xyz(got), mistakes)
@@ -208,19 +205,18 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
     about.read = "book 2.2, Eq. 2.9"
     for t in (round(rng.uniform(2.0, 9.0), 3), 0.25):
         about.call = (
-            f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, {t})"
+            f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, time={t})"
         )
         about.cause = (
-            "With a constant acceleration, the position after a time t is p + v t + a t^2 / 2. "
-            "Return it as a new vector."
+            "The position after a time t must be p + v t + a t^2 / 2. Return it as a new vector."
         )
         got = exercises.position_by_equation(position, velocity, acceleration, t)
         wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
         # The rounding errors of numbers up to 400.
         expect_close(xyz(got), wanted, tolerance=1e-12)
         about.cause = (
-            "One of the caller's vectors was changed. +=, *= and add_scaled work in place, so use "
-            "+ and *, which create a new vector."
+            "You change one of the caller's vectors. The operations +=, *= and add_scaled work in "
+            "place, so use + and *, which create a new vector."
         )
         expect_unchanged("p", xyz(position), x)
         expect_unchanged("v", xyz(velocity), v)
@@ -231,7 +227,7 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
-    about.call = f"position_by_equation({EXAMPLE}, {bad})"
+    about.call = f"position_by_equation({EXAMPLE}, time={bad})"
     about.cause = (
         "The time must be positive and finite. Pass it to positive from arguments.py, which raises "
         "the ValueError for you."
@@ -250,38 +246,38 @@ def test_one_step_and_five_steps_of_a_second() -> None:
     about.read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
     wanted = {1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)), 5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5))}
     for steps, (x, v) in wanted.items():
-        about.call = f"state_by_steps({EXAMPLE}, 1, {steps})"
+        about.call = f"state_by_steps({EXAMPLE}, duration=1, steps={steps})"
         about.cause = (
-            "Return the position and the velocity as a pair. In each step, first move the position "
-            "by p' = p + v h, and then update the velocity by v' = v + a h."
+            "Return the position and the velocity as a pair. In each step, first change the "
+            "position to p' = p + v h, and then the velocity to v' = v + a h."
         )
         position, velocity = exercises.state_by_steps(
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
         few = (
-            "One step is missing. A loop over range(steps) runs steps times, but one over range(1, "
-            "steps) runs only steps - 1 times."
+            "You make one step too few. A loop over range(steps) runs steps times, but a loop over "
+            "range(1, steps) runs only steps - 1 times."
         )
         mistakes = [
             (
                 v,
-                "The two results are in the wrong order. Return the position first and the "
+                "You return the two results in the wrong order. Return the position first and the "
                 "velocity second.",
             ),
             (
                 (7.0, 0.0, 9.0),
-                "You made a single step of 5 s. Make five steps of 1 s instead.",
+                "You make a single step of 5 s. Make five steps of 1 s instead.",
             ),
             (START if steps == 1 else (-6.0, 7.0, 10.0), few),
             (
                 (1.0, 5.0, 1.5) if steps == 1 else (-23.0, 15.0, 16.5),
-                "The velocity was changed before the position. Move the position first, because "
-                "this method moves it with the old velocity (E-17).",
+                "You change the velocity before the position. Move the position first, with the "
+                "old velocity (E-17).",
             ),
         ]
         blame(xyz(position), mistakes)
-        expect_close(xyz(position), x, then=", the first")
-        expect_close(xyz(velocity), v, then=", the second")
+        expect_close(xyz(position), x, then="; the position")
+        expect_close(xyz(velocity), v, then="; the velocity")
 
 
 @pytest.mark.exercise("3.4b")
@@ -290,22 +286,23 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
     p, velocity, acceleration = vectors(x, v, a)
     about.call = (
-        f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, {h}, {steps})"
+        f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, duration={h}, "
+        f"steps={steps})"
     )
     about.cause = (
-        "Make the given number of steps, each h seconds long. Each step must start from the "
-        "position and velocity that the last one ended with."
+        f"Make exactly {steps} steps of {h} s each. Every step must start from the position and "
+        "the velocity at the end of the previous step."
     )
     about.read = "book 2.2, Eq. 2.7 and 2.8"
     position, last = exercises.state_by_steps(p, velocity, acceleration, h, steps)
     t = h * steps
     wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * (t - h) for i in range(3))
     # The rounding errors of some 40 steps with numbers up to 2000.
-    expect_close(xyz(position), wanted, then=", the first", tolerance=1e-10)
+    expect_close(xyz(position), wanted, then="; the position", tolerance=1e-10)
     wanted = tuple(v[i] + a[i] * t for i in range(3))
-    expect_close(xyz(last), wanted, then=", the second", tolerance=1e-11)
+    expect_close(xyz(last), wanted, then="; the velocity", tolerance=1e-11)
     about.cause = (
-        "One of the caller's vectors was changed. += and add_scaled work in place, so use a "
+        "You change one of the caller's vectors, because += and add_scaled work in place. Use a "
         "Particle or copies of the vectors."
     )
     expect_unchanged("p", xyz(p), x)
@@ -326,16 +323,15 @@ def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None
 @scoped
 def expect_refusal(name: str, duration: float, steps: int) -> None:
     """Expect an exercise to refuse a bad duration or number of steps."""
-    about.call = f"{name}({EXAMPLE}, {duration}, {steps})"
+    about.call = f"{name}({EXAMPLE}, duration={duration}, steps={steps})"
     about.cause = (
-        "The number of steps must be at least 1. A loop over range(0) does nothing and raises no "
-        "error, so check the number yourself."
+        "The number of steps must be at least 1. A loop over range(0) raises no error, so check "
+        "the number before the loop."
     )
     if steps > 0:
         about.cause = (
-            "A duration must be positive and finite. A Particle's integrate rejects any other "
-            "duration for you. If you compute the steps yourself, check the duration with positive "
-            "from arguments.py."
+            "The duration must be positive and finite. Check it with positive from arguments.py, "
+            "or make the steps with the method integrate of a Particle, which checks it."
         )
     about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)
@@ -350,26 +346,26 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
 @pytest.mark.exercise("3.4d")
 def test_five_steps_are_off_by_half_a_step() -> None:
     about(
-        f"stepping_error({EXAMPLE}, 1, 5)",
-        cause="The error is the stepped position minus the exact one. Return this difference as a "
-        "vector.",
+        f"stepping_error({EXAMPLE}, duration=1, steps=5)",
+        cause="The error is the position after the steps minus the exact position. Return this "
+        "difference as a vector.",
     )
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
     mistakes = [
         (
             (-5.0, 2.5, 1.25),
-            "The result is the exact position minus the stepped one, which flips the sign. "
-            "Subtract the exact position from the stepped one.",
+            "You subtract in the wrong order, which flips the sign. Return the position after the "
+            "steps minus the exact position.",
         ),
         (
             (-15.0, 5.5, 12.75),
-            "The exact position was computed for a different time. Together the steps take steps "
-            "x duration, which is 5 s here, so use that time.",
+            "You compute the exact position for the time of one step. Compute it for the total "
+            "time of all steps, which is steps x duration, here 5 s.",
         ),
         (
             math.hypot(5.0, 2.5, 1.25),
-            "The result is the length of the error. Return the error itself, which is a vector.",
+            "You return the length of the error. Return the error itself, which is a vector.",
         ),
     ]
     blame(xyz(got), mistakes)
@@ -380,10 +376,13 @@ def test_five_steps_are_off_by_half_a_step() -> None:
 def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
-    about.call = f"stepping_error(Vector3{x}, Vector3{v}, Vector3{a}, {h}, {steps})"
+    about.call = (
+        f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; stepping_error(p, v, a, duration={h}, "
+        f"steps={steps})"
+    )
     about.cause = (
-        "The error works out to -a t h / 2, where t = steps x h is the total time. Compare the two "
-        "positions at that time t."
+        "The error must be -a t h / 2, where t = steps x h is the total time. Compare the two "
+        "positions at this time t."
     )
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(x, v, a), h, steps)

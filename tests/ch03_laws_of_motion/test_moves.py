@@ -25,7 +25,7 @@ def a_particle(
     x: Components, v: Components, a: Components, mass: float = 1.0, damping: float = 1.0
 ) -> tuple[str, Particle]:
     """Return the code that makes a particle, and the particle."""
-    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}"
+    words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}"
     words += f", {mass=}" if mass != 1.0 else ""
     words += f", {damping=})" if damping != 1.0 else ")"
     return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
@@ -39,33 +39,33 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         words, p = a_particle(x, v, a, damping=damping)
         about.call = f"{words}; p.drift({h})"
         about.cause = (
-            "A drift moves the position by p' = p + v h. With a negative h, it moves the particle "
-            "back."
+            "A drift must move the position by p' = p + v h. It must accept a duration h of 0 too, "
+            "and a negative h, which moves the particle back."
         )
         p.drift(h)
         got = xyz(p.position)
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "The acceleration changed the position. A drift uses only the velocity, and the "
-                "acceleration belongs to kick.",
+                "You use the acceleration in drift. Move the position with the velocity alone, "
+                "because only kick uses the acceleration.",
             ),
             (
                 tuple(x[i] + v[i] * damping**h * h for i in range(3)),
-                "You damped the velocity in drift. A drift only reads it, and kick does the "
-                "damping.",
+                "You damp the velocity in drift. Only read the velocity there, because kick does "
+                "the damping.",
             ),
             (
                 x,
-                "The position did not change. Add the velocity times h to it.",
+                "The position did not change. Add the velocity times the duration h to it.",
             ),
         ]
         blame(got, mistakes if h else [])
         wanted = tuple(x[i] + v[i] * h for i in range(3))
         expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
         about.cause = (
-            "A drift must change only the position. Leave the velocity and the acceleration as "
-            "they are."
+            "Your drift changes more than the position. Only read the velocity and the "
+            "acceleration, and don't assign to them."
         )
         expect_unchanged("p.velocity", xyz(p.velocity), v)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
@@ -88,8 +88,8 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         words, p = a_particle(x, v, a, mass, damping)
         about.call = f"{words}; p.kick({h})"
         about.cause = (
-            "A kick changes the velocity by v' = (v + a h) d^h, even if h is negative. Add the "
-            "acceleration first, and then damp the sum."
+            "A kick must change the velocity to v' = (v + a h) d^h, even if h is 0 or negative. "
+            "Add a h first, and then multiply the sum by d^h."
         )
         p.kick(h)
         got = xyz(p.velocity)
@@ -97,39 +97,40 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         mistakes = [
             (
                 tuple(v[i] * keep + a[i] * h for i in range(3)),
-                "The result is v d^h + a h, as in Eq. 3.6, but the engine follows the book's "
-                "listing (E-16). Add the acceleration first, and then damp the sum.",
+                "You compute v d^h + a h, as in Eq. 3.6, but the engine follows the book's listing "
+                "(E-16). Add a h first, and then multiply the sum by d^h.",
             ),
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),
-                "The acceleration is given per second, but you added it as if the step took a "
-                "whole second. Multiply it by h first.",
+                "You add the whole acceleration, which is the change of velocity in one second. "
+                "Multiply it by the duration h first.",
             ),
             (
                 tuple((v[i] + a[i] * h) * damping for i in range(3)),
-                "You multiplied the velocity by d in every kick. The damping d is given per "
-                "second, so multiply by d^h.",
+                "You multiply the velocity by the damping d in every kick, however short it is. "
+                "The damping is given per second, so multiply by d^h.",
             ),
             (
                 tuple(v[i] + a[i] * h for i in range(3)),
-                "You didn't damp the velocity. Multiply it by d^h after you add the acceleration.",
+                "You don't damp the velocity. Multiply it by d^h after you add a h, even if the "
+                "damping d is 0.",
             ),
             (
                 tuple((v[i] + a[i] * h / mass) * keep for i in range(3)),
-                "The acceleration was divided by the mass, which only a force needs. Multiply the "
-                "acceleration by h and nothing else.",
+                "You divide the acceleration by the mass, which is right only for a force. "
+                "Multiply the acceleration by h and nothing else.",
             ),
             (
                 v,
-                "The velocity did not change. Add the acceleration times h to it.",
+                "The velocity did not change. Add the acceleration times the duration h to it.",
             ),
         ]
         blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))
         expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
         about.cause = (
-            "A kick must change only the velocity. Leave the position and the acceleration as they "
-            "are."
+            "Your kick changes more than the velocity. Only read the position and the "
+            "acceleration, and don't assign to them."
         )
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
@@ -141,9 +142,8 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.drift({h} / 2); p.kick({h}); p.drift({h} / 2)"
     about.cause = (
-        "With a constant acceleration, half a drift, a kick and another half drift give the exact "
-        "position x + v h + a h^2 / 2. Check that each call starts from where the previous one "
-        "left off."
+        "Half a drift, a kick and another half drift must give the exact position p + v h + a h^2 "
+        "/ 2. Check that each call continues from the current position and velocity."
     )
     about.read = "book 2.4, Eq. 2.9, and the docstrings of drift and kick"
     p.drift(h / 2.0)
@@ -161,8 +161,8 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     about.cause = (
-        "A particle with infinite mass cannot move, so if inverse_mass is 0, return from the "
-        "method at once."
+        "This particle has an infinite mass, so nothing may change it. If its inverse_mass is 0, "
+        "return from the method at once."
     )
     for move in ("drift", "kick"):
         words, p = a_particle(x, v, a, math.inf, 0.5)
@@ -174,8 +174,8 @@ def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     about.call = f"{words}; p.mass = 2.0; p.drift({h}); p.kick({h})"
     about.read = "the docstrings of drift and kick"
     about.cause = (
-        "The particle now has a finite mass, so drift and kick must both change it. Check "
-        "inverse_mass in every call."
+        "The particle has a finite mass now, so drift and kick must change it again. Check "
+        "inverse_mass in every call instead of storing the result."
     )
     p.mass = 2.0
     p.drift(h)

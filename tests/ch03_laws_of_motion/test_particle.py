@@ -38,25 +38,25 @@ def draw_mass(rng: Random) -> float:
 def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
     about.call = "Particle()"
     about.cause = (
-        "In __init__, store the mass and the damping through your setters, by assigning self.mass "
-        "= mass and self.damping = damping."
+        "A new particle must have a mass of 1 kg and a damping of 1. Check what your setters of "
+        "mass and damping store, and what the getters return."
     )
     about.read = "the docstring of Particle"
     p = Particle()
     expect_close(p.mass, 1.0, then=".mass")
     expect_close(p.inverse_mass, 1.0, then=".inverse_mass")
     lost = (
-        "You returned the fraction of the velocity that is lost in a second. The damping is the "
-        "fraction that is kept."
+        "You return the fraction of the velocity that is lost per second. Return the damping, the "
+        "fraction that the particle keeps."
     )
     blame(p.damping, [(0.0, lost)])
     expect_close(p.damping, 1.0, then=".damping")
     about.cause = (
-        "This mass is finite, so return True. A comparison is already True or False, so return its "
-        "result directly."
+        "This mass is finite, so has_finite_mass must be True. Return the result of a comparison, "
+        "which is True or False, and not a number."
     )
     for mass in (1.0, 1e9, 0.001):
-        about.call = f"p.has_finite_mass, for a mass of {mass} kg"
+        about.call = f"p.has_finite_mass of a particle p with a mass of {mass} kg"
         got = Particle(mass=mass).has_finite_mass
         expect_exactly(got, True)
 
@@ -66,8 +66,8 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
     first, second = draw_mass(rng), draw_mass(rng)
     about.read = "book 3.2"
     itself = (
-        "The result is the mass itself, but the particle stores the inverse mass. Store 1 / mass "
-        "in the setter of mass."
+        "The inverse mass of your particle equals its mass. Store 1 / mass in the setter of mass, "
+        "and return it unchanged as the inverse_mass."
     )
     about(
         f"p = Particle(mass={first}); p.inverse_mass",
@@ -78,7 +78,7 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
     expect_close(p.inverse_mass, 1.0 / first)
     for mass in (second, 4):  # an int is a number too
         about.cause = (
-            "The particle stores the inverse mass, 1 / mass. Store it every time a mass is "
+            "The inverse mass must be 1 / mass. Store it in the setter, every time a mass is "
             "assigned."
         )
         about.call = f"p = Particle(); p.mass = {mass}; p.inverse_mass"
@@ -92,8 +92,8 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
 def test_the_mass_comes_back(rng: Random) -> None:
     mass = draw_mass(rng)
     about(
-        cause="The particle stores only the inverse mass, so the getter of mass must return 1 / "
-        "inverse mass.",
+        cause="You probably return the stored inverse mass as the mass. The getter of mass must "
+        "return 1 / inverse mass.",
         read="book 3.2",
     )
     for value in (mass, 1e9):
@@ -104,23 +104,25 @@ def test_the_mass_comes_back(rng: Random) -> None:
 @pytest.mark.exercise("B3.1")
 def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     inverse = 1.0 / draw_mass(rng)
-    about.call = f"p = Particle(mass=8.0); p.inverse_mass = {inverse}"
+    about.call = f"p = Particle(mass=8.0); p.inverse_mass = {inverse:.6g}"
     about.cause = (
-        "The assigned number is already an inverse mass, so store it as is. The mass is then 1 / "
-        "inverse mass."
+        "The assigned number is already an inverse mass. Store it unchanged, and return 1 / "
+        "inverse mass as the mass."
     )
     about.read = "book 3.2"
     p = Particle(mass=8.0)
     p.inverse_mass = inverse
     once_more = (
-        "The result is 1 / inverse mass. The assigned number is already an inverse mass, so store "
-        "it as is."
+        "You invert the assigned number, but it is already an inverse mass. Store it unchanged."
     )
     blame(p.inverse_mass, [(1.0 / inverse, once_more)])
     expect_close(p.inverse_mass, inverse, then="; p.inverse_mass")
     expect_close(p.mass, 1.0 / inverse, then="; p.mass")
     about.call = f"{about.call}; p.has_finite_mass"
-    about.cause = "Only math.inf is an infinite mass, so has_finite_mass must be True here."
+    about.cause = (
+        "The mass of this particle is finite, so has_finite_mass must be True. Only math.inf is an "
+        "infinite mass."
+    )
     expect_exactly(p.has_finite_mass, True)
 
 
@@ -128,22 +130,22 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
     about.cause = (
-        "An infinite mass is valid, and its inverse is 0. Check the mass with positive_or_infinite "
-        "from arguments.py, which accepts math.inf."
+        "You reject an infinite mass, or store a wrong inverse, which must be 0. Check the mass "
+        "with positive_or_infinite from arguments.py, which accepts math.inf."
     )
     about.read = "book 3.2"
     p = Particle(mass=math.inf)
     expect_close(p.inverse_mass, 0.0, then="; p.inverse_mass")
     about.call += "; p.mass"
     about.cause = (
-        "An inverse mass of 0 stands for an infinite mass, so return math.inf instead of dividing "
-        "by 0."
+        "The inverse mass is 0, which means an infinite mass. Return math.inf in this case instead "
+        "of dividing by 0."
     )
     expect_exactly(p.mass, math.inf)
     about.call = "p = Particle(mass=math.inf); p.has_finite_mass"
     about.cause = (
-        "This particle has infinite mass, so has_finite_mass must be False. Compare the mass with "
-        "math.inf."
+        "This particle has an infinite mass, so has_finite_mass must be False. Compare the mass "
+        "with math.inf."
     )
     expect_exactly(p.has_finite_mass, False)
 
@@ -152,20 +154,20 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
     about.cause = (
-        "An inverse mass of 0 is valid: it stands for a particle that cannot be moved. Check it "
-        "with not_negative from arguments.py, which accepts 0."
+        "You reject an inverse mass of 0, which is valid for an immovable particle. Check it with "
+        "not_negative from arguments.py, which accepts 0."
     )
     about.read = "book 3.2"
     p = Particle()
     p.inverse_mass = 0
     about.cause = (
-        "An inverse mass of 0 stands for an infinite mass, so return math.inf instead of dividing "
-        "by 0."
+        "The inverse mass is 0, which means an infinite mass. Return math.inf in this case instead "
+        "of dividing by 0."
     )
     expect_exactly(p.mass, math.inf, then="; p.mass")
     about.cause = (
-        "This particle has infinite mass, so has_finite_mass must be False. Compare the mass with "
-        "math.inf."
+        "This particle has an infinite mass, so has_finite_mass must be False. Compare the mass "
+        "with math.inf."
     )
     got = p.has_finite_mass
     expect_exactly(got, False, then="; p.has_finite_mass")
@@ -174,8 +176,8 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
 @pytest.mark.exercise("B3.1")
 def test_a_damping_is_kept(rng: Random) -> None:
     about.cause = (
-        "Store the damping unchanged, because 0 and numbers above 1 are valid too. Check it with "
-        "not_negative from arguments.py."
+        "A damping of 0 or above 1 is valid too, so store it unchanged. Check it with not_negative "
+        "from arguments.py, and don't limit it to 1."
     )
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
@@ -202,8 +204,8 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 
     expect_error(attempt, error, allowed=allowed)
     about.cause = (
-        "The setter rejected this value only after storing it. Check the value before you store "
-        "it, so that a rejected value changes nothing."
+        "Your setter stores the value before it rejects it. Check the value before you store it, "
+        "so that a rejected value changes nothing."
     )
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
@@ -213,8 +215,8 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
     about.cause = (
-        "A mass must be positive, and it may be infinite. Pass it to positive_or_infinite from "
-        "arguments.py, which raises the ValueError for you."
+        "A mass must be positive or infinite. Pass it to positive_or_infinite from arguments.py, "
+        "which raises the ValueError for you."
     )
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
@@ -250,8 +252,8 @@ def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
 )
 def test_text_is_no_number(name: str, good: float) -> None:
     about.cause = (
-        "In the setter, pass the value to one of the functions in arguments.py, which raise this "
-        "TypeError for you."
+        "A text is not a number. In the setter, pass the value to one of the functions in "
+        "arguments.py, which raise the TypeError for you."
     )
     about.read = f"the docstring of {name}"
     expect_refusal(name, "2", TypeError, good=good, read=about.read)
@@ -265,8 +267,8 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.momentum()"
     about.cause = (
-        "The momentum is the vector m v, so multiply the velocity by the mass. The damping plays "
-        "no part in it."
+        "The momentum is the vector m v. Multiply the velocity by the mass, and don't use the "
+        "damping."
     )
     about.read = "book 3.2"
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
@@ -275,13 +277,14 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     mistakes = [
         (
             tuple(n / mass for n in v),
-            "The velocity was divided by the mass. Multiply it by self.mass instead.",
+            "You divide the velocity by the mass. Multiply it by self.mass instead.",
         ),
         (
             mass * math.sqrt(dot(v, v)),
-            "The result is the length of m v, but the momentum is a vector. Return m v itself.",
+            "You return the length of m v, a number. The momentum is a vector, so return m v "
+            "itself.",
         ),
-        (v, "The result is the velocity alone. Multiply it by the mass to get the momentum."),
+        (v, "You return the velocity itself. Multiply it by the mass to get the momentum."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted)
@@ -292,8 +295,8 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
     v = components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
     about.cause = (
-        "momentum must return a new vector and leave the velocity unchanged. The expression "
-        "self.velocity * self.mass creates one."
+        "Your method returns or changes the velocity of the particle. Return a new vector and "
+        "leave the velocity unchanged, as self.velocity * self.mass does."
     )
     about.read = "the docstring of momentum"
     p = Particle(velocity=Vector3(*v))
@@ -309,8 +312,8 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "An immovable particle has no momentum, so return a zero vector. Check has_finite_mass "
-        "first, because infinity times 0 is NaN."
+        "An immovable particle has zero momentum. Check has_finite_mass first and return a zero "
+        "vector, because infinity times 0 is NaN."
     )
     about.read = "the docstring of momentum"
     for velocity in (ZERO, v):
@@ -327,22 +330,27 @@ def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
 def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.kinetic_energy()"
-    about.cause = "The kinetic energy is m |v|^2 / 2, where |v| is the speed."
+    about.cause = (
+        "The kinetic energy is m |v|^2 / 2, where m is the mass and |v| the speed. Check each "
+        "factor of your formula against it."
+    )
     about.read = "book 3, exercise 3.3"
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
     got, squared = p.kinetic_energy(), dot(v, v)
     mistakes = [
         (
             mass * squared,
-            "The result is m |v|^2. The kinetic energy is half of this.",
+            "You return m |v|^2, without the factor 1/2. The kinetic energy is m |v|^2 / 2.",
         ),
         (
             0.5 * mass * math.sqrt(squared),
-            "The result is m |v| / 2. Square the speed, because the kinetic energy is m |v|^2 / 2.",
+            "You return m |v| / 2. Square the speed |v|, because the kinetic energy is m |v|^2 / "
+            "2.",
         ),
         (
             0.5 / mass * squared,
-            "The result was computed with the inverse mass. Multiply by self.mass instead.",
+            "You multiply by the inverse mass instead of the mass. Use self.mass, because the "
+            "kinetic energy is m |v|^2 / 2.",
         ),
     ]
     blame(got, mistakes)
@@ -354,8 +362,8 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
 def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     about.call = "p = Particle(velocity=Vector3(0, 0, -2)); p.kinetic_energy()"
     about.cause = (
-        "The kinetic energy is 1 kg * (2 m/s)^2 / 2 = 2 J. It doesn't depend on the direction of "
-        "the velocity, so it is never negative."
+        "The kinetic energy must be 1 kg * (2 m/s)^2 / 2 = 2 J. It doesn't depend on the direction "
+        "of the velocity, so it is never negative."
     )
     about.read = "book 3, exercise 3.3"
     p = Particle(velocity=Vector3(0, 0, -2))
@@ -366,8 +374,8 @@ def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
 def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "An immovable particle has no kinetic energy. Check has_finite_mass first, because "
-        "infinity times 0 is NaN."
+        "An immovable particle has a kinetic energy of 0. Check has_finite_mass first and return "
+        "0.0, because infinity times 0 is NaN."
     )
     about.read = "the docstring of kinetic_energy"
     for velocity in (ZERO, v):

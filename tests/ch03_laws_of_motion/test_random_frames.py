@@ -15,27 +15,27 @@ from expect import about, expect_between, expect_close, expect_error, expect_exa
 @scoped
 def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float]:
     """Return the frames as plain floats."""
-    about.call = f"random_frames({mean}, {jitter}, {total}, {seed})"
+    about.call = f"random_frames(mean={mean}, jitter={jitter}, total={total}, seed={seed})"
     about(
-        cause="Return a list of floats, one duration for each frame.",
+        cause="Return a list of floats, with one duration for each frame.",
         read="the docstring of random_frames",
     )
     frames: Any = exercises.random_frames(mean, jitter, total, seed)
     plain = isinstance(frames, (list, tuple)) and all(type(frame) is float for frame in frames)
-    expect_exactly(plain, True, call=f"are all of {about.call} floats?")
+    expect_exactly(plain, True, call=f"{about.call}; is the result a list of floats?")
     return list(frames)
 
 
 @pytest.mark.exercise("3.5a")
 def test_the_frames_fill_the_total_time(rng: Random) -> None:
     about.cause = (
-        "The durations must add up to exactly the total. Shorten the last frame so that it ends "
-        "there."
+        "The durations don't add up to the total. Shorten the last frame, so that it ends exactly "
+        "at the total."
     )
     about.read = "the docstring of random_frames"
     for mean, total in ((round(rng.uniform(0.01, 0.03), 4), 2.0), (0.1, 1.0), (0.3, 0.2)):
         seed = rng.randrange(1000)
-        about.call = f"sum(random_frames({mean}, 0.4, {total}, {seed}))"
+        about.call = f"sum(random_frames(mean={mean}, jitter=0.4, total={total}, seed={seed}))"
         frames = frames_of(mean, 0.4, total, seed)
         # About 200 rounded additions.
         got = math.fsum(frames)
@@ -48,21 +48,21 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
     about.read = "the docstring of random_frames"
     for jitter in (round(rng.uniform(0.2, 0.8), 3), 0.95):
         *frames, last = frames_of(mean, jitter, 8.0, seed)
-        about.call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
+        about.call = f"random_frames(mean={mean}, jitter={jitter}, total=8.0, seed={seed})"
         about.cause = (
-            "Every frame but the last must take between mean * (1 - jitter) and mean * (1 + "
-            "jitter). Check the limits of your random numbers."
+            "A frame is too short or too long. Draw each duration between mean * (1 - jitter) and "
+            "mean * (1 + jitter)."
         )
         farthest = max(frames, key=lambda frame: abs(frame - mean))
         least, most = mean * (1.0 - jitter), mean * (1.0 + jitter)
-        name = ": the frame that is farthest from the mean, leaving out the last frame"
+        name = "; the duration that is farthest from the mean, without the last one, in s"
         expect_between(farthest, least, most, then=name, tolerance=1e-9 * mean)
         about.cause = (
-            "The last frame is whatever remains of the total, so it must be longer than 0 but no "
-            "longer than the longest frame that the jitter allows."
+            "The last frame takes what is left of the total. It must be longer than 0, but not "
+            "longer than mean * (1 + jitter)."
         )
-        expect_exactly(last > 0.0, True, then=": is the last frame longer than 0?")
-        expect_between(last, 0.0, most, then=": the last frame", tolerance=1e-9)
+        expect_exactly(last > 0.0, True, then="; is the last duration above 0?")
+        expect_between(last, 0.0, most, then="; the last duration in s", tolerance=1e-9)
 
 
 @pytest.mark.exercise("3.5a")
@@ -70,29 +70,32 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     seed, mean, jitter = rng.randrange(1000), 0.02, 0.5
     about.read = "the docstring of random_frames"
     frames = frames_of(mean, jitter, 20.0, seed)[:-1]
-    about.call = f"random_frames({mean}, {jitter}, 20.0, {seed})"
+    about.call = f"random_frames(mean={mean}, jitter={jitter}, total=20.0, seed={seed})"
     about.cause = (
-        "Draw each duration uniformly from the whole range, which extends to both sides of the "
-        "mean."
+        "The durations don't spread evenly around the mean. Draw each of them uniformly from mean "
+        "* (1 - jitter) to mean * (1 + jitter)."
     )
     # The mean of about 1000 even draws is within 6 of its standard deviations. The chance that a
     # tenth of the range stays empty is 0.9^1000.
     average = math.fsum(frames) / len(frames)
     six_sigma = 6.0 * mean * jitter / math.sqrt(3.0 * 900.0)
-    name = f"the mean of all frames of {about.call}"
+    name = f"{about.call}; the mean of the durations, without the last one, in s"
     expect_close(average, mean, call=name, tolerance=six_sigma)
     reach = (min(frames), max(frames))
     wanted = (mean * (1.0 - jitter), mean * (1.0 + jitter))
-    name = f"the shortest and the longest frame of {about.call}"
+    name = f"{about.call}; the shortest and the longest duration, without the last one, in s"
     expect_close(reach, wanted, call=name, tolerance=0.2 * mean * jitter)
     # Half of the draws lie in the middle half of the range, within 6 deviations.
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
-    name = f"the fraction of the frames of {about.call} that are within half the jitter of the mean"
+    name = (
+        f"{about.call}; the fraction of the durations from mean * (1 - jitter / 2) to mean * (1 + "
+        "jitter / 2)"
+    )
     if inner > 0.5:
         about.cause = (
-            "Too many frames are close to the mean. Draw each duration with a single call of "
-            "uniform() instead of averaging several random numbers."
+            "Too many durations are close to the mean. Draw each of them with a single call of "
+            "uniform instead of averaging several random numbers."
         )
     expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
@@ -100,26 +103,26 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
 @pytest.mark.exercise("3.5a")
 def test_without_jitter_all_frames_are_equal() -> None:
     about.cause = (
-        "Without jitter, every frame has the mean duration. Rounding can leave about 1e-16 s of "
-        "the total, so make sure that it doesn't become a frame of its own."
+        "Without jitter, every frame takes exactly the mean. If a rounding error of about 1e-16 s "
+        "is left at the end, don't add another frame for it."
     )
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):
-        about.call = f"random_frames({mean}, 0.0, 1.0, 3)"
+        about.call = f"random_frames(mean={mean}, jitter=0.0, total=1.0, seed=3)"
         got = frames_of(mean, 0.0, 1.0, 3)
         expect_close(got, [mean] * count, tolerance=1e-11)
     about.cause = (
-        "After two frames, about 1e-7 s of the total is left. That is far more than a rounding "
-        "error, so add another frame for it."
+        "After two frames, 1e-7 s of the total is left, which is far more than a rounding error. "
+        "Add a third frame for it."
     )
-    about.call = "random_frames(0.25, 0.0, 0.5000001, 3)"
+    about.call = "random_frames(mean=0.25, jitter=0.0, total=0.5000001, seed=3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
     about.cause = (
-        "A rounding error is always small compared with the total. Here 0.6 % of the total is "
-        "left, so add another frame for it."
+        "After two frames, 0.6 % of the total is left, but you treat it as a rounding error. "
+        "Compare the rest with a tiny fraction of the total, not with a fixed time."
     )
-    about.call = "random_frames(4e-06, 0.0, 8.05e-06, 3)"
+    about.call = "random_frames(mean=4e-06, jitter=0.0, total=8.05e-06, seed=3)"
     got = frames_of(4e-6, 0.0, 8.05e-6, 3)
     expect_close(got, [4e-6, 4e-6, 5e-8], tolerance=1e-17)
 
@@ -127,26 +130,25 @@ def test_without_jitter_all_frames_are_equal() -> None:
 @pytest.mark.exercise("3.5a")
 def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None:
     seed = rng.randrange(1000)
-    about.call = f"random_frames(0.02, 0.5, 1.0, {seed})"
+    about.call = f"random_frames(mean=0.02, jitter=0.5, total=1.0, seed={seed})"
     about.cause = (
-        "The frames must depend only on the seed. Create a new random.Random(seed) in the "
-        "function, and draw every number from it."
+        "The same seed must give the same frames, and another seed must give others. Create a new "
+        "random.Random(seed) in each call, and draw every number from it."
     )
     about.read = "the docstring of random_frames"
     first = frames_of(0.02, 0.5, 1.0, seed)
     others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
     again = frames_of(0.02, 0.5, 1.0, seed)
-    expect_exactly(again == first, True, then=", called twice: are the results the same?")
+    expect_exactly(again == first, True, then=", called twice; are the two results equal?")
     for i, other in enumerate(others, 1):
         expect_exactly(
             other[0] == first[0],
             False,
-            then=f", and again with seed {seed + i}: is the first frame the same?",
+            then=f", and again with the seed {seed + i}; is the first duration the same?",
         )
-    name = f"{about.call}: are the frames sorted?"
+    name = f"{about.call}; are the durations sorted?"
     about.cause = (
-        "The durations only ever increase or only ever decrease, so they seem to be sorted. Return "
-        "them in the order in which you drew them."
+        "You probably sort the durations. Return them in the order in which you drew them."
     )
     in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))
     expect_exactly(in_order, False, call=name)
@@ -174,12 +176,13 @@ def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
     arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
     about.cause = (
         "The mean and the total must be positive and finite, and the jitter must be at least 0 and "
-        "below 1. Check all three before you draw the first number, or the loop may never end."
+        "below 1. Check all three before the loop."
     )
     about.read = "the docstring of random_frames"
     for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it
         bad_ones = arguments | {name: value}
-        about.call = "random_frames({mean}, {jitter}, {total}, {seed})".format(**bad_ones)
+        shown = ", ".join(f"{key}={given}" for key, given in bad_ones.items())
+        about.call = f"random_frames({shown})"
         expect_error(
             lambda bad_ones=bad_ones: exercises.random_frames(**bad_ones),
             ValueError,

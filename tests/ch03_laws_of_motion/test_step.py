@@ -23,7 +23,8 @@ def a_particle(
     position: Components, velocity: Components, acceleration: Components, damping: float = 1.0
 ) -> tuple[str, Particle]:
     """Return the code that makes a particle, and the particle."""
-    words = f"p = Particle(Vector3{position}, Vector3{velocity}, Vector3{acceleration}"
+    words = f"p = Particle(position=Vector3{position}, velocity=Vector3{velocity}, "
+    words += f"acceleration=Vector3{acceleration}"
     vectors = (Vector3(*position), Vector3(*velocity), Vector3(*acceleration))
     words += f", damping={damping})" if damping != 1.0 else ")"
     return words, Particle(*vectors, damping=damping)
@@ -37,27 +38,26 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
         words, p = a_particle(x, v, a)
         about.call = f"{words}; p.integrate({h}); p.position"
         about.cause = (
-            "A step moves the position by p' = p + v h, where v is the velocity from before the "
-            "step."
+            "A step must move the position to p' = p + v h, where v is the velocity before the "
+            "step and h the duration."
         )
         p.integrate(h)
         wanted = tuple(x[i] + v[i] * h for i in range(3))
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "The velocity was changed before the position. That is semi-implicit Euler, which "
-                "is the better method, but the book's step moves the position first, with the old "
-                "velocity (E-17).",
+                "You change the velocity before the position, as in semi-implicit Euler. This step "
+                "is explicit Euler (E-17), so move the position first, with the old velocity.",
             ),
             (
                 tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
-                "The step added a h^2 / 2 to the position. The book leaves that term out on "
-                "purpose, so add only the velocity times h.",
+                "You add a h^2 / 2 to the position, but the book leaves this term out on purpose. "
+                "Add only the old velocity times h.",
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
-                "The velocity is given per second, but you added it as if the step took a whole "
-                "second. Multiply it by h first.",
+                "You add the whole velocity, which is the displacement in one second. Multiply it "
+                "by the duration h first.",
             ),
             (x, "The position did not change. Call self.drift(duration) in integrate."),
         ]
@@ -71,23 +71,23 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.integrate({h}); p.velocity"
-    about.cause = "Each step must change the velocity exactly once, by v' = v + a h."
+    about.cause = "A step must change the velocity exactly once, to v' = v + a h."
     about.read = "book 3.3.2, Eq. 2.8"
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h for i in range(3))
     mistakes = [
         (
             tuple(v[i] + a[i] for i in range(3)),
-            "The acceleration is given per second, but you added it as if the step took a whole "
-            "second. Multiply it by h first.",
+            "You add the whole acceleration, as if the step took one second. Multiply it by the "
+            "duration h first.",
         ),
         (v, "The velocity did not change. Call self.kick(duration) in integrate."),
     ]
     blame(xyz(p.velocity), mistakes)
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
     about.cause = (
-        "The step changed the particle's acceleration. Leave it unchanged, because the next step "
-        "needs it too."
+        "Your step changes the particle's acceleration. Only read it, because the next step needs "
+        "it too."
     )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     p.acceleration = Vector3(*x)
@@ -95,8 +95,8 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
         f"{words}; p.integrate({h}); p.acceleration = Vector3{x}; p.integrate({h}); p.velocity"
     )
     about.cause = (
-        "The check changes the acceleration between the two steps, and the second step must use "
-        "the new one. Read self.acceleration in every step."
+        "The acceleration was replaced between the two steps, and the second step must use the new "
+        "one. Read self.acceleration in every step."
     )
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h + x[i] * h for i in range(3))
@@ -107,8 +107,8 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
 def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
     h = draw_frame(rng)
     about.cause = (
-        "Without damping or acceleration the velocity stays the same, however small or large it "
-        "is. That is Newton's first law."
+        "Without damping and acceleration the velocity must stay the same, however small or large "
+        "it is. Don't round or limit it."
     )
     about.read = "book 3.2: the first law"
     for v in ((1e-9, -2e-5, 3e-3), (1e3, -2e5, 3e8)):
@@ -137,8 +137,8 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
     ):
         about.call = f"p = Particle(velocity=Vector3{v}, {damping=}); p.integrate(h) for each h in "
         about.cause = (
-            "The damping d is the fraction of the velocity that remains after one second, so a "
-            "step of h seconds keeps d^h, which is damping ** duration."
+            "The damping d is the fraction of the velocity that the particle keeps per second. A "
+            "step of h seconds must multiply the velocity by d^h."
         )
         kept = damping ** sum(frames)
         got = probes.velocity_after(v, damping, frames)
@@ -146,15 +146,15 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
         mistakes = [
             (
                 tuple(n * each for n in v),
-                "You multiplied the velocity by d in every step, as in Eq. 3.5. The damping d is "
+                "You multiply the velocity by d in every step, as in Eq. 3.5. The damping d is "
                 "given per second, so multiply by d^h.",
             ),
             (
                 tuple(n * first for n in v),
-                "You used the factor d^h of the first step in all steps. Compute it again in each "
-                "step, because the durations differ.",
+                "You use the factor d^h of the first step in all steps. Compute it again in each "
+                "step, because their durations h differ.",
             ),
-            (v, "You didn't damp the velocity. Multiply it by d^h in every step."),
+            (v, "You don't damp the velocity. Multiply it by d^h in every step of duration h."),
         ]
         blame(got, mistakes)
         wanted = (v[0] * kept, v[1] * kept, v[2] * kept)
@@ -169,22 +169,22 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     words, p = a_particle(x, v, a, damping)
     about.call = f"{words}; p.integrate({h}); p.velocity"
     about.cause = (
-        "A step changes the velocity by v' = (v + a h) d^h, as in the book's listing. Add the "
-        "acceleration first, and then damp the sum."
+        "A step must change the velocity to v' = (v + a h) d^h, as in the book's listing. Add a h "
+        "first, and then multiply the sum by d^h."
     )
     about.read = "the docstring of integrate, errata.md"
     p.integrate(h)
     wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
     equation = (
-        "The result is v d^h + a h, as in Eq. 3.6. The book's listing contradicts that equation "
-        "(E-16), and the engine follows the listing, so compute (v + a h) d^h."
+        "You compute v d^h + a h, as in Eq. 3.6. The engine follows the book's listing, which "
+        "contradicts that equation (E-16), so compute (v + a h) d^h."
     )
     mistakes = [(tuple(v[i] * damping**h + a[i] * h for i in range(3)), equation)]
     blame(xyz(p.velocity), mistakes)
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
     about.cause = (
-        "The step changed p.acceleration, probably by damping it. Damp only the velocity, because "
-        "the next step needs the same acceleration again."
+        "Your step changes p.acceleration, probably by damping it. Damp only the velocity, because "
+        "the next step needs the same acceleration."
     )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
@@ -197,8 +197,8 @@ def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
         "p.integrate(0.5); p.velocity"
     )
     about.cause = (
-        "The check changes the damping between the two steps. Compute d^h from self.damping in "
-        "every step, because a stored factor can go out of date."
+        "The damping was changed before the second step, which must use the new damping. Compute "
+        "d^h from self.damping in every step instead of storing it."
     )
     about.read = "the docstring of integrate"
     p = Particle(velocity=Vector3(*v))
@@ -216,14 +216,16 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     words, p = a_particle(x, v, (0.0, 0.0, 0.0), 0.0)
     about.call = f"{words}; p.integrate({h})"
     about.cause = (
-        "Since 0^h is 0, a damping of 0 must stop the particle. Python treats 0 as false in an if "
-        "statement, so don't use the damping itself as the condition."
+        "A damping of 0 must stop the particle, because 0^h is 0. Python treats 0 as false in an "
+        "if statement, so don't use the damping as the condition."
     )
     about.read = "the docstring of integrate"
     p.integrate(h)
     expect_close(xyz(p.velocity), (0.0, 0.0, 0.0), then="; p.velocity")
     wanted = tuple(x[i] + v[i] * h for i in range(3))
-    about.cause = "Move the position first, with the velocity from before the damping."
+    about.cause = (
+        "The position must move with the velocity before the damping. Call drift before kick."
+    )
     expect_close(xyz(p.position), wanted, then="; p.position", tolerance=1e-13)
 
 
@@ -231,8 +233,8 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
 def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
     v, a, mass = components(rng), components(rng), round(rng.uniform(2.0, 90.0), 3)
     about.cause = (
-        "An acceleration is not a force, so it already takes the mass into account. Don't use the "
-        "mass in this step."
+        "You probably use the mass in the step, but it doesn't matter to a given acceleration or "
+        "to the damping. Use only v, a, d and h."
     )
     about.read = "book 3.2"
     for acceleration, damping in ((a, 1.0), ((0.0, 0.0, 0.0), 0.25)):
@@ -254,8 +256,8 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
         "p = Particle(acceleration=Vector3(0, -10, 0)); p.integrate(1/60) 300 times; p.position"
     )
     about.cause = (
-        "The exact position is 125 m below the start. Explicit Euler must end a t h / 2 = 0.41667 "
-        "m short of it, because each step uses the velocity from the beginning of the step."
+        "The exact fall is 125 m, but explicit Euler must fall 0.41667 m less, because each step "
+        "uses the velocity before it. Check the order of the position and the velocity."
     )
     about.read = "book 3.3.2, Eq. 2.7 and 2.8"
     got = probes.position_after_fall(10.0, 1.0 / 60.0, 300)
@@ -268,11 +270,12 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
 def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     about.call = (
-        f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); p.integrate({h})"
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+        f"mass=math.inf); p.integrate({h})"
     )
     about.cause = (
-        "A particle with infinite mass cannot move, so if inverse_mass is 0, return from the "
-        "method at once."
+        "This particle has an infinite mass, so nothing may change it. Do nothing if its "
+        "inverse_mass is 0."
     )
     about.read = "the docstring of integrate"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf, damping=0.5)
@@ -283,7 +286,8 @@ def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
     p.mass = 2.0
     about.call = f"{about.call}; p.mass = 2.0; p.integrate({h}); p.position"
     about.cause = (
-        "The particle now has a finite mass, so it must move. Check inverse_mass in every step."
+        "The particle has a finite mass now, so it must move again. Check inverse_mass in every "
+        "step."
     )
     p.integrate(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
@@ -298,8 +302,8 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
         "p.last_acceleration"
     )
     about.cause = (
-        "last_acceleration must return the acceleration of the last step unchanged. The mass and "
-        "the damping play no part in it."
+        "Return the particle's acceleration unchanged as last_acceleration. Don't divide it by the "
+        "mass, and don't damp it."
     )
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=4.0, damping=0.5)
@@ -309,13 +313,13 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     last.x = 99.0
     about.call = f"{about.call}.x = 99.0"
     about.cause = (
-        "last_acceleration returned one of the particle's own vectors, so any change to the result "
-        "also changes the particle. Return a copy."
+        "Your last_acceleration returns one of the particle's own vectors, so a change to the "
+        "result also changes the particle. Return a copy."
     )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     about.cause = (
-        "The check changes the acceleration before the last step. Return the one that the last "
-        "step used, not that of an earlier step."
+        "The acceleration was replaced before the last step. Return the one that the last step "
+        "used, not that of an earlier step."
     )
     p.acceleration = Vector3(a[1], a[2], a[0])
     p.integrate(0.5)
@@ -329,18 +333,18 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
 @pytest.mark.exercise("B3.4")
 def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     x, v, h = components(rng), components(rng), draw_frame(rng)
-    about.call = f"p.integrate({h}), where a subclass of Particle overrides kick: "
+    about.call = f"a particle p whose class overrides kick; p.integrate({h}); "
     about.read = "the docstring of integrate"
     kicks = probes.kicks_of_a_step(x, v, h)
     about.cause = (
-        "integrate must call self.kick(duration) exactly once. The particle of chapter 5 adds its "
-        "forces in a kick of its own, so it relies on this call."
+        "Your integrate must call self.kick(duration) exactly once, instead of changing the "
+        "velocity itself. The particle of chapter 5 overrides kick to add forces."
     )
     got = [duration for duration, _ in kicks]
-    expect_exactly(got, [h], then="the durations of the kicks")
+    expect_exactly(got, [h], then="the durations of all calls of kick")
     about.cause = (
-        "The position must move before the kick. Call drift first, so that the position moves with "
-        "the old velocity."
+        "The position must move before the kick. Call drift first and then kick, so that the "
+        "position moves with the old velocity."
     )
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     expect_close(kicks[0][1], wanted, then="p.position when kick is called", tolerance=1e-13)
@@ -359,11 +363,11 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
         )
         if mass == math.inf:
             about.cause = (
-                "An invalid duration must raise an error even if the particle is immovable. Check "
-                "the duration before you check the mass."
+                "You accept an invalid duration because the particle is immovable. Check the "
+                "duration before you check the mass."
             )
         about.call = (
-            f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass!r}); "
+            f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, mass={mass!r}); "
             f"p.integrate({duration})"
         )
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
@@ -374,7 +378,7 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
                 allowed=lambda: Particle().integrate(0.5),
             )
         about.cause = (
-            "integrate rejected the step, but it had already changed the particle. Check the "
+            "Your integrate changes the particle before it rejects the duration. Check the "
             "duration before you change anything."
         )
         expect_unchanged("p.position", xyz(p.position), x)
@@ -386,7 +390,8 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
 def test_text_is_no_duration() -> None:
     about.call = 'Particle().integrate("0.5")'
     about.cause = (
-        "Pass the duration to positive from arguments.py, which raises this TypeError for you."
+        "A text is not a duration. Pass the duration to positive from arguments.py, which raises "
+        "the TypeError for you."
     )
     about.read = "the docstring of integrate"
     expect_error(

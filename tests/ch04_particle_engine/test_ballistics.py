@@ -38,47 +38,58 @@ def test_the_axes_of_aiming(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     about.read = "the docstring of aim"
     for azimuth, elevation, wanted, cause in (
-        (0.0, 0.0, (0.0, 0.0, speed), "If both angles are 0, the velocity must point along Z."),
+        (
+            0.0,
+            0.0,
+            (0.0, 0.0, speed),
+            "If both angles are 0, the velocity must point along Z, with the whole speed.",
+        ),
         (
             QUARTER,
             0.0,
             (speed, 0.0, 0.0),
-            "If the azimuth is a quarter turn, the velocity must point along X.",
+            "If the azimuth is a quarter turn and the elevation is 0, the velocity must point "
+            "along X, with the whole speed.",
         ),
         (
             0.0,
             QUARTER,
             (0.0, speed, 0.0),
-            "If the elevation is a quarter turn, the velocity must point straight up.",
+            "If the elevation is a quarter turn, the velocity must point straight up, along Y.",
         ),
         (
             0.0,
             -QUARTER,
             (0.0, -speed, 0.0),
-            "If the elevation is negative, the velocity must point down.",
+            "If the elevation is minus a quarter turn, the velocity must point straight down.",
         ),
     ):
-        about(f"aim({speed}, {azimuth}, {elevation})", cause=cause)
+        names = {QUARTER: "math.pi / 2", -QUARTER: "-math.pi / 2"}
+        shown = [names.get(angle, "0.0") for angle in (azimuth, elevation)]
+        about(f"aim({speed}, azimuth={shown[0]}, elevation={shown[1]})", cause=cause)
         got = xyz(ballistics.aim(speed, azimuth, elevation))
         small = math.radians(QUARTER)
-        degrees = "The angles are already in radians, so don't convert them with math.radians."
+        degrees = (
+            "You convert the angles with math.radians, but they are already in radians. Pass them "
+            "to math.sin and math.cos as they are."
+        )
         mistakes = {
             (0.0, 0.0): [
                 (
                     (speed, 0.0, 0.0),
-                    "The azimuth was measured from X, so 0 points along X. Measure it from Z "
-                    "toward X.",
+                    "You measure the azimuth from X, so that a shot with an azimuth of 0 flies "
+                    "along X. Measure it from Z toward X.",
                 ),
                 (
                     (0.0, speed, 0.0),
-                    "The elevation was measured from the vertical. Measure it from the ground, so "
-                    "that an elevation of 0 is level.",
+                    "You measure the elevation from the vertical. Measure it from the ground, so "
+                    "that a shot with an elevation of 0 is level.",
                 ),
             ],
             (QUARTER, 0.0): [
                 (
                     (-speed, 0.0, 0.0),
-                    "The azimuth has the wrong sign. A positive azimuth must turn the velocity "
+                    "Your azimuth has the wrong sign. A positive azimuth must rotate the velocity "
                     "from Z toward X.",
                 ),
                 ((speed * math.sin(small), 0.0, speed * math.cos(small)), degrees),
@@ -86,12 +97,13 @@ def test_the_axes_of_aiming(rng: Random) -> None:
             (0.0, QUARTER): [
                 (
                     (0.0, speed, speed),
-                    "The horizontal part of the velocity is too fast. Multiply the speed by "
-                    "cos(elevation) to get it.",
+                    "You use the whole speed for the horizontal part of the velocity. Multiply the "
+                    "speed by cos(elevation) to get that part.",
                 ),
                 (
                     (0.0, -speed, 0.0),
-                    "The Y component has the wrong sign. A positive elevation must point up.",
+                    "Your Y component has the wrong sign. A positive elevation must make the "
+                    "velocity point up.",
                 ),
                 ((0.0, speed * math.sin(small), speed * math.cos(small)), degrees),
             ],
@@ -113,7 +125,7 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
     about.read = "the docstring of aim"
     turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
     for a, e in ((azimuth, elevation), *turned):
-        about.call = f"aim({speed}, {a}, {e})"
+        about.call = f"aim({speed}, azimuth={a:.6g}, elevation={e:.6g})"
         got = xyz(ballistics.aim(speed, a, e))
         level = speed * math.cos(e)
         wanted = (level * math.sin(a), speed * math.sin(e), level * math.cos(a))
@@ -146,45 +158,47 @@ def test_speed_and_angles_are_finite(bad: float) -> None:
 def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
     about.call = f'r = BallisticRange(); r.fire("{name}"); r.shots'
-    about.cause = (
-        "Each call to fire must add exactly one Shot, of the given type, to the list of shots."
-    )
+    about.cause = "Each call of fire must add exactly one Shot of the given type to self.shots."
     about.read = "the docstring of fire; book 4.1.2"
     at = BallisticRange()
     at.fire(name)
-    expect_exactly(types_of(at), (name,), then=", their types")
+    expect_exactly(types_of(at), (name,), then="; the types of the shots")
     shot = at.shots[0]
-    about.cause = "A shot that has just been fired has not flown yet, so its age is 0."
+    about.cause = (
+        "The age of a new shot must be 0, because it has not flown yet. Don't change it in fire."
+    )
     expect_close(shot.age, 0.0, then="[0].age")
     p, own = shot.particle, f"{about.call}[0].particle"
-    about.cause = "Every shot starts at MUZZLE, so put the new particle there."
+    about.cause = (
+        "Every shot starts at MUZZLE, which is (0, 1.5, 0). Pass it to the new Particle as the "
+        "position."
+    )
     expect_close(xyz(p.position), (0.0, 1.5, 0.0), call=f"{own}.position")
     _, up, along = velocity
     speed = math.hypot(up, along)
     mistakes = [
         (
             (0.0, 0.0, speed),
-            "No elevation was given, so the shot must keep the angle of its type's velocity.",
+            "Your shot flies level because no elevation was given. It must keep the angle of its "
+            "type's velocity above the ground instead.",
         ),
         (
             (0.0, up * along / speed, along * along / speed),
-            "The shot is too slow. Use the length of its type's velocity, not just the Z "
-            "component.",
+            "Your shot is too slow, because you use the Z component of the type's velocity as its "
+            "speed. Use the length of that velocity, not just the Z component.",
         ),
     ]
-    unaimed = "No angles were given, so the shot must start with the velocity of its type."
+    unaimed = (
+        "No angles were given, so the shot must start with exactly the velocity of its type. Keep "
+        "both its speed and its angle."
+    )
     about.cause = cause_of(xyz(p.velocity), mistakes, unaimed)
     expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity")
-    about.cause = (
-        "The shot must accelerate as its type does, so pass the type's acceleration to the "
-        "Particle."
-    )
+    about.cause = "The shot must have the acceleration of its type. Pass it to the new Particle."
     expect_close(xyz(p.acceleration), acceleration, call=f"{own}.acceleration")
-    about.cause = "The shot must have the mass of its type, so pass that mass to the Particle."
+    about.cause = "The shot must have the mass of its type. Pass it to the new Particle."
     expect_close(p.mass, mass, call=f"{own}.mass")
-    about.cause = (
-        "The shot must have the damping of its type, so pass that damping to the Particle."
-    )
+    about.cause = "The shot must have the damping of its type. Pass it to the new Particle."
     expect_close(p.damping, damping, call=f"{own}.damping")
 
 
@@ -196,21 +210,21 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     names.append(names[0])
     calls = "; ".join(f'r.fire("{name}")' for name in names)
     about(
-        f"r = BallisticRange(); {calls}; r.shots",
-        cause="Append each new shot to the end of the list, so that the shots stay in the order "
+        f"r = BallisticRange(); {calls}",
+        cause="Append each new shot to the end of self.shots, so that the shots stay in the order "
         "in which they were fired.",
     )
     about.read = "the docstring of BallisticRange"
     at = BallisticRange()
     for name in names:
         at.fire(name)
-    expect_exactly(types_of(at), tuple(names), then=", their types")
+    expect_exactly(types_of(at), tuple(names), then="; the types of the shots")
     about.cause = (
-        "Two shots, or two ranges, share an object. Create a new particle for every shot, and a "
-        "new list of shots for every range."
+        "Two of your shots share a vector, or two ranges share a list. Create a new particle for "
+        "every shot, and a new list of shots for every range."
     )
     at.shots[0].particle.velocity.x = 99.0
-    about.call = f"{about.call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
+    about.call += "; r.shots[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
     got = at.shots[3].particle.velocity.x
     expect_close(got, 0.0, tolerance=ROUNDED)
     about.call = f"{about.call}; len(BallisticRange().shots)"
@@ -222,18 +236,21 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
     azimuth = round(rng.uniform(0.3, 1.2), 3)
     about.read = "the docstring of fire"
     for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):
-        about.call = f'r.fire("{name}", azimuth={azimuth}); r.shots[-1].particle.velocity'
+        about.call = (
+            f'r = BallisticRange(); r.fire("{name}", azimuth={azimuth}); '
+            "r.shots[-1].particle.velocity"
+        )
         about.cause = (
-            "The azimuth rotates the type's velocity about the Y axis, so the Y component must not "
-            "change."
+            "The azimuth must rotate the type's velocity about the Y axis. Keep its speed and its "
+            "Y component."
         )
         at = BallisticRange()
         at.fire(name, azimuth=azimuth)
         wanted = (along * math.sin(azimuth), up, along * math.cos(azimuth))
         got = xyz(at.shots[-1].particle.velocity)
         unaimed = (
-            "The shot still has its type's velocity, so the azimuth had no effect. Rotate the "
-            "velocity by it."
+            "You ignore the azimuth, so the shot still has the velocity of its type. Pass the "
+            "azimuth to aim."
         )
         blame(got, [((0.0, up, along), unaimed)])
         expect_close(got, wanted, tolerance=ROUNDED)
@@ -244,26 +261,30 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
     about.read = "the docstring of fire"
     for elevation in (round(rng.uniform(0.3, 1.2), 3), 0.0):
         about.cause = (
-            "The elevation replaces the angle of the type, but the speed stays the same. Aim the "
-            "whole speed of 50 m/s at this elevation."
+            "The given elevation must replace the angle of the type, but the speed stays at 50 "
+            "m/s. Pass both to aim."
         )
         if elevation == 0.0:
             about.cause = (
-                "An elevation of 0 is valid and means a level shot. Python treats 0 as false in an "
-                "if statement, so compare the elevation with None instead."
+                "You treat an elevation of 0 as if none were given, because Python treats 0 as "
+                "false in an if statement. Compare the elevation with None instead."
             )
-        about.call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.velocity'
+        about.call = (
+            f'r = BallisticRange(); r.fire("artillery", elevation={elevation}); '
+            "r.shots[-1].particle.velocity"
+        )
         at = BallisticRange()
         at.fire("artillery", elevation=elevation)
         wanted = (0.0, 50.0 * math.sin(elevation), 50.0 * math.cos(elevation))
         got = xyz(at.shots[-1].particle.velocity)
         expect_close(got, wanted, tolerance=ROUNDED)
         about.cause = (
-            "Only the velocity depends on the angles. Leave the acceleration alone, because "
-            "gravity always points down."
+            "The acceleration must not depend on the angles, because gravity always points down. "
+            "Rotate only the velocity."
         )
         about.call = (
-            f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.acceleration'
+            f'r = BallisticRange(); r.fire("artillery", elevation={elevation}); '
+            "r.shots[-1].particle.acceleration"
         )
         got = xyz(at.shots[-1].particle.acceleration)
         expect_close(got, (0.0, -20.0, 0.0))
@@ -272,8 +293,14 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
 @pytest.mark.exercise("B4.2")
 def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     azimuth, elevation = round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(0.3, 1.2), 3)
-    about.call = f'r.fire("artillery", {azimuth}, {elevation}); r.shots[-1].particle.velocity'
-    about(cause="Both angles were given, so pass both to aim.", read="the docstring of fire")
+    about.call = (
+        f'r = BallisticRange(); r.fire("artillery", azimuth={azimuth}, elevation={elevation}); '
+        "r.shots[-1].particle.velocity"
+    )
+    about(
+        cause="The velocity must depend on both angles. Pass both of them to aim.",
+        read="the docstring of fire",
+    )
     at = BallisticRange()
     at.fire("artillery", azimuth, elevation)
     level = 50.0 * math.cos(elevation)
@@ -283,15 +310,15 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
         (
             (0.0, 50.0 * math.sin(elevation), level),
             (
-                "You ignored the azimuth, so the shot flies straight down the range. Pass it to "
-                "aim along with the elevation."
+                "You ignore the azimuth if an elevation is given, so the shot flies straight down "
+                "the range. Pass both angles to aim."
             ),
         ),
         (
             (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
             (
-                "You ignored the elevation, so the shot kept the angle of its type. Pass it to aim "
-                "along with the azimuth."
+                "You ignore the elevation if an azimuth is given, so the shot keeps the angle of "
+                "its type. Pass both angles to aim."
             ),
         ),
     ]
@@ -303,15 +330,21 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
 @pytest.mark.robust
 def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
     about.cause = (
-        "A call that raises an error must not add a shot. Look up the type and check the angles "
-        "before you touch the list."
+        "Reject a name without a type, and an angle that is not finite. Check both before you add "
+        "a shot to the list, so that a rejected call changes nothing."
     )
     about.read = "the docstring of fire"
     at = BallisticRange()
     for call, attempt in (
-        ('r.fire("cannon")', lambda: at.fire("cannon")),
-        ('r.fire("pistol", azimuth=math.nan)', lambda: at.fire("pistol", azimuth=math.nan)),
-        ('r.fire("pistol", elevation=math.inf)', lambda: at.fire("pistol", elevation=math.inf)),
+        ('r = BallisticRange(); r.fire("cannon")', lambda: at.fire("cannon")),
+        (
+            'r = BallisticRange(); r.fire("pistol", azimuth=math.nan)',
+            lambda: at.fire("pistol", azimuth=math.nan),
+        ),
+        (
+            'r = BallisticRange(); r.fire("pistol", elevation=math.inf)',
+            lambda: at.fire("pistol", elevation=math.inf),
+        ),
     ):
         about.call = call
         expect_error(attempt, ValueError, allowed=lambda: BallisticRange().fire("pistol"))

@@ -19,41 +19,49 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     start, a = number(rng), number(rng)
     speeds = [number(rng) for _ in range(5)]
     about.cause = (
-        "The position of each spark is start + speed x gone + acceleration x fallen. Return the "
-        "positions in the same order as the speeds."
+        "Each spark is at start + speed x gone + acceleration x fallen. Return these positions in "
+        "the same order as the speeds."
     )
     about.read = BURST
     t = round(rng.uniform(1.0, 3.0), 3)
-    about.call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
+    about.call = (
+        f"burst_positions(start={start}, speeds={speeds}, acceleration={a}, damping=1.0, time={t})"
+    )
     got = closed_form.burst_positions(start, speeds, a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     mistakes = [
         (
             [number - start for number in wanted],
-            "The start position is missing. Add it to every result.",
+            "You leave out the start position. Add start to every result.",
         ),
         (
             [start + speed * t for speed in speeds],
-            "The acceleration is missing. Add acceleration x fallen to every result.",
+            "You leave out the acceleration. Add acceleration x fallen to every result.",
         ),
         (
             sorted(wanted),
-            "You sorted the positions. Return them in the same order as the speeds.",
+            "You sort the positions. Return them in the same order as the speeds.",
         ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
     given = probes.speeds_after(start, list(speeds), a, 0.5, t)
-    about.cause = "The list of speeds belongs to the caller, so don't change it."
+    about.cause = (
+        "Your function changes the list of speeds, which belongs to the caller. Store the "
+        "positions in a new list."
+    )
     expect_unchanged("the list of speeds", given, speeds)
     about.cause = (
-        "The position of each spark is start + speed x gone + acceleration x fallen. Return the "
-        "positions in the same order as the speeds."
+        "Each spark is at start + speed x gone + acceleration x fallen. Return these positions in "
+        "the same order as the speeds."
     )
     damping = round(rng.uniform(0.2, 0.8), 3)
     k = -math.log(damping)
     gone = -math.expm1(-k * t) / k
-    about.call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
+    about.call = (
+        f"burst_positions(start={start}, speeds={speeds}, acceleration={a}, damping={damping}, "
+        f"time={t})"
+    )
     got = closed_form.burst_positions(start, speeds, a, damping, t)
     without = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     blame(
@@ -61,8 +69,8 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         [
             (
                 without,
-                "These are the positions without drag, so the damping was ignored. Use the "
-                "factors gone and fallen that drag_factors returns.",
+                "You ignore the damping, so these are the positions without drag. Use the factors "
+                "gone and fallen that drag_factors returns.",
             )
         ],
     )
@@ -72,29 +80,33 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.9")
 def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
-    about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
+    about.call = "burst_positions(...) with 50 speeds; the number of calls of drag_factors"
     about.cause = (
-        "The factors don't depend on the speed, so they are the same for all sparks. Call "
-        "drag_factors once, before the loop."
+        "You call drag_factors again for each spark, although the factors don't depend on its "
+        "speed. Call drag_factors once, before the loop."
     )
     about.read = BURST
     positions, calls = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
-    expect_close(max(0, calls - 1), 0, then=" beyond one")
+    expect_close(max(0, calls - 1), 0, then=" after the first")
     about.cause = "There are 50 speeds, so return a list of 50 positions."
-    name = "len(burst_positions(1, [2.0] * 50, -10, 0.5, 1))"
+    name = "burst_positions(...) with 50 speeds; the number of positions that it returns"
     expect_close(len(positions), 50, call=name)
 
 
 @pytest.mark.exercise("B4.9")
 def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     start = number(rng)
-    about(f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)", read=BURST)
-    about.cause = (
-        "At time 0 no spark has moved yet, so all of them are still at the start position."
+    about(
+        f"burst_positions(start={start}, speeds=[3.0, -4.0], acceleration=-10.0, damping=0.5, "
+        "time=0.0)",
+        read=BURST,
     )
+    about.cause = "At time 0 no spark has moved yet. Return the start position for each of them."
     got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
     expect_close(got, [start, start])
-    about.call = f"len(burst_positions({start}, [], -10.0, 0.5, 1.0))"
+    about.call = (
+        f"len(burst_positions(start={start}, speeds=[], acceleration=-10.0, damping=0.5, time=1.0))"
+    )
     about.cause = "If there are no speeds, there are no sparks, so return an empty list."
     got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
     expect_close(got, 0)
@@ -105,15 +117,17 @@ def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_burst_starts_somewhere(bad: float) -> None:
     about.cause = (
-        "All arguments must be finite. drag_factors already checks the damping and the time, so "
-        "check only start and acceleration, with finite from arguments.py."
+        "You accept an argument that is not finite. Check start and acceleration with finite from "
+        "arguments.py, because drag_factors checks only the damping and the time."
     )
     about.read = BURST
     good = (1.0, [2.0], -10.0, 0.5, 1.0)
     empty = (1.0, [], -10.0, 0.5, 1.0)
     for i, of in ((0, good), (2, good), (3, good), (4, good), (0, empty)):
         data = (*of[:i], bad, *of[i + 1 :])
-        about.call = f"burst_positions{data}"
+        names = ("start", "speeds", "acceleration", "damping", "time")
+        shown = ", ".join(f"{name}={n}" for name, n in zip(names, data, strict=True))
+        about.call = f"burst_positions({shown})"
         expect_error(
             lambda data=data: closed_form.burst_positions(*data),
             ValueError,

@@ -23,7 +23,10 @@ def particle_of(
     x: Components, v: Components, a: Components, damping: float, mass: float = 1.0
 ) -> tuple[str, Any]:
     """Return the code that makes a particle, and the particle."""
-    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, damping={damping})"
+    words = (
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+        f"damping={damping})"
+    )
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), damping=damping, mass=mass)
     return words, p
 
@@ -46,24 +49,26 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         (1.5, round(rng.uniform(1.0, 3.0), 3)),  # the formula also holds for a damping above 1
         (0.9999, 3000.0),  # k t decides whether the drag is small, not k
     ):
-        about.call = f"kept, gone and fallen of drag_factors({damping}, {time})"
+        about.call = (
+            f"drag_factors(damping={damping}, time={time}), which returns (kept, gone, fallen)"
+        )
         k = -math.log(damping)
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
         about.cause = (
-            "The factors depend on the drag rate k, so compute k = -ln d first. Then kept = d^t, "
-            "gone = (1 - d^t) / k and fallen = (t - gone) / k."
+            "One of the three factors is wrong. First compute the drag rate k = -ln d, and then "
+            "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k."
         )
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
         undamped = (
-            "These are the factors without drag, so the damping was ignored. Use it to compute k = "
-            "-ln d."
+            "You ignore the damping, so these are the factors without drag. Compute the drag rate "
+            "k = -ln d from it."
         )
         if damping == 0.9999:
             undamped = (
-                "This damping is near 1 and was treated as 1, as if there were no drag. But what "
-                "matters is k t, and that product is large here because the time is long."
+                "You treat this damping as 1 because it is near 1. Decide by k t instead of the "
+                "damping alone, because k t is large here."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
@@ -71,13 +76,15 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
             *(
                 (
                     (kept, gone, (time - gone) / drag),
-                    "You computed k as 1 - d, but the equation uses k = -ln d.",
+                    "You compute the drag rate as k = 1 - d. The equation uses k = -ln d, which "
+                    "differs from it unless d is near 1.",
                 )
                 for kept, gone in powers
             ),
             (
                 (wanted[0], wanted[1], time * time / 2.0),
-                "fallen is t^2 / 2 only without drag. With drag, it is (t - gone) / k.",
+                "You compute fallen as t^2 / 2, which is right only without drag. With drag it is "
+                "(t - gone) / k.",
             ),
             ((1.0, time, time * time / 2.0), undamped),
         ]
@@ -95,31 +102,34 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
             1.0,
             time,
             (1.0, time, time * time / 2.0),
-            "A damping of 1 gives k = 0, and you cannot divide by that. Return the factors "
-            "without drag: 1, t and t^2 / 2.",
+            "A damping of 1 gives k = 0, and you cannot divide by 0. In this case return the "
+            "factors without drag, which are 1, t and t^2 / 2.",
         ),
         (
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            "A damping of 0 stops the motion at once, so all three factors are 0. Handle this "
-            "case before you take the logarithm, because there is no ln 0.",
+            "A damping of 0 stops the motion at once, so all three factors are 0. Handle this case "
+            "before you compute ln d, because 0 has no logarithm.",
         ),
         (
             0.5,
             0.0,
             (1.0, 0.0, 0.0),
-            "No time has passed, so nothing has changed. The factors must be 1, 0 and 0.",
+            "At time 0 nothing has moved yet. Return the factors 1, 0 and 0.",
         ),
         (
             0.0,
             0.0,
             (1.0, 0.0, 0.0),
-            "No time has passed, so nothing has changed, even with a damping of 0. The factors "
-            "must be 1, 0 and 0.",
+            "At time 0 nothing has moved yet, even with a damping of 0. Check the time before the "
+            "damping, and return the factors 1, 0 and 0.",
         ),
     ):
-        about(f"kept, gone and fallen of drag_factors({damping}, {t})", cause=cause)
+        about(
+            f"drag_factors(damping={damping}, time={t:.6g}), which returns (kept, gone, fallen)",
+            cause=cause,
+        )
         got = closed_form.drag_factors(damping, t)
         expect_close(got, wanted)
 
@@ -128,14 +138,16 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
 @pytest.mark.parametrize("away", [1e-13, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
 def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> None:
     about.cause = (
-        "If k t is small, 1 - d^t and t - gone are differences of nearly equal numbers and lose "
-        "most of their digits. Use math.expm1 and the first few terms of the series instead."
+        "Your formula loses digits when k t is small, because it subtracts nearly equal numbers in "
+        "1 - d^t or t - gone. Use math.expm1 and the first terms of a series instead."
     )
     about.read = FACTORS
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):
         t = round(rng.uniform(most - 1.0, most), 3)
-        about.call = f"kept, gone and fallen of drag_factors({damping!r}, {t})"
+        about.call = (
+            f"drag_factors(damping={damping!r}, time={t}), which returns (kept, gone, fallen)"
+        )
         got = closed_form.drag_factors(damping, t)
         # A series that is cut early or begins elsewhere may be wrong by up to 1e-9.
         wanted = by_series(damping, t)
@@ -146,17 +158,22 @@ def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> N
 @pytest.mark.exercise("B4.8")
 def test_the_factors_hold_for_short_times(rng: Random) -> None:
     about(
-        cause="Even after a very short time, gone and fallen are not exactly 0. Check whether "
-        "your code rounds a small result, or treats it as 0.",
+        cause="After a very short time, gone and fallen are small but not 0. Check whether your "
+        "code rounds a small number, or treats it as 0.",
         read=FACTORS,
     )
     damping = round(rng.uniform(0.3, 0.9), 3)
     for t in (1.0 / 60.0, 1e-6):
-        about.call = f"kept, gone and fallen of drag_factors({damping}, {t})"
+        about.call = (
+            f"drag_factors(damping={damping}, time={t:.6g}), which returns (kept, gone, fallen)"
+        )
         wanted = by_series(damping, t)
         got = closed_form.drag_factors(damping, t)
         expect_close(got, wanted, tolerance=1e-13)
-        name = f"drag_factors({damping}, {t})[2] / t^2"
+        name = (
+            f"fallen / t^2, where fallen is the third factor of drag_factors(damping={damping}, "
+            f"time={t:.6g})"
+        )
         share = got[2] / (t * t)
         expect_close(share, wanted[2] / (t * t), call=name, tolerance=1e-8)
 
@@ -164,14 +181,14 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
     about.cause = (
-        "No time steps are needed here. On each axis, the position is p + v gone + a fallen, and "
-        "the velocity is v kept + a gone."
+        "The position is inexact or wrong. Compute it without time steps, as p + v gone + a fallen "
+        "on each axis, with the factors from drag_factors."
     )
     about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
         words, p = particle_of(x, v, a, damping)
-        about.call = f"{words}; state_after(p, {time})[0]"
+        about.call = f"{words}; state_after(p, {time}); the position"
         position, _ = closed_form.state_after(p, time)
         # The times are known to 5e-8 s, and the shell moves at up to 50 m/s.
         got = expect_vector(position)
@@ -184,18 +201,18 @@ def test_without_damping_it_is_the_parabola(rng: Random) -> None:
     words, p = particle_of(x, v, a, 1.0)
     about(
         f"{words}; state_after(p, {t})",
-        cause="Without damping, the particle follows a parabola. Its position is p + v t + a t^2 "
-        "/ 2, and its velocity is v + a t.",
+        cause="With a damping of 1 there is no drag. The position must be p + v t + a t^2 / 2, and "
+        "the velocity v + a t.",
         read=STATE,
     )
     position, velocity = closed_form.state_after(p, t)
     wanted = tuple(x[i] + v[i] * t + a[i] * t * t / 2.0 for i in range(3))
     # The rounding errors of numbers up to 500.
     got = xyz(position)
-    expect_close(got, wanted, then="[0]", tolerance=1e-11)
+    expect_close(got, wanted, then="; the position", tolerance=1e-11)
     wanted = tuple(v[i] + a[i] * t for i in range(3))
     got = xyz(velocity)
-    expect_close(got, wanted, then="[1]", tolerance=1e-12)
+    expect_close(got, wanted, then="; the velocity", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B4.8")
@@ -203,19 +220,24 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
-    about.call = f"{words}; state_after(p, {first}), and from there {second} s more"
+    about.call = (
+        f"{words}; the state after {first} s, continued for another {second} s, which must equal "
+        f"state_after(p, {first + second:.6g})"
+    )
     about.cause = (
-        "If you take the state at time a and continue from there for another b seconds, you must "
-        "arrive at the state at time a + b."
+        "Two predictions, one starting where the other ends, must give the same state as one "
+        "prediction over the total time. Check your formulas for position and velocity."
     )
     about.read = STATE
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
         about.cause = (
-            "state_after changed the particle itself. Leave the particle alone, and return the "
-            "state in new vectors."
+            "Your state_after changed the particle itself. Only read its position and velocity, "
+            "and return new vectors."
         )
-    undamped = "You didn't damp the initial velocity. Multiply it by kept."
+    undamped = (
+        "You don't damp the initial velocity. Multiply it by the factor kept before you add a gone."
+    )
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
     blame(xyz(middle[1]), [(gain, undamped)])
@@ -223,11 +245,15 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     later, at_once = closed_form.state_after(q, second), closed_form.state_after(p, first + second)
     for i in range(2):
         got, wanted = xyz(later[i]), xyz(at_once[i])
-        expect_close(got, wanted, then=f", [{i}]", tolerance=1e-11)
-    about.call = f"{words}; state_after(p, {first})[1]"
+        then = ("; the position", "; the velocity")[i]
+        expect_close(got, wanted, then=then, tolerance=1e-11)
+    about.call = (
+        f"{words}; state_after(p, {first}); the velocity, which must equal the slope of the "
+        "position"
+    )
     about.cause = (
-        "The velocity must be dp/dt, the rate of change of the position. Check that the position "
-        "and the velocity use the same three factors."
+        "Your velocity is not the rate at which your position changes. Check that both formulas "
+        "use the same three factors of drag_factors."
     )
     step = 1e-4
     around = [closed_form.state_after(p, first + s)[0] for s in (-step, step)]
@@ -243,8 +269,8 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
     about.cause = (
-        "As the steps of integrate get shorter, they must approach this state. When the steps are "
-        "half as long, the error must be half as large."
+        "Shorter time steps of integrate must come closer to your exact state, but they don't. "
+        "Check that you use the particle's damping and acceleration."
     )
     about(f"{words}; state_after(p, {t})", read=f"{STATE}; chapter 3's integrate")
     exact = [xyz(vector) for vector in closed_form.state_after(p, t)]
@@ -254,8 +280,8 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
             stepped = probes.stepped(x, v, a, damping, t / frames, frames)
             errors.append(math.dist(stepped[i], exact[i]))
         about.call = (
-            f"{words}; the error of the {name} after {t} s with 2000 steps, divided by the error "
-            "with 4000 steps"
+            f"{words}; the error of the {name} after {t} s with 2000 steps of integrate, divided "
+            "by the error with 4000 steps"
         )
         # Each error is of the order of 10 / 2000, and the next order changes the ratio as little.
         ratio = errors[0] / max(errors[1], 1e-300)
@@ -267,7 +293,11 @@ def test_the_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5)
     about.call = f"{words}; position, velocity = state_after(p, t); position.x = velocity.x = 99"
-    about(cause="state_after must return new vectors and leave the particle unchanged.", read=STATE)
+    about(
+        cause="Your state_after returns one of the particle's own vectors, so a change to the "
+        "result also changes the particle. Return new vectors.",
+        read=STATE,
+    )
     for t in (2.0, 0.0):
         state = closed_form.state_after(p, t)
         state[0].x = state[1].x = 99.0
@@ -282,8 +312,8 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     words, p = particle_of(x, v, a, 0.5, mass=math.inf)
     about.call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
     about(
-        cause="An immovable particle stays where it is, so its position and velocity are the same "
-        "at any time.",
+        cause="This particle is immovable, so its state never changes. Return copies of its "
+        "current position and velocity if its mass is infinite.",
         read=STATE,
     )
     position, velocity = closed_form.state_after(p, 3.0)
@@ -292,8 +322,8 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     position.x = velocity.x = 99.0
     about.call += "; position.x = velocity.x = 99"
     about.cause = (
-        "You returned one of the particle's own vectors. Return copies, so that a change to the "
-        "result doesn't change the particle."
+        "You return one of the particle's own vectors, so a change to the result also changes the "
+        "particle. Return copies instead."
     )
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
@@ -309,9 +339,9 @@ def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
     )
     about.read = f"{FACTORS}, and of state_after"
     for call, attempt in (
-        (f"drag_factors({bad}, 1)", lambda: closed_form.drag_factors(bad, 1.0)),
-        (f"drag_factors(0.5, {bad})", lambda: closed_form.drag_factors(0.5, bad)),
-        (f"drag_factors(1, {bad})", lambda: closed_form.drag_factors(1.0, bad)),
+        (f"drag_factors(damping={bad}, time=1)", lambda: closed_form.drag_factors(bad, 1.0)),
+        (f"drag_factors(damping=0.5, time={bad})", lambda: closed_form.drag_factors(0.5, bad)),
+        (f"drag_factors(damping=1, time={bad})", lambda: closed_form.drag_factors(1.0, bad)),
         (f"state_after(Particle(), {bad})", lambda: closed_form.state_after(Particle(), bad)),
         (
             f"state_after(Particle(mass=math.inf), {bad})",

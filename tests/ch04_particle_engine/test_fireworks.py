@@ -32,13 +32,13 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
     about.call = call
     __tracebackhide__ = True
     outside = sum(not low <= number <= high for number in drawn)
-    expect_exactly(outside, 0, then=f": how many of {len(drawn)} are outside {low} to {high}")
+    expect_exactly(outside, 0, then=f": how many are outside {low} to {high}")
     # The standard deviation of the mean of n even draws is their range / sqrt(12 n).
     tolerance = 5.0 * (high - low) / math.sqrt(12.0 * len(drawn))
     middle = (low + high) / 2.0
     mean = math.fsum(drawn) / len(drawn)
     least, most = middle - tolerance, middle + tolerance
-    expect_between(mean, least, most, then=f": the mean of {len(drawn)}")
+    expect_between(mean, least, most, then=": their mean")
     # A quarter of even draws lies in each outer quarter. The standard deviation is sqrt(n 3 / 16).
     quarter = (high - low) / 4.0
     for part, inside in (
@@ -47,7 +47,7 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
     ):
         spread = 5.0 * math.sqrt(len(drawn) * 3.0 / 16.0)
         least, most = rounded_bounds(len(drawn) / 4.0, spread)
-        name = f": how many of {len(drawn)} are in the {part} quarter"
+        name = f": how many are in the {part} quarter of that range"
         expect_between(inside, least, most, then=name)
 
 
@@ -57,10 +57,13 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
 @pytest.mark.exercise("B4.4")
 def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
-    about.call = f"make_firework(rule, Random({seed})).age, min_age=0.5, max_age=1.4"
+    about.call = (
+        f"a rule with min_age = 0.5 s and max_age = 1.4 s; make_firework(rule, random) {MANY} "
+        f"times with random = Random({seed}); the ages"
+    )
     about.cause = (
-        "Draw a new age for each firework with random.uniform(min_age, max_age), which makes every "
-        "value in that range equally likely."
+        "The ages are not spread evenly between min_age and max_age. Draw a new age for each "
+        "firework with random.uniform(min_age, max_age)."
     )
     about.read = "the docstring of make_firework; book 4.2.1"
     ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
@@ -71,39 +74,45 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
 def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None:
     seed = rng.randrange(10**6)
     low, high = FIRST[3], FIRST[4]
-    about.call = f"make_firework(rule, Random({seed})).particle.velocity, from {low} to {high}"
+    about.call = (
+        f"a rule with velocities from {low} to {high}; make_firework(rule, random) {MANY} times "
+        f"with random = Random({seed})"
+    )
     about.read = "the docstring of make_firework; book 4.2.1"
-    made = probes.lit(FIRST, seed, MANY)
+    call, made = about.call, probes.lit(FIRST, seed, MANY)
     columns = {}
     for i, axis in enumerate("XYZ"):
         about.cause = (
-            "Each component of the velocity has its own limits, so draw each one with "
-            "random.uniform and the limits of its axis."
+            "This component of the velocity is not spread evenly between its limits. Draw each "
+            "component with random.uniform and the two limits of its own axis."
         )
-        columns[axis] = [firework[5 + i] for firework in made]
-        expect_even(f"{about.call}, on {axis}", columns[axis], low[i], high[i])
+        columns[f"the {axis} components"] = drawn = [firework[5 + i] for firework in made]
+        expect_even(f"{call}; the {axis} components of the velocities", drawn, low[i], high[i])
     ages = [firework[1] for firework in made]
     if min(ages) < max(ages):  # another check tests whether ages are drawn at all
-        columns["the age"] = ages
+        columns["the ages"] = ages
+    about.call = call
     about.cause = (
-        "Two of these numbers depend on each other, perhaps because you used one random number for "
+        "Two of the random numbers depend on each other, probably because you use one draw for "
         "both. Draw the age and each component of the velocity separately."
     )
     for one, other in itertools.combinations(columns, 2):
         correlation = statistics.correlation(columns[one], columns[other])
         # The standard deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
-        name = f": correlation of {one} and {other}"
+        name = f"; the correlation of {one} and {other}"
         expect_between(correlation, -tolerance, tolerance, then=name)
 
 
 @pytest.mark.exercise("B4.4")
 def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Random) -> None:
     seed = rng.randrange(10**6)
-    about.call = f"make_firework(rule, Random({seed})).particle.position"
+    about.call = (
+        f"make_firework(rule, random) {MANY} times without a parent, with random = Random({seed})"
+    )
     about.cause = (
-        "Without a parent, a firework starts on the ground, at y = 0 and z = 0. Choose x from "
-        "LAUNCH_PLACES, with every place equally likely."
+        "A firework without a parent starts on the ground, at y = 0 and z = 0. Choose its x at "
+        "random from the three LAUNCH_PLACES, all equally likely."
     )
     about.read = "the docstring of make_firework; book 4.2.3"
     places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
@@ -112,7 +121,7 @@ def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Ra
         spread = 5.0 * math.sqrt(MANY * 2.0 / 9.0)
         found = places.count((x, 0.0, 0.0))
         least, most = rounded_bounds(MANY / 3.0, spread)
-        name = f": how many of {MANY} are at ({x}, 0, 0)"
+        name = f"; how many fireworks start at ({x}, 0, 0)"
         expect_between(found, least, most, then=name)
 
 
@@ -121,65 +130,79 @@ def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
     seed, x, v, own = rng.randrange(10**6), components(rng), components(rng), components(rng)
     data: probes.RuleData = (3, 1.0, 1.0, own, own, 0.5, ())
     about.call = (
-        f"make_firework(rule, random, Particle(Vector3{x}, Vector3{v})), velocities of {own}"
+        f"a rule with the velocity {own}; parent = Particle(position=Vector3{x}, "
+        f"velocity=Vector3{v}); make_firework(rule, random, parent)"
     )
     about.read = "the docstring of make_firework; book 4.2.3"
     (firework,) = probes.lit(data, seed, 1, (x, v))
-    about.cause = "A firework with a parent must start at the position of its parent."
+    about.cause = (
+        "A firework with a parent must start at the position of its parent. Copy that position "
+        "instead of choosing from LAUNCH_PLACES."
+    )
     expect_close(firework[2:5], x, then=".particle.position")
     about.cause = (
-        "A firework inherits its parent's motion. Add the parent's velocity to the one that you "
-        "drew."
+        "You leave out the velocity of the parent. Add it to the velocity that you draw from the "
+        "rule."
     )
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
     expect_close(firework[5:8], wanted, then=".particle.velocity")
     about.cause = (
-        "The third firework has a different velocity because you changed the parent itself. Copy "
-        "the parent's vectors, since one parent can have many children."
+        "Your function adds to the parent's own velocity, so each further firework of the same "
+        "parent is faster. Add the two velocities in a new vector."
     )
     family = probes.lit(data, seed, 3, (x, v))
-    expect_close(family[2][5:8], wanted, then=", the third")
+    expect_close(
+        family[2][5:8], wanted, then=", called 3 times; the velocity of the third firework"
+    )
 
 
 @pytest.mark.exercise("B4.4")
 def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng: Random) -> None:
     type, damping = rng.randrange(1, 10), round(rng.uniform(0.1, 0.9), 3)
     data: probes.RuleData = (type, 1.0, 2.0, STILL, STILL, damping, ())
-    about.call = f"make_firework(rule, random), type {type} and damping {damping}"
+    about.call = (
+        f"a rule with type {type} and damping {damping}; firework = make_firework(rule, random)"
+    )
     about.read = "the docstring of make_firework"
     for parent in (None, (components(rng), components(rng))):
         (firework,) = probes.lit(data, 1, 1, parent, parent_mass=4.0)
-        about.cause = "A firework must have the type and the damping of its rule."
-        expect_close(firework[0], type, then="; its type")
-        expect_close(firework[12], damping, then="; its damping")
         about.cause = (
-            "Every firework has a mass of 1 and the acceleration GRAVITY, which is (0, -9.81, 0). "
-            "Neither comes from the parent."
+            "The new firework must have the type of its rule, and its particle the damping of the "
+            "rule. Pass both on."
+        )
+        expect_close(firework[0], type, then="; firework.type")
+        expect_close(firework[12], damping, then="; firework.particle.damping")
+        about.cause = (
+            "Every firework has a mass of 1 kg and the acceleration GRAVITY, which is (0, -9.81, "
+            "0) m/s^2. Don't take them from the parent."
         )
         gravity = (0.0, -9.81, 0.0)
-        expect_close(firework[8:11], gravity, then="; acceleration")
-        expect_close(firework[11], 1.0, then="; its mass")
+        expect_close(firework[8:11], gravity, then="; firework.particle.acceleration")
+        expect_close(firework[11], 1.0, then="; firework.particle.mass")
 
 
 @pytest.mark.exercise("B4.4")
 def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> None:
     seed = rng.randrange(10**6)
-    about.call = f"make_firework(rule, Random({seed})) 5 times, and all of it again"
+    about.call = (
+        f"make_firework(rule, random) 5 times with random = Random({seed}), and then all of this "
+        "again"
+    )
     about.cause = (
-        "The same seed must give the same fireworks every time. Draw from the argument random, not "
-        "from the module of that name."
+        "Your fireworks differ although the seed is the same. Draw every number from the argument "
+        "random, not from a generator of your own or the module random."
     )
     about.read = "the docstring of make_firework"
     once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
     differ = sum(a != b for a, b in zip(once, again, strict=True))
-    expect_exactly(differ, 0, then=": how many fireworks differ")
+    expect_exactly(differ, 0, then="; how many fireworks differ the second time")
     about.call = (
-        f"make_firework(rule, Random({seed})) and with Random({seed + 1}): how many velocities are "
-        "equal"
+        f"make_firework(rule, random) 5 times with random = Random({seed}), and 5 times with "
+        f"Random({seed + 1}); how many velocities are equal"
     )
     about.cause = (
-        "A different seed must give different numbers, so draw from the argument random in every "
-        "call."
+        "Your fireworks are the same although the seeds differ. Draw every number from the "
+        "argument random, in every call."
     )
     other = probes.lit(FIRST, seed + 1, 5)
     same = sum(a[5:8] == b[5:8] for a, b in zip(once, other, strict=True))

@@ -43,48 +43,68 @@ def by_the_law(
 def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> None:
     about.read = "the docstring of is_spent; book 4.1.2, the listing"
     for position, age, spent, cause in (
-        ((0.0, 1.5, 100.0), 4.0, False, "This shot is still in flight, so it is not spent."),
+        (
+            (0.0, 1.5, 100.0),
+            4.0,
+            False,
+            "This shot is above the ground, younger than 5 s and less than 200 m away, so it is "
+            "not spent. Return False.",
+        ),
         (
             (0.0, 0.0, 100.0),
             4.0,
             False,
-            "At y = 0 the shot is on the ground, and it is not spent yet. Only y < 0 is below the "
-            "ground.",
+            "You treat a shot at y = 0 as spent. It is on the ground, and only a shot below the "
+            "ground (y < 0) is spent.",
         ),
-        ((0.0, -0.001, 100.0), 4.0, True, "This shot is below the ground, so it is spent."),
+        (
+            (0.0, -0.001, 100.0),
+            4.0,
+            True,
+            "This shot is below the ground (y < 0), which alone is enough for it to be spent. "
+            "Return True.",
+        ),
         (
             (0.0, 1.5, 100.0),
             5.0,
             False,
-            "This shot is exactly 5 s old, so it is not spent yet. A shot is spent once it is "
-            "older than 5 s.",
+            "You treat a shot of exactly 5 s as spent. A shot is spent only when it is older than "
+            "5 s.",
         ),
-        ((0.0, 1.5, 100.0), 5.001, True, "This shot is older than 5 s, so it is spent."),
+        (
+            (0.0, 1.5, 100.0),
+            5.001,
+            True,
+            "This shot is older than 5 s, which alone is enough for it to be spent. Check its age "
+            "too.",
+        ),
         (
             (0.0, 1.5, 150.0),
             4.0,
             False,
-            "This shot is still on the range, which ends at 200 m and not at 100 m (E-34), so it "
-            "is not spent.",
+            "You treat a shot at z = 150 m as spent. The range ends at 200 m, as in the book's "
+            "listing, not at 100 m (E-34).",
         ),
         (
             (0.0, 1.5, 200.0),
             4.0,
             False,
-            "At z = 200 m the shot is still on the range. Only z > 200 m is past the end.",
+            "You treat a shot at exactly z = 200 m as spent. It is still on the range, which ends "
+            "at 200 m, so only z > 200 is past the end.",
         ),
         (
             (0.0, 1.5, 200.001),
             4.0,
             True,
-            "This shot is past the end of the range, so it is spent.",
+            "This shot is past the end of the range, which alone is enough for it to be spent. "
+            "Check its z too.",
         ),
         (
             (300.0, 300.0, -300.0),
             0.0,
             False,
-            "The range has no limits in x, no upper limit in y and no lower limit in z, so this "
-            "shot is not spent.",
+            "You limit the range in a direction in which it has no limit. Check only whether y is "
+            "below 0, z is above 200 m and the age is above 5 s.",
         ),
     ):
         about.cause = cause
@@ -100,10 +120,13 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
 @pytest.mark.exercise("B4.3")
 def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
-    about.call = f'r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); r.update({h}); r.shots'
+    about.call = (
+        'r = BallisticRange(); r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); '
+        f"r.update({h}); r.shots"
+    )
     about.cause = (
-        "Each update makes one time step for every shot, so integrate each particle exactly once, "
-        "with the duration of the step."
+        "Each update is one time step for every shot. Call integrate exactly once for each "
+        "particle, with the duration of the step."
     )
     about.read = "the docstring of update"
     at = BallisticRange()
@@ -111,7 +134,7 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     at.fire("artillery")
     at.fire("pistol")
     at.update(h)
-    expect_exactly(len(at.shots), 3, then=", how many")
+    expect_exactly(len(at.shots), 3, then="; the number of shots")
     for i, (vy, vz) in enumerate(((0.0, 35.0), (30.0, 40.0), (0.0, 35.0))):
         got = xyz(at.shots[i].particle.position)
         wanted = (0.0, 1.5 + vy * h, vz * h)
@@ -119,23 +142,20 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     mistakes = [
         (
             1.0,
-            "The age is the number of updates, but it should be a time in seconds. Add the "
-            "duration to it.",
+            "You add 1 to the age in every update, but the age is a time in seconds. Add the "
+            "duration instead.",
         ),
         (
             0.0,
-            (
-                "Time has passed, but the age did not change. Add the duration to it in every "
-                "update."
-            ),
+            ("You never change the age of a shot. Add the duration to it in every update."),
         ),
     ]
     about.cause = cause_of(
         at.shots[1].age,
         mistakes,
         (
-            "The age of a shot is the time since it was fired, so add the duration to it in every "
-            "update."
+            "The age of a shot is the time since it was fired. Add the duration to it exactly once "
+            "in every update."
         ),
     )
     expect_close(at.shots[1].age, h, then="[1].age")
@@ -151,10 +171,13 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
         ("artillery", (0.0, 30.0, 40.0), -20.0, 0.99),
         ("fireball", (0.0, 0.0, 10.0), 0.6, 0.9),
     ):
-        about.call = f'r.fire("{name}"); r.update(1/60) {frames} times; r.shots[0].particle'
+        about.call = (
+            f'r = BallisticRange(); r.fire("{name}"); r.update(1/60) {frames} times; '
+            "r.shots[0].particle"
+        )
         about.cause = (
-            "Make each step with a single call to integrate, so that the shot moves exactly as in "
-            "chapter 3."
+            "Each update must move a shot with a single call of integrate, exactly as in chapter "
+            "3. Don't change its position or velocity in any other way."
         )
         position, velocity = probes.shot_after(name, h, frames)
         axes = zip((0.0, 1.5, 0.0), speeds, (0.0, a, 0.0), strict=True)
@@ -179,27 +202,30 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
             "artillery",
             h,
             landed,
-            "Remove a shot in the very update in which it falls below y = 0. Call is_spent after "
-            "the step, not before it.",
+            "Your update removes the shot in the wrong step. Remove it in the very update in which "
+            "it falls below y = 0, so call is_spent after integrate.",
         ),
         (
             "laser",
             h,
             past,
-            "Remove a shot in the very update in which it passes z = 200 m. Call is_spent after "
-            "the step, not before it.",
+            "Your update removes the shot in the wrong step. Remove it in the very update in which "
+            "it passes z = 200 m, so call is_spent after integrate.",
         ),
         # 40 frames are exactly 5 s, and a shot of 5 s is not too old.
         (
             "fireball",
             1.0 / 8.0,
             41,
-            "Remove a shot in the very update in which its age passes 5 s. Add the duration to "
-            "the age before you call is_spent.",
+            "Your update removes the shot in the wrong step. Remove it in the very update in which "
+            "its age passes 5 s, so add the duration before you call is_spent.",
         ),
     ):
         about.cause = cause
-        about.call = f'r.fire("{name}"); r.update({frame}) until r.shots is empty: how many updates'
+        about.call = (
+            f'r = BallisticRange(); r.fire("{name}"); r.update({frame}) until r.shots is empty; '
+            "the number of updates"
+        )
         got = probes.frames_in_flight(name, frame, 200)
         expect_exactly(got, wanted)
 
@@ -207,16 +233,19 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
 @pytest.mark.exercise("B4.3")
 def test_neighbors_that_are_spent_together_are_dropped_together() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
-    about.call = f"fire {', '.join(names)}; r.update(0.5) 5 times; the types of r.shots after each"
+    about.call = (
+        f"r = BallisticRange(); a {', a '.join(names)} are fired; r.update(0.5) 5 times; the types "
+        "of r.shots after update"
+    )
     about.cause = (
-        "Spent shots are still in the list. If a loop removes an item from the list that it runs "
-        "over, it skips the next one, so build a new list of the shots that stay."
+        "Some spent shots are still in the list, because a loop that removes an item from its own "
+        "list skips the next one. Build a new list of the shots that stay."
     )
     about.read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)
     flying = [", ".join(types) for types in seen]
     for i, wanted in enumerate([", ".join(names)] * 4 + ["fireball, fireball"]):
-        expect_exactly(flying[i], wanted, then=f": {i + 1}")
+        expect_exactly(flying[i], wanted, then=f" {i + 1}")
 
 
 @pytest.mark.exercise("B4.3")
@@ -226,21 +255,24 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
     about.read = "the docstring of update; chapter 3's integrate"
     errors = []
     for h in (1.0 / 500.0, 1.0 / 1000.0):
-        about.call = f'r.fire("artillery"); r.update({h}) until it lands: time in s and z in m'
+        about.call = (
+            f'r = BallisticRange(); r.fire("artillery"); r.update({h}) until the shot lands; (time '
+            "of flight in s, z in m)"
+        )
         about.cause = (
-            "With 1000 steps per second, the error should be only 0.001 s in the time and 0.04 m "
-            "in z. Check whether update calls integrate more than once per shot."
+            "The shot lands too far from the exact solution, which allows only a small error for "
+            "such short steps. Check that update calls integrate exactly once per shot."
         )
         got = probes.landing("artillery", h)
         # The step ends a t h / 2 too high, 0.06 m for 1/500 s, which it falls in 0.002 s.
         expect_close(got, wanted, tolerance=2.0 * 50.0 * h)
         errors.append(got[0] - wanted[0])
     about.call = (
-        "the same call: the error of the time with steps of 1/500 s, divided by the error with "
-        "steps of 1/1000 s"
+        'r = BallisticRange(); r.fire("artillery"); r.update(h) until the shot lands; the error of '
+        "the time of flight for h = 1/500 s, divided by the error for h = 1/1000 s"
     )
     about.cause = (
-        "When the time steps are half as long, the error should be half as large. Check that each "
+        "If the time steps are half as long, the error must be half as large. Check that each "
         "update makes exactly one step."
     )
     # The next order changes the ratio by h / t. The time is known to 5e-8 s of 1e-3 s.
@@ -253,18 +285,18 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
 def test_a_frame_is_positive_and_finite_and_a_refused_one_moves_nothing(bad: float) -> None:
     about.cause = (
         "The duration must be positive and finite, even if there are no shots. Check it before the "
-        "loop."
+        "loop over the shots."
     )
     about.read = "the docstring of update"
     empty, at = BallisticRange(), BallisticRange()
     at.fire("pistol")
     for call, attempt in (
         (f"BallisticRange().update({bad})", lambda: empty.update(bad)),
-        (f'r.fire("pistol"); r.update({bad})', lambda: at.update(bad)),
+        (f'r = BallisticRange(); r.fire("pistol"); r.update({bad})', lambda: at.update(bad)),
     ):
         about.call = call
         expect_error(attempt, ValueError, allowed=lambda: BallisticRange().update(0.5))
-    about.call = f'r.fire("pistol"); r.update({bad})'
+    about.call = f'r = BallisticRange(); r.fire("pistol"); r.update({bad})'
     shot = at.shots[0]
     start = (0.0, 1.5, 0.0)
     now = xyz(shot.particle.position)

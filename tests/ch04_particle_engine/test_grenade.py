@@ -24,7 +24,10 @@ ROUNDED = 1e-12  # some rounding errors of numbers up to 30
 def thrown(*, frames: int, others: tuple[str, ...] = ()) -> tuple[str, Any]:
     """Throw a grenade, fire others, and update the range in frames of a quarter of a second."""
     fired = "; ".join(f'r.fire("{name}")' for name in ("grenade", *others))
-    about.call = f"{fired}; r.update(0.25) {frames} times; r.shots"
+    about.call = (
+        f"r = BallisticRange(); {fired}; r.update(0.25) {frames} times, which is {0.25 * frames} s "
+        "in total"
+    )
     at = ballistics.BallisticRange()
     at.fire("grenade")
     for name in others:
@@ -40,45 +43,48 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
     y, drawn = -round(rng.uniform(0.1, 0.9), 3), -round(rng.uniform(2.0, 9.0), 3)
     about.read = "the docstring of bounce"
     for vy in (drawn, -0.125):
-        about.call = f"p = Particle(Vector3({x}, {y}, 3), Vector3({vx}, {vy}, {vz})); bounce(p)"
+        about.call = (
+            f"p = Particle(position=Vector3({x}, {y}, 3), velocity=Vector3({vx}, {vy}, {vz})); "
+            "bounce(p)"
+        )
         p = Particle(Vector3(x, y, 3.0), Vector3(vx, vy, vz))
         grenade.bounce(p)
         mirrored = (
-            "You put the grenade as high above the ground as it was below. Set y to 0 instead."
+            "You move the grenade as far above the ground as it was below. Set its y to 0 instead."
         )
         about.cause = (
-            "A grenade that is below the ground must be moved back to the surface. Set y to 0, and "
-            "leave x and z unchanged."
+            "The grenade is below the ground, so bounce must move it back to the surface. Set its "
+            "y to 0, and leave x and z unchanged."
         )
         blame(xyz(p.position), [((x, -y, 3.0), mirrored)])
         expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position")
         about.cause = (
             "Reverse the Y component of the velocity and multiply it by BOUNCE, which is 0.5. "
-            "Multiply the X and Z components by SLIDE, which is 0.8."
+            "Multiply X and Z by SLIDE, which is 0.8."
         )
         wanted = (0.8 * vx, -0.5 * vy, 0.8 * vz)
         all_of_it = (
-            "The vertical velocity was reversed, but the grenade did not slow down. Multiply it by "
-            "BOUNCE, which is 0.5."
+            "You reverse the Y component of the velocity without making it smaller. Also multiply "
+            "it by BOUNCE, which is 0.5."
         )
         mistakes = [
             ((0.8 * vx, -vy, 0.8 * vz), all_of_it),
             (
                 (vx, -0.5 * vy, vz),
                 (
-                    "The velocity along the ground did not change, but a bounce must slow it down. "
-                    "Multiply it by SLIDE, which is 0.8."
+                    "You leave the velocity along X and Z unchanged, but a bounce must slow the "
+                    "grenade down. Multiply both components by SLIDE, which is 0.8."
                 ),
             ),
             (
                 (0.8 * vx, 0.5 * vy, 0.8 * vz),
-                "The grenade still moves down after the bounce. Flip the sign of its velocity "
-                "along Y.",
+                "The grenade still moves down after the bounce. Flip the sign of the Y component "
+                "of its velocity.",
             ),
             (
                 (vx, vy, vz),
-                "The velocity did not change, but a grenade that drops below the ground must "
-                "bounce.",
+                "The velocity did not change, but every grenade that moves down below the ground "
+                "must bounce. Don't require a minimum speed.",
             ),
         ]
         blame(xyz(p.velocity), mistakes)
@@ -89,19 +95,24 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
 def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
     about(
-        cause="This grenade is not below the ground, so it must not bounce. Below the ground "
-        "means y < 0.",
+        cause="This grenade is on or above the ground, so it must not bounce. Let it bounce only "
+        "if y < 0.",
         read="the docstring of bounce",
     )
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
-        about.call = f"p = Particle(Vector3(1, {y}, 3), Vector3{v}); bounce(p)"
+        about.call = f"p = Particle(position=Vector3(1, {y}, 3), velocity=Vector3{v}); bounce(p)"
         p = Particle(Vector3(1.0, y, 3.0), Vector3(*v))
         grenade.bounce(p)
         now = xyz(p.position)
         expect_unchanged("p.position", now, (1.0, y, 3.0))
         expect_unchanged("p.velocity", xyz(p.velocity), v)
-    about.call = f"p = Particle(Vector3(1, -1e-9, 3), Vector3{v}); bounce(p); p.position.y"
-    about.cause = "Even a grenade that is only 1e-9 m below the ground must be moved back to y = 0."
+    about.call = (
+        f"p = Particle(position=Vector3(1, -1e-9, 3), velocity=Vector3{v}); bounce(p); p.position.y"
+    )
+    about.cause = (
+        "This grenade is only 1e-9 m below the ground, but it must bounce too. Move every particle "
+        "with y < 0 back to y = 0."
+    )
     p = Particle(Vector3(1.0, -1e-9, 3.0), Vector3(*v))
     grenade.bounce(p)
     expect_close(p.position.y, 0.0, tolerance=0.0)
@@ -110,13 +121,13 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
     about.cause = (
-        "This grenade is no longer falling. Reverse the velocity only if it points down, or you "
-        "send the grenade back into the ground."
+        "This grenade is already moving up, or is at rest. Move it to y = 0, but change its "
+        "velocity only if it points down."
     )
     about.read = "the docstring of bounce"
     for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
         v = (number(rng), vy, number(rng))
-        about.call = f"p = Particle(Vector3(1, -0.5, 3), Vector3{v}); bounce(p)"
+        about.call = f"p = Particle(position=Vector3(1, -0.5, 3), velocity=Vector3{v}); bounce(p)"
         p = Particle(Vector3(1.0, -0.5, 3.0), Vector3(*v))
         grenade.bounce(p)
         got = xyz(p.position)
@@ -129,76 +140,88 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     x, v, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     a, damping = components(rng), round(rng.uniform(0.1, 0.8), 3)
     about.call = (
-        f"fragments(p), p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass!r}, "
-        f"damping={damping!r})"
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+        f"mass={mass!r}, damping={damping!r}); pieces = fragments(p)"
     )
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
-    about.cause = (
-        "A grenade bursts into 12 fragments (FRAGMENTS), so return a list of 12 particles."
-    )
-    expect_exactly(len(pieces), 12, then=", how many")
+    about.cause = "A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles."
+    expect_exactly(len(pieces), 12, then="; len(pieces)")
     for piece in pieces:
         about.cause = (
-            "The fragments share the mass of the grenade equally, so each has a twelfth of it."
+            "The 12 fragments share the mass of the grenade equally. Give each of them a twelfth "
+            "of that mass."
         )
-        expect_close(piece[0], mass / 12.0, then=", a mass")
+        expect_close(piece[0], mass / 12.0, then="; the mass of a fragment")
         about.cause = (
-            "Each fragment must have the position, acceleration and damping of the grenade."
+            "Each fragment must have the position, the acceleration and the damping of the "
+            "grenade. Pass all three to the new Particle."
         )
-        expect_close(piece[1], damping, then=", a damping")
-        expect_close(piece[2:5], x, then=", a position")
-        expect_close(piece[8:], a, then=", an acceleration")
+        expect_close(piece[1], damping, then="; the damping of a fragment")
+        expect_close(piece[2:5], x, then="; the position of a fragment")
+        expect_close(piece[8:], a, then="; the acceleration of a fragment")
     about.cause = (
-        "A burst doesn't change the total momentum, so the velocities of the fragments relative to "
-        "the grenade must add up to 0."
+        "The burst changes the total momentum. Choose velocities relative to the grenade that add "
+        "up to 0, for example in opposite pairs."
     )
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
     if max(abs(component) for component in total) < 1e-9:
         about.cause = (
-            "The total momentum of the fragments is 0, so the motion of the grenade was lost. Add "
-            "the grenade's velocity to that of each fragment."
+            "You leave out the velocity of the grenade, so the total momentum of the fragments is "
+            "0. Add it to the velocity of each fragment."
         )
     # The rounding errors of 12 numbers up to 25 x 9 / 12.
-    expect_close(total, wanted, then=", momentum", tolerance=1e-11)
+    expect_close(
+        total, wanted, then="; the total momentum of the fragments in kg m/s", tolerance=1e-11
+    )
 
 
 @pytest.mark.exercise("4.1")
 def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> None:
     x, v = components(rng), components(rng)
-    about(f"fragments(p), p = Particle(Vector3{x}, Vector3{v})", read="the docstring of fragments")
+    about(
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}); pieces = fragments(p)",
+        read="the docstring of fragments",
+    )
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
     about.cause = (
-        "Each fragment must move at FRAGMENT_SPEED relative to the grenade. Check the length of "
-        "the velocity that you add to the grenade's."
+        "Each fragment must move at FRAGMENT_SPEED (15 m/s) relative to the grenade. Normalize its "
+        "direction before you multiply by this speed."
     )
     for velocity in relative:
         expect_close(
-            math.hypot(*velocity), 15.0, then=", speed of a fragment relative to p", tolerance=1e-11
+            math.hypot(*velocity),
+            15.0,
+            then="; the speed of a fragment relative to p in m/s",
+            tolerance=1e-11,
         )
     expect_exactly(
         len(relative),
         12,
-        then=", how many",
-        cause="A grenade bursts into 12 fragments, so return a list of 12 particles.",
+        then="; len(pieces)",
+        cause="A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles.",
     )
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
     about.cause = (
-        "At least two fragments fly in the same direction. Give each of them a direction of its "
-        "own."
+        "Two or more fragments fly in the same direction. Give each of the 12 fragments a "
+        "different direction."
     )
     near = sum(pair < 0.1 for pair in pairs)
-    expect_exactly(near, 0, then=", how many pairs of velocities differ by less than 0.1 m/s")
+    expect_exactly(
+        near, 0, then="; how many pairs of fragments have the same velocity, within 0.1 m/s"
+    )
 
 
 @pytest.mark.exercise("4.1")
 def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
     x, v = components(rng), components(rng)
-    about.call = f"p = Particle(Vector3{x}, Vector3{v}, mass=6); pieces = fragments(p)"
+    about.call = (
+        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, mass=6); pieces = fragments(p)"
+    )
     about.cause = (
-        "Each fragment must be a new particle with its own vectors, so that changing one fragment "
-        "affects neither the grenade nor the other fragments."
+        "A fragment shares a vector with the grenade or with another fragment. Create a new "
+        "particle with new vectors for each fragment."
     )
     about.read = "the docstring of fragments"
     p = Particle(Vector3(*x), Vector3(*v), mass=6.0)
@@ -215,129 +238,139 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     frames = BURST_FRAME - 1
-    about.call = f'r.fire("grenade"); r.update(0.25) {frames} times; its height after each'
+    about.call = (
+        f'r = BallisticRange(); r.fire("grenade"); r.update(0.25) {frames} times; the height of '
+        "the grenade after each update"
+    )
     about.cause = (
-        "A grenade that hits the ground must bounce, so it is not spent there. Call bounce before "
-        "is_spent."
+        "Your grenade disappears before its fuse has burnt down. It must bounce off the ground, so "
+        "call bounce before is_spent."
     )
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
-    expect_exactly(len(heights), frames, then=", how many heights")
+    expect_exactly(len(heights), frames, then=": how many heights")
     about.cause = (
-        "The grenade lands in step 12, and bounce must move it back to y = 0. It must not burst "
-        "until its fuse of 4 s has burnt down."
+        "The grenade never gets to y = 0. It must not burst before its fuse of 4 s has burnt down, "
+        "and bounce must move it to y = 0 when it lands."
     )
     lowest = min(heights)
     # It lands in frame 12 and is put back to exactly 0.
-    expect_close(lowest, 0.0, then=", the lowest", tolerance=ROUNDED)
+    expect_close(lowest, 0.0, then=": the lowest, in m", tolerance=ROUNDED)
     landed = heights.index(lowest)
     about.cause = (
-        "After the bounce, the grenade must rise again, at half the speed with which it hit the "
-        "ground."
+        "The grenade does not rise again after its bounce. It must leave the ground at half the "
+        "speed at which it fell."
     )
     risen = max(heights[landed:]) > 0.5
-    expect_exactly(risen, True, then=", over 0.5 m after that")
+    expect_exactly(risen, True, then=": is one of those after the bounce above 0.5 m?")
 
 
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     about(
-        cause="The fuse burns for 4 s, which is the value of FUSE. Until then, the grenade must "
-        "not burst."
+        cause="The fuse of a grenade burns for 4 s (FUSE). Until then, keep the grenade in the "
+        "list and don't let it burst."
     )
     about.read = "the docstring of grenade_after"
     about.call, at = thrown(frames=BURST_FRAME - 1)
     types = tuple(shot.type for shot in at.shots)
-    expect_exactly(types, ("grenade",), then=", their types")
+    expect_exactly(types, ("grenade",), then="; the types of the shots")
     about.cause = (
-        "The grenade is now 4 s old, so it must burst. Replace it with 12 shots of type fragment "
-        "and age 0."
+        "The grenade is now 4 s old (FUSE), so it must burst. Return 12 shots of the "
+        "type fragment and age 0 instead of the grenade."
     )
     about.call, at = thrown(frames=BURST_FRAME)
     types = tuple(shot.type for shot in at.shots)
     if types == ("grenade",) * 12:
         about.cause = (
-            "The grenade burst into 12 shots, but they still have the type of the grenade. Give "
+            "Your grenade bursts into 12 shots, but they still have the type of the grenade. Give "
             "each of them the type fragment."
         )
-    expect_exactly(types, ("fragment",) * 12, then=", their types")
+    expect_exactly(types, ("fragment",) * 12, then="; the types of the shots")
     ages = tuple(shot.age for shot in at.shots)
-    expect_close(ages, (0.0,) * 12, then=", their ages", tolerance=0.0)
+    expect_close(ages, (0.0,) * 12, then="; the ages of the shots in s", tolerance=0.0)
 
 
 @pytest.mark.exercise("4.1")
 def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     about.read = "the docstrings of update and is_spent"
-    about.cause = "Only the grenade bursts. The fireball has no fuse, so it flies on."
+    about.cause = "Only the grenade bursts, and the fireball flies on."
     about.call, at = thrown(frames=BURST_FRAME, others=("fireball",))
     types = [shot.type for shot in at.shots]
     about.cause += (
-        " In the list, the fragments take the place of their grenade, ahead of the fireball."
+        " Put the fragments at the place of their grenade in the list, before the fireball."
     )
-    expect_exactly(types, ["fragment"] * 12 + ["fireball"], then=", their types in order")
+    expect_exactly(
+        types, ["fragment"] * 12 + ["fireball"], then="; the types of the shots, in order"
+    )
     about.cause = (
-        "Only grenades bounce. Remove a fragment that falls below the ground, like any other shot."
+        "Some fragments are still in the list. Only grenades bounce, so remove a fragment that "
+        "falls below the ground, like any other shot."
     )
     about.call, at = thrown(frames=BURST_FRAME + 40)
-    expect_exactly(len(at.shots), 0, then=", how many")
+    expect_exactly(len(at.shots), 0, then="; the number of shots")
 
 
 @pytest.mark.exercise("4.1")
 def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); grenade_after(shot)'
     about.cause = (
-        "This grenade is past the end of the range, so it is spent. Call is_spent for grenades too."
+        "This grenade is at z = 201 m, past the end of the range. Call is_spent for grenades too, "
+        "and return an empty list if it is True."
     )
     about.read = "the docstring of grenade_after"
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     left = ballistics.grenade_after(shot)
-    expect_exactly(len(left), 0, then=", how many")
+    expect_exactly(len(left), 0, then="; the number of shots that it returns")
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 9))); shot.age = 2; grenade_after(shot)'
     )
     about.cause = (
-        "This grenade is still in flight and its fuse still burns. Return a list with only the "
-        "grenade in it."
+        "This grenade is still in flight, and its fuse still burns. Return a list that contains "
+        "only the grenade."
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
     shot.age = 2.0
     left = [(each.type, each.age) for each in ballistics.grenade_after(shot)]
-    expect_exactly(left, [("grenade", 2.0)])
+    expect_exactly(left, [("grenade", 2.0)], then="; (type, age) of each shot that it returns")
 
 
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> None:
     about.read = "the docstring of grenade_after"
     about.call = (
-        'shot = Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0, -8, 5))); shot.age = 4; '
-        "grenade_after(shot)"
+        'shot = Shot("grenade", Particle(position=Vector3(0, -0.5, 9), velocity=Vector3(0, -8, '
+        "5))); shot.age = 4; grenade_after(shot)"
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0.0, -8.0, 5.0)))
     shot.age = 4.0
     left = ballistics.grenade_after(shot)
     about.cause = (
-        "This grenade is below the ground when its fuse burns down. Let it bounce first, so that "
-        "the fragments start on the ground."
+        "The grenade is below the ground when its fuse burns down, so its fragments start there "
+        "too. Call bounce before fragments."
     )
     heights = [each.particle.position.y for each in left]
-    expect_close(heights, [0.0] * 12, then=", heights", tolerance=0.0)
+    expect_close(heights, [0.0] * 12, then="; the heights of the 12 fragments in m", tolerance=0.0)
     about.cause = (
-        "The fragments must inherit the velocity from after the bounce, which is 4 m/s upward and "
-        "4 m/s along Z. Call bounce before fragments."
+        "The fragments must get the velocity that the grenade has after its bounce, 4 m/s upward "
+        "and 4 m/s along Z. Call bounce before fragments."
     )
     mean = [math.fsum(each.particle.velocity.y for each in left) / 12.0]
     mean.append(math.fsum(each.particle.velocity.z for each in left) / 12.0)
     expect_close(
-        mean, (4.0, 4.0), then=", means of the velocities along Y and Z", tolerance=ROUNDED
+        mean,
+        (4.0, 4.0),
+        then="; the mean velocity of the fragments along Y and along Z, in m/s",
+        tolerance=ROUNDED,
     )
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
     )
     about.cause = (
-        "A grenade whose fuse has burnt down bursts, even past the end of the range. Check the "
-        "fuse before you call is_spent."
+        "This grenade is past the end of the range, but its fuse has burnt down, so it must burst. "
+        "Check the fuse before you call is_spent."
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     shot.age = 6.0
     left = ballistics.grenade_after(shot)
-    expect_exactly(len(left), 12, then=", how many")
+    expect_exactly(len(left), 12, then="; the number of shots that it returns")

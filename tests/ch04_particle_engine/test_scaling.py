@@ -15,26 +15,33 @@ from expect import about, blame, cause_of, expect_close, expect_error
 @pytest.mark.exercise("B4.1")
 def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     about(
-        "muzzle_energy(0.005, 500)",
-        cause="The kinetic energy of the bullet is m v^2 / 2.",
+        "muzzle_energy(mass=0.005, speed=500)",
+        cause="The kinetic energy of the bullet is m v^2 / 2. Check each factor of your formula "
+        "against it.",
         read="book 4.1.1; errata.md",
     )
     got = scaling.muzzle_energy(0.005, 500)
     mistakes = [
         (
             1250.0,
-            "The result is m v^2. The kinetic energy is half of this.",
+            "The result is m v^2, because you leave out the factor 1/2. The kinetic energy is m "
+            "v^2 / 2.",
         ),
-        (1.25, "The result is m v / 2. Square the speed, because the kinetic energy is m v^2 / 2."),
+        (
+            1.25,
+            "The result is m v / 2, because you don't square the speed. The kinetic energy is m "
+            "v^2 / 2.",
+        ),
     ]
     expect_close(got, 625.0, cause=cause_of(got, mistakes, about.cause))
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
-    about.call = f"muzzle_energy({mass}, {speed})"
+    about.call = f"muzzle_energy(mass={mass}, speed={speed})"
     got = scaling.muzzle_energy(mass, speed)
     expect_close(got, 0.5 * mass * speed * speed)
     about(
-        f"muzzle_energy({mass}, 0)",
-        cause="A speed of 0 is valid. A body at rest has no kinetic energy, so return 0.",
+        f"muzzle_energy(mass={mass}, speed=0)",
+        cause="A speed of 0 is valid, because a body can be at rest. Check the speed with "
+        "not_negative from arguments.py, and return 0.",
     )
     expect_close(scaling.muzzle_energy(mass, 0), 0.0)
 
@@ -47,33 +54,36 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         (round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)),
         (round(rng.uniform(2.0, 90.0), 3), 0.25),
     ):
-        about.call = f"slowed_mass({mass}, {factor}); m v^2 / 2 with that and {500.0 / factor} m/s"
+        about.call = (
+            f"slowed_mass(mass={mass}, factor={factor}); the energy of a shot with that mass at "
+            f"{500.0 / factor:.6g} m/s, in J"
+        )
         about.cause = (
-            "The energy depends on the square of the speed. To keep it the same at a lower speed, "
-            "multiply the mass by the square of the factor."
+            "The slower shot does not have the energy of the real shot. The energy depends on the "
+            "square of the speed, so multiply the mass by the square of the factor."
         )
         slow = scaling.slowed_mass(mass, factor)
         mistakes = [
             (
                 mass * factor,
                 (
-                    "You multiplied the mass by the factor, which preserves the momentum. To "
-                    "preserve the energy, multiply it by the square of the factor."
+                    "You multiply the mass by the factor, which keeps the momentum the same. To "
+                    "keep the energy the same, multiply the mass by the square of the factor."
                 ),
             ),
             (
                 mass / factor**2,
                 (
-                    "The mass got smaller, but a slower shot needs a larger mass. The factor is "
-                    "the real speed divided by the speed in the game, as in the book's text. The "
-                    "footnote divides the other way around (E-19)."
+                    "You make the mass smaller, as in the book's footnote (E-19), but a slower "
+                    "shot needs a larger mass. The factor is the real speed divided by the speed "
+                    "in the game."
                 ),
             ),
             (
                 mass,
                 (
-                    "The mass did not change, so the slower shot has too little energy. Multiply "
-                    "the mass by the square of the factor."
+                    "You leave the mass unchanged, so the slower shot has too little energy. "
+                    "Multiply the mass by the square of the factor."
                 ),
             ),
         ]
@@ -92,27 +102,29 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
         (0.0, 4.0),
     ):
         about.call = (
-            f"slowed_gravity({gravity}, {factor}); g t^2 / 2 with that over 100 m at "
-            f"{500.0 / factor} m/s"
+            f"slowed_gravity(gravity={gravity}, factor={factor}); how far a shot with that gravity "
+            f"drops on its first 100 m at {500.0 / factor:.6g} m/s, in m"
         )
-        about.cause = "Gravity may be negative or 0, so reject only a number that is not finite."
+        about.cause = (
+            "You reject this gravity, but it may be negative or 0. Check it with finite from "
+            "arguments.py."
+        )
         weak = scaling.slowed_gravity(gravity, factor)
         longer = (
-            "The shot takes factor times as long to cover the same distance, and its drop grows "
-            "with the square of the time, so divide gravity by factor^2."
+            "The slower shot flies factor times as long, and it drops by g t^2 / 2, so divide "
+            "gravity by factor^2."
         )
-        stronger = (
-            "Your gravity is stronger than the real one, but it must be weaker. Divide by factor^2."
-        )
+        stronger = "You make gravity stronger, but it must be weaker."
         mistakes = [
             (
                 gravity / factor,
-                f"Gravity was divided by the factor only once, as in the book (E-2). {longer}",
+                f"You divide gravity by the factor only once, as in the book (E-2). {longer}",
             ),
             (gravity * factor, f"{stronger} {longer}"),
             (
                 gravity * factor**2,
-                f"{stronger} The book's footnote uses the inverse of the factor (E-19). {longer}",
+                "You make gravity stronger, as if the factor were inverted as in the book's "
+                f"footnote (E-19). {longer}",
             ),
         ]
         about.cause = cause_of(weak, mistakes, longer)
@@ -125,8 +137,8 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [0.0, -2.0, math.inf, math.nan])
 def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
     about.cause = (
-        "The masses and the factors must be positive and finite. Check them with positive from "
-        "arguments.py, which raises the ValueError for you."
+        "Every mass and every factor must be positive and finite. Pass each of them to positive "
+        "from arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstrings in scaling.py"
     for name, data, good in (

@@ -21,29 +21,27 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
     about.read = ANGLE
     start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.85, 1.0), 3)
     for turning in (rate, -rate):
-        about.call = f"screen_angle({start}, {turning}, 2.5)"
+        about.call = f"screen_angle(start={start}, rate={turning}, time=2.5)"
         about.cause = (
-            "The angle is start + rate x time, reduced to the range from -pi to pi. A negative "
-            "rate turns the spark backward and can make the angle negative."
+            "The angle must be start + rate x time, reduced to the range from -pi to pi. With a "
+            "negative rate it can become negative."
         )
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
-            (2.5 * turning, "The start angle is missing. Add start to rate x time."),
+            (2.5 * turning, "You leave out the start angle. Add start to rate x time."),
             (
                 angle + 2.0 * math.pi,
-                "The angle was reduced to the range from 0 to 2 pi, but it must lie between -pi "
-                "and pi. Subtract 2 pi if it is above pi.",
+                "You reduce the angle to the range from 0 to 2 pi, but it must be from -pi to pi. "
+                "Subtract 2 pi if it is above pi.",
             ),
             (
                 angle + math.pi,
-                "The angle is half a turn too large. Add or subtract only whole turns, that is, "
-                "multiples of 2 pi.",
+                "Your angle is half a turn too large. Add or subtract only full turns of 2 pi.",
             ),
             (
                 angle - math.pi,
-                "The angle is half a turn too small. Add or subtract only whole turns, that is, "
-                "multiples of 2 pi.",
+                "Your angle is half a turn too small. Add or subtract only full turns of 2 pi.",
             ),
         ]
         blame(got, mistakes)
@@ -57,46 +55,48 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
     beyond = rng.uniform(0.3, 1.2), rng.uniform(3.5, 4.5)  # to either side of half a turn
     for angle in (way * (turns * 2.0 * math.pi + part) for way in (1.0, -1.0) for part in beyond):
         rate = round((angle - 0.5) / 20.0, 3)
-        about.call = f"screen_angle(0.5, {rate}, 20)"
+        about.call = f"screen_angle(start=0.5, rate={rate}, time=20)"
         about.cause = (
-            "The angle must lie between -pi and pi. Remove whole turns of 2 pi until it does."
+            "The angle must be from -pi to pi. Add or subtract full turns of 2 pi until it is."
         )
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
         angle, turn = 0.5 + 20.0 * rate, 2.0 * math.pi
         mistakes = [
             (
                 angle,
-                "The result is start + rate x time, which is outside the range from -pi to pi. "
-                "Remove the whole turns of 2 pi from it.",
+                "You return start + rate x time, which is outside the range from -pi to pi. Remove "
+                "full turns of 2 pi from it.",
             ),
             (
                 math.fmod(angle, turn),
-                "The result lies between -2 pi and 2 pi, so it can still be more than half a "
-                "turn. Add or subtract one more turn to bring it into the range from -pi to pi.",
+                "You reduce the angle to the range from -2 pi to 2 pi, probably with math.fmod. "
+                "Add or subtract one more turn if it is still outside -pi to pi.",
             ),
             (
                 angle % turn,
-                "The result lies between 0 and 2 pi. If it is above pi, subtract one more turn of "
-                "2 pi.",
+                "You reduce the angle to the range from 0 to 2 pi. Subtract one more turn of 2 pi "
+                "if it is above pi.",
             ),
         ]
         blame(got, mistakes)
         expect_between(got, -math.pi, math.pi, tolerance=1e-9)
         about.cause = (
-            "The angle must point in the same direction as start + rate x time. Remove only whole "
+            "Your angle points in a different direction than start + rate x time. Remove only full "
             "turns of 2 pi, which leave the direction unchanged."
         )
         direction = (math.cos(got), math.sin(got))
         wanted = (math.cos(angle), math.sin(angle))
-        expect_close(direction, wanted, then=", its cosine and sine", tolerance=ROUNDED)
+        expect_close(
+            direction, wanted, then="; the cosine and the sine of the result", tolerance=ROUNDED
+        )
 
 
 @pytest.mark.exercise("G4.1")
 def test_angles_just_beyond_half_a_turn() -> None:
     about(
         cause=(
-            "Turning more than half a turn one way is the same as turning less than half a turn "
-            "the other way. Return the shorter of the two."
+            "The angle must be from -pi to pi. A rotation by more than half a turn in one "
+            "direction equals a rotation by less than half a turn in the other direction."
         ),
         read=ANGLE,
     )
@@ -110,7 +110,7 @@ def test_angles_just_beyond_half_a_turn() -> None:
         (0.0, -1.0, 10.0, 2.0 * turn - 10.0),
         (0.5, 1.0, -0.25, 0.25),  # a negative time was before
     ):
-        about.call = f"screen_angle({start}, {rate}, {time})"
+        about.call = f"screen_angle(start={start}, rate={rate}, time={time})"
         got = screen_rotation.screen_angle(start, rate, time)
         expect_close(got, wanted, tolerance=1e-14)
 
@@ -124,17 +124,26 @@ def test_the_corners_of_a_square(rng: Random) -> None:
     for turned, cause in (
         (
             0.0,
-            "The first corner is half a side to the right of the center and half a side above it. "
-            "List the others in order from X toward Y.",
+            "Start with the upper right corner, which is half a side from the center in x and in "
+            "y. List the others in the direction from X toward Y.",
         ),
-        (math.pi / 2.0, "After a quarter turn, each corner must be where the next one used to be."),
+        (
+            math.pi / 2.0,
+            "After a quarter turn, each corner must be where the next one was. Check the direction "
+            "of rotation, which is from X toward Y.",
+        ),
         (
             angle,
             "Rotate each corner about the center by the angle t. A corner at (a, b) relative "
             "to the center moves to (a cos t - b sin t, a sin t + b cos t).",
         ),
     ):
-        about(f"screen_corners(({x}, {y}), {size}, {turned})", cause=cause)
+        shown = f"{turned:.6g}" if turned != math.pi / 2.0 else "math.pi / 2"
+        about(
+            f"screen_corners(center=({x}, {y}), size={size}, angle={shown}); x and y of each "
+            "corner, in order",
+            cause=cause,
+        )
         corners = screen_rotation.screen_corners((x, y), size, turned)
         got = [coordinate for corner in corners for coordinate in corner]
         wanted = []
@@ -147,17 +156,18 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         mistakes = [
             (
                 doubled,
-                "The square is twice as large as it should be, because size is the length of a "
-                "whole side. Each corner is only half a side away from the center in x and in y.",
+                "Your square is twice as large as it should be, because size is the length of a "
+                "whole side. Each corner is only half a side from the center in x and in y.",
             ),
             (
                 [n - c for n, c in zip(wanted, center, strict=True)],
-                "These corners are relative to the center. Add the coordinates of the center to "
+                "Your corners are relative to the center. Add the coordinates of the center to "
                 "each of them.",
             ),
             (
                 [*wanted[:2], *wanted[6:], *wanted[4:6], *wanted[2:4]],
-                "The corners are in the opposite order. List them in order from X toward Y.",
+                "You list the corners in the opposite order. List them in the direction of "
+                "rotation, which is from X toward Y.",
             ),
         ]
         blame(got, mistakes)
@@ -169,8 +179,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_what_is_drawn_is_finite(bad: float) -> None:
     about.cause = (
-        "The coordinates and angles must be finite, and the size must be positive. Check them with "
-        "finite and positive from arguments.py."
+        "All coordinates, angles, rates and times must be finite, and the size must be positive. "
+        "Check them with finite and positive from arguments.py."
     )
     about.read = f"{ANGLE}, and of screen_corners"
     for call, attempt in (

@@ -49,36 +49,41 @@ def types(a_show: Any) -> list[int]:
 def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -> None:
     h, v = round(rng.uniform(0.1, 0.4), 3), components(rng)
     about.call = (
-        f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; show.update({h})"
+        f"two fireworks at (0, 20, 0) with the velocity {v} m/s and 3 s of fuse left; "
+        f"show.update({h})"
     )
     about.cause = (
-        "Each update makes one time step for every firework. Integrate each particle exactly once, "
-        "which moves it by v h and then adds the effect of gravity to its velocity."
+        "Each update is one time step for every firework. Call integrate exactly once for each "
+        "particle, with the duration of the step."
     )
     a_show = show_with([fixed(1, 3.0, v)], [(1, 2, at((0.0, 20.0, 0.0)))])
     a_show.update(h)
-    expect_exactly(len(a_show.fireworks), 2, then=", how many", read=READ)
+    expect_exactly(len(a_show.fireworks), 2, then="; len(show.fireworks)", read=READ)
     for firework in a_show.fireworks:
         wanted = (v[0] * h, 20.0 + v[1] * h, v[2] * h)
         got = xyz(firework.particle.position)
-        expect_close(got, wanted, then=", a position", read=READ, tolerance=1e-13)
+        expect_close(got, wanted, then="; the position of a firework", read=READ, tolerance=1e-13)
         got = xyz(firework.particle.velocity)
         wanted = (v[0], v[1] - 9.81 * h, v[2])
-        expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
+        expect_close(got, wanted, then="; the velocity of a firework", read=READ, tolerance=1e-13)
         about.cause = (
-            "The age of a firework is the time until its fuse has burnt down, so subtract the "
+            "The age of a firework is the time that is left until it burns out. Subtract the "
             "duration of the step from it."
         )
         age = firework.age
-        expect_close(age, 3.0 - h, then=", an age", read=READ, tolerance=1e-13)
+        expect_close(age, 3.0 - h, then="; the age of a firework", read=READ, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
     about.call = (
-        "a firework with 0.5 s of fuse; show.update(0.125) 5 times; how many burn after each update"
+        "a firework with 0.5 s of fuse left; show.update(0.125) 5 times; the number of burning "
+        "fireworks after each update"
     )
-    about.cause = "A firework of age 0 still burns. It has burnt out only once its age is below 0."
+    about.cause = (
+        "After the fourth update the age of the firework is exactly 0, and it still burns. Remove "
+        "it only when its age is below 0."
+    )
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
     expect_exactly(counts, [1, 1, 1, 1, 0], read=READ)
@@ -90,41 +95,41 @@ def why_no_payload() -> str:
     high.update(0.0625)
     if types(high) == []:
         return (
-            "The payload was lost, even that of a firework high above the ground. First collect "
-            "the fireworks that still burn, and then add the payloads to them."
+            "Your update loses the payload of every firework that burns out. First collect the "
+            "fireworks that still burn, and then light the payloads."
         )
     fast = fixed(2, 9.0, (0.0, 90.0, 0.0))
     low = show_with([fixed(1, 9.0, STILL, (2, 3)), fast], [(1, 1, at((0.0, -0.001, 0.0)))])
     low.update(0.001)
     if types(low) == [2, 2, 2]:
         return (
-            "The payload was lit, but it moved in the same step and burnt out below the ground. "
-            "Light the payloads after all fireworks have moved, so that they start to move in the "
-            "next step."
+            "Your update moves the new fireworks of the payload in the same step, so they burn out "
+            "below the ground at once. Light payloads after all fireworks have moved."
         )
     return (
-        "The firework below the ground is gone, but its payload was not lit. Light it just as you "
-        "do when the fuse has burnt down."
+        "You remove the firework that is below the ground without lighting its payload. Light it "
+        "just as you do when the fuse has burnt down."
     )
 
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
     start = (
-        "a firework at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
-        "show.update(0.0625)"
+        "a firework of type 1 at (1, 0.5, 2), which falls at 8 m/s, has 9 s of fuse left and a "
+        "payload of 3 fireworks of type 2; show.update(0.0625)"
     )
-    about.call = f"{start}, to y = 0; show.update(0.001), to y < 0"
+    about.call = f"{start}, which ends at y = 0; show.update(0.001), which ends below the ground"
     about.cause = (
         "A firework below the ground (y < 0) has burnt out, however much fuse is left. Remove it, "
-        "and light its payload."
+        "and light all three fireworks of its payload."
     )
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
-    name = f"{start}, to y = 0; types"
+    name = f"{start}, which ends at y = 0; the types of the burning fireworks"
     on_ground = (
-        "At y = 0 the firework is on the ground and still burns. Only y < 0 is below the ground."
+        "At y = 0 the firework is on the ground and still burns. Treat it as burnt out only if y < "
+        "0."
     )
     expect_exactly(types(a_show), [1], call=name, cause=on_ground, read=READ)
     a_show.update(0.001)
@@ -133,101 +138,107 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         about.cause = why_no_payload()
     if left == [1]:
         about.cause = (
-            "This firework is below the ground but still burns. With y < 0 it has burnt out, "
-            "however much fuse is left."
+            "Your update keeps a firework that is below the ground. Treat it as burnt out if y < "
+            "0, however much fuse is left."
         )
     if left == [2]:
         about.cause = (
-            "The payload (2, 3) means three fireworks of type 2. Light it as one birth with a "
-            "count of 3."
+            "You light only one firework for the payload, which has a count of 3. Light it as one "
+            "birth with a count of 3."
         )
-    expect_exactly(left, [2, 2, 2], then="; types", read=READ)
+    expect_exactly(left, [2, 2, 2], then="; the types of the burning fireworks", read=READ)
     about.cause = (
-        "The payload must start where the firework burnt out, even if that is below the ground."
+        "The fireworks of a payload must start where their parent burnt out, even if that is below "
+        "the ground."
     )
     height = a_show.fireworks[0].particle.position.y
     wanted = (-8.0 - 9.81 * 0.0625) * 0.001
     if height == 0.0:
         about.cause = (
-            "The payload starts on the ground, so perhaps it had no parent. Pass the particle of "
-            "the burnt-out firework as its parent."
+            "The fireworks of the payload start at y = 0, so they probably have no parent. Pass "
+            "the particle of the burnt-out firework as their parent."
         )
-    expect_close(height, wanted, then="; the height of the first", read=READ)
+    expect_close(height, wanted, then="; the height y of the first new firework", read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Random) -> None:
     v, own = components(rng), components(rng)
     about.call = (
-        f"a firework at (0, 20, 0) with velocity {v} and 0.1 s of fuse, whose payload (2, 2) has "
-        f"the velocity {own} of its own; show.update(0.25)"
+        f"a firework at (0, 20, 0) with the velocity {v} and 0.1 s of fuse left; its payload is 2 "
+        f"fireworks of type 2, whose rule has the velocity {own}; show.update(0.25)"
     )
     a_show = show_with([fixed(1, 0.1, v, (2, 2)), fixed(2, 1.5, own)], [(1, 1, at((0, 20, 0)))])
     a_show.update(0.25)
-    about.cause = "The payload has a count of 2, so light two fireworks."
-    expect_exactly(types(a_show), [2, 2], then=", types", read=READ)
+    about.cause = (
+        "The firework burns out and has a payload of 2 fireworks of type 2. Remove it, and light "
+        "both of them."
+    )
+    expect_exactly(types(a_show), [2, 2], then="; the types of the burning fireworks", read=READ)
     for firework in a_show.fireworks:
         about.cause = (
-            "The payload must start where the firework was after its last step. Since it begins to "
-            "move only in the next step, light it after all fireworks have moved."
+            "The new fireworks must start where their parent was after its last step, and move "
+            "only from the next step on. Light them after all fireworks have moved."
         )
         wanted = (v[0] * 0.25, 20.0 + v[1] * 0.25, v[2] * 0.25)
         got = xyz(firework.particle.position)
-        expect_close(got, wanted, then=", a position", read=READ, tolerance=1e-13)
+        expect_close(got, wanted, then="; the position of a firework", read=READ, tolerance=1e-13)
         about.cause = (
-            "The payload inherits the motion of the burnt-out firework. Its velocity is its own "
-            "plus that of the firework after the step, gravity included."
+            "A new firework starts with the velocity of its rule plus the velocity of its parent "
+            "after the step, gravity included. Pass the parent's particle to light."
         )
         wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
         got = xyz(firework.particle.velocity)
-        expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
+        expect_close(got, wanted, then="; the velocity of a firework", read=READ, tolerance=1e-13)
         about.cause = (
-            "The payload must still have its whole fuse, which doesn't start to burn until the "
-            "next step. Light payloads after you have shortened all fuses."
+            "A new firework must still have its whole fuse, which starts to burn in the next step. "
+            "Light payloads after you have shortened all fuses."
         )
-        expect_close(firework.age, 1.5, then=", an age", read=READ)
+        expect_close(firework.age, 1.5, then="; the age of a new firework", read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     rules = [fixed(1, 0.1), fixed(2, 5.0)]
     about.call = (
-        "fireworks of types 1 1 2 1 1 2 1, those of type 1 with 0.1 s of fuse; show.update(0.25)"
+        "fireworks of types 1, 1, 2, 1, 1, 2 and 1, where only those of type 2 have more than 0.25 "
+        "s of fuse left; show.update(0.25)"
     )
     about.cause = (
-        "Burnt-out fireworks are still in the list. If a loop removes an item from the list that "
-        "it runs over, it skips the next one, so build a new list of the fireworks that still "
-        "burn."
+        "Some burnt-out fireworks are still in the list, because a loop that removes an item from "
+        "its own list skips the next one. Build a new list of the fireworks that still burn."
     )
     a_show = show_with(
         rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
     )
     a_show.update(0.25)
-    expect_exactly(types(a_show), [2, 2], then="; types", read=READ)
+    expect_exactly(types(a_show), [2, 2], then="; the types of the burning fireworks", read=READ)
     ages = [firework.age for firework in a_show.fireworks]
     about.cause = (
-        "Each update must shorten the fuse by the duration of the step. Check that you move each "
-        "firework exactly once."
+        "Each update must shorten every fuse by the duration of the step. Check that your loop "
+        "reaches each firework exactly once."
     )
-    expect_close(ages, [4.75, 4.75], then="; ages", read=READ)
+    expect_close(ages, [4.75, 4.75], then="; the ages of the burning fireworks", read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
     rules = [fixed(1, 0.1, UP, (3, 2)), fixed(2, 0.1, UP, (4, 2)), fixed(3, 5.0), fixed(4, 5.0)]
     about.call = (
-        'capacity 3, "keep_old"; fireworks of types 1 2 2 burn out together and leave (3, 2) and '
-        "twice (4, 2); types"
+        'a show with 3 slots and the policy "keep_old"; three fireworks burn out together, with '
+        "payloads of 2 fireworks of type 3, 2 of type 4 and again 2 of type 4; the types of the "
+        "burning fireworks"
     )
     about.cause = (
-        "Remove all burnt-out fireworks before you light the payloads. Three slots are then free."
+        "You light payloads while other burnt-out fireworks still have their slots. Remove all "
+        "burnt-out fireworks first, so that three slots are free."
     )
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
     expect_exactly(types(a_show), [3, 3, 4], read=READ)
     about.cause = (
-        "The payloads ask for six new fireworks, but there is room for only three. Add the other "
-        "three to dropped."
+        "The payloads contain six fireworks, but there are only three slots. Count the other three "
+        "in dropped."
     )
     expect_exactly(a_show.dropped, 3, then="; show.dropped", read=READ)
 
@@ -238,12 +249,13 @@ def test_payloads_follow_the_policy_too() -> None:
     about.read = "the docstrings of FireworksShow and update"
     for when_full, wanted in (("keep_old", [2, 2, 3, 3]), ("drop_oldest", [2, 3, 3, 3])):
         about.call = (
-            f'capacity 4, "{when_full}"; fireworks of types 1 2 2; type 1 burns out and leaves the '
-            "payload (3, 3); types"
+            f'a show with 4 slots and the policy "{when_full}"; fireworks of types 1, 2 and 2, of '
+            "which the first burns out and has a payload of 3 fireworks of type 3; the types of "
+            "the burning fireworks"
         )
         about.cause = (
-            "The policy for a full show applies to payloads too. Light them by calling light, "
-            "which follows it."
+            "The policy for a full show applies to payloads too. Call self.light for them, which "
+            "follows the policy."
         )
         births = [(1, 1, at((0.0, 20.0, 0.0))), (2, 2, None)]
         a_show = show_with(rules, births, 4, when_full)
@@ -261,10 +273,13 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
         fixed(5, 9.0),
         fixed(6, 9.0),
     ]
-    about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each update"
+    about.call = (
+        "fireworks of types 1, 2 and 1 are launched, some of which have payloads; "
+        "show.update(0.25) 4 times; the types of the burning fireworks after each update"
+    )
     about.cause = (
-        "Light the payloads in order: start with those of the oldest firework, follow the order of "
-        "its rule, and put the new fireworks after those that are already burning."
+        "Light the payloads of the oldest firework first, in the order of its rule. Put the new "
+        "fireworks after those that are already burning."
     )
     seen = probes.sparks(rules, [1, 2, 1], 50, "keep_old", 1, 0.25, 4)
     wanted = ["1 1 5", "5 3 3 4 3 3 4", "5 3 3 4 3 3 4", "5 3 3 3 3 6 6"]
@@ -281,12 +296,13 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
         (5, 4.5, 4.5, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.001, ()),
     ]
     about.call = (
-        f"type 1 leaves {many} of type 3 and 2 of type 5, type 3 leaves 3 of type 5; launch 1 "
-        "twice; show.update(0.05) 80 times; how many of each type burn"
+        f"type 1 has payloads of {many} fireworks of type 3 and 2 of type 5, and type 3 has a "
+        "payload of 3 of type 5; show.launch(1) twice; show.update(0.05) 80 times; how many of "
+        "each type burn"
     )
     about.cause = (
-        "Every firework that burns out must leave each of its payloads exactly once. Check that no "
-        "payload is skipped or lit twice."
+        "The number of fireworks is wrong after several generations. Check that update lights each "
+        "payload of a burnt-out firework exactly once."
     )
     seen = probes.sparks(rules, [1, 1], 500, "keep_old", rng.randrange(10**6), 0.05, 80)
     last = seen[-1]
@@ -299,20 +315,22 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
 def test_rules_without_an_end_stay_within_the_capacity() -> None:
     rules = [fixed(1, 0.1, UP, (1, 10))]
     about.cause = (
-        "Each firework leaves ten more of its own type, so their number would grow without limit. "
-        "Call light, which keeps it within the capacity."
+        "Each firework lights ten others of its own type, so without a limit their number grows "
+        "forever. Call self.light, which keeps it within the capacity."
     )
     about.read = "the docstring of FireworksShow"
     for when_full in ("keep_old", "drop_oldest"):
         about.call = (
-            f'capacity 50, "{when_full}", type 1 leaves 10 of type 1; launch 1; show.update(0.2) '
-            "30 times; how many burn"
+            f'a show with 50 slots and the policy "{when_full}", where type 1 has a payload of 10 '
+            "fireworks of type 1; show.launch(1); show.update(0.2) 30 times"
         )
         seen = probes.sparks(rules, [1], 50, when_full, 1, 0.2, 30)
         counts = [len(types) for types in seen]
         most = max(counts)
-        expect_exactly(most, 50, then=", at most")
-        expect_exactly(counts[:3], [10, 50, 50], then=", after 3")
+        expect_exactly(most, 50, then="; the largest number that burns at once")
+        expect_exactly(
+            counts[:3], [10, 50, 50], then="; how many burn after each of the first 3 updates"
+        )
 
 
 @pytest.mark.exercise("B4.6")
@@ -322,25 +340,30 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
         (1, 0.1, 0.4, (-5.0, 5.0, -5.0), (5.0, 8.0, 5.0), 0.1, ((3, 5),)),
         (3, 0.7, 2.5, (-5.0, 5.0, -5.0), (5.0, 9.0, 5.0), 0.1, ()),
     ]
-    about.call = f"two shows with the seed {seed}: launch 1, 1, 3; show.update(0.05) 12 times"
+    about.call = (
+        f"two shows with the seed {seed}; in each, fireworks of types 1, 1 and 3 are launched; "
+        "show.update(0.05) 12 times"
+    )
     about.cause = (
-        "Two shows with the same seed must be identical. Draw all random numbers from self.random, "
-        "and always in the same order."
+        "Two shows with the same seed came out different. Draw all random numbers from "
+        "self.random, and always in the same order."
     )
     about.read = "the docstring of FireworksShow"
     once, again, other = (
         probes.show_after(rules, [1, 1, 3], s, 0.05, 12) for s in (seed, seed, seed + 1)
     )
     many = len(once) > 0
-    expect_exactly(many, True, then="; something burns")
+    expect_exactly(many, True, then="; does anything still burn?")
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
-    expect_exactly(differ, 0, then=": how many fireworks differ")
+    expect_exactly(differ, 0, then="; how many fireworks differ between the shows")
     about.cause = (
-        "Two shows with different seeds came out the same. Create self.random from the seed of the "
-        "show."
+        "Two shows with different seeds have equal fireworks. Draw all random numbers from "
+        "self.random, which is created from the seed."
     )
     same = sum(firework in once for firework in other)
-    about.call = f"shows with the seeds {seed} and {seed + 1}: how many fireworks are equal"
+    about.call = (
+        f"two such shows, with the seeds {seed} and {seed + 1}; how many fireworks are equal"
+    )
     expect_exactly(same, 0)
 
 
@@ -349,7 +372,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_of_a_show_is_positive_and_finite(bad: float) -> None:
     about(
-        f"show.update({bad})",
+        f"a show; show.update({bad})",
         cause="The duration must be positive and finite, even if nothing is burning. Check it "
         "before you change anything.",
     )
@@ -363,4 +386,4 @@ def test_a_frame_of_a_show_is_positive_and_finite(bad: float) -> None:
             allowed=lambda: show_with(rules, [(1, 1, None)]).update(0.5),
         )
     now = (a_show.fireworks[0].age, a_show.fireworks[0].particle.position.y)
-    expect_unchanged("its age and its height", now, (2.0, 0.0))
+    expect_unchanged("(age of the firework, its height)", now, (2.0, 0.0))

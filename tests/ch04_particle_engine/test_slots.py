@@ -38,25 +38,27 @@ def burning(a_show: Any) -> list[int]:
 @pytest.mark.exercise("B4.5")
 def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
-    about.call = f"show.launch({type}); the types of show.fireworks"
+    about.call = f"a show with 9 slots; show.launch({type}); the types of show.fireworks"
     about(
-        cause="launch must light one firework of the given type. Call light with a single birth "
-        "of that type, with a count of 1 and no parent.",
+        cause="Your launch must light exactly one firework of the given type. Call light with a "
+        "single birth of that type, with a count of 1 and no parent.",
         read="the docstring of launch",
     )
     a_show = show(9, "keep_old")
     a_show.launch(type)
     expect_exactly(burning(a_show), [type])
-    about.call = f"show.launch({type}) 80 times; the different (x, y) at the start"
+    about.call = (
+        f"show.launch({type}) 80 times; the different positions (x, y) at which the fireworks start"
+    )
     about.cause = (
-        "Without a parent, make_firework must choose one of the three launch places for each "
-        "firework."
+        "A launched firework has no parent, so make_firework must choose one of the three "
+        "LAUNCH_PLACES for it. Pass None as the parent."
     )
     places = probes.places_of_launches(simple(type), type, 80)
     if len(places) == 1:
         about.cause = (
-            "All fireworks start at the same position. Don't pass a parent to make_firework, and "
-            "pass it self.random instead of a new Random in each call."
+            "All fireworks start at the same position. Pass self.random to make_firework instead "
+            "of a new Random in each call, and pass None as the parent."
         )
     wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
     expect_exactly(places, wanted)
@@ -65,26 +67,33 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
 @pytest.mark.exercise("B4.5")
 def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> None:
     order = rng.sample([1, 2, 3, 4], 4)
-    about.call = f"launch {', '.join(map(str, order))}; the types of show.fireworks"
+    about.call = (
+        f"a show with 9 slots; fireworks of types {', '.join(map(str, order))} are launched in "
+        "this order"
+    )
     about.cause = (
-        "Append each new firework to the end of the list, so that the oldest one comes first."
+        "Append each new firework to the end of the list, so that the oldest one comes first and "
+        "the newest one last."
     )
     about.read = "the docstrings of FireworksShow and launch"
     for when_full in ("keep_old", "drop_oldest"):
         a_show = show(9, when_full)
         for type in order:
             a_show.launch(type)
-        expect_exactly(burning(a_show), order)
-        nobody = "Every firework found a slot here, so dropped must stay at 0."
+        expect_exactly(burning(a_show), order, then="; the types of show.fireworks")
+        nobody = "Every firework found a free slot, so none was dropped. Leave dropped at 0."
         expect_exactly(a_show.dropped, 0, then="; show.dropped", cause=nobody)
 
 
 @pytest.mark.exercise("B4.5")
 def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
-    about.call = 'capacity 3, "keep_old"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
+    about.call = (
+        'a show with 3 slots and the policy "keep_old"; fireworks of types 1, 2, 3, 4 and 1 are '
+        "launched in this order"
+    )
     about.cause = (
-        "With keep_old, the fireworks that are already burning keep their slots, as in the book's "
-        "text (E-20). Don't light a new firework if all slots are taken."
+        "With keep_old, burning fireworks keep their slots, as in the book's text (E-20). If all "
+        "slots are taken, don't light a new firework."
     )
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "keep_old")
@@ -93,29 +102,36 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     lit = burning(a_show)
     if len(lit) == 3 and 4 in lit:
         about.cause = (
-            "The oldest fireworks were removed, as in the book's listing. With keep_old, they must "
-            "keep their slots (E-20)."
+            "You remove the oldest fireworks, as in the book's listing (E-20). With keep_old they "
+            "must keep their slots, so don't light a new firework if all slots are taken."
         )
-    expect_exactly(lit, [1, 2, 3])
+    expect_exactly(lit, [1, 2, 3], then="; the types of show.fireworks")
     about.cause = (
-        "Two fireworks could not be lit because all slots were taken, so add 2 to dropped."
+        "The last two fireworks found no free slot, so they were not lit. Count them in dropped, "
+        "which must then be 2."
     )
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
 @pytest.mark.exercise("B4.5")
 def test_drop_oldest_puts_out_the_oldest() -> None:
-    about.call = 'capacity 3, "drop_oldest"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
+    about.call = (
+        'a show with 3 slots and the policy "drop_oldest"; fireworks of types 1, 2, 3, 4 and 1 are '
+        "launched in this order"
+    )
     about.cause = (
-        "With drop_oldest, if all slots are taken, each new firework takes the slot of the oldest "
-        "one, as in the book's listing (E-20)."
+        "With drop_oldest, a new firework takes the slot of the oldest one if all slots are taken, "
+        "as in the book's listing (E-20). Put out the oldest firework first."
     )
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "drop_oldest")
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
-    expect_exactly(burning(a_show), [3, 4, 1])
-    about.cause = "Two fireworks had to be put out to make room, so add 2 to dropped."
+    expect_exactly(burning(a_show), [3, 4, 1], then="; the types of show.fireworks")
+    about.cause = (
+        "The two oldest fireworks were put out to make room. Count them in dropped, which must "
+        "then be 2."
+    )
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
@@ -126,27 +142,31 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
         (
             "keep_old",
             [1, 2, 2, 3],
-            "One firework is already burning, so there is room for only the first three new ones.",
+            "One of the 4 slots is taken, so there is room for three new fireworks. With keep_old, "
+            "light only the first three of the births.",
         ),
         (
             "drop_oldest",
             [3, 3, 3, 4],
-            "Put out the older fireworks, so that only the last four burn.",
+            "There are 4 slots for 8 fireworks. With drop_oldest, only the four newest fireworks "
+            "may burn in the end.",
         ),
     ],
 )
 def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], cause: str) -> None:
     about.cause = cause
     births = [(2, 2, None), (3, 4, None), (4, 1, None)]
-    about.call = f'capacity 4, "{when_full}"; launch 1; show.light({births}); the types'
+    about.call = (
+        f'a show with 4 slots and the policy "{when_full}"; show.launch(1); show.light({births})'
+    )
     about.read = "the docstring of light"
     a_show = show(4, when_full)
     a_show.launch(1)
     a_show.light(births)
-    expect_exactly(burning(a_show), wanted)
+    expect_exactly(burning(a_show), wanted, then="; the types of show.fireworks")
     about.cause = (
-        "Of these 8 fireworks, only 4 are burning at the end. Add the other 4 to dropped, whether "
-        "or not they were ever lit."
+        "Only 4 of the 8 fireworks burn in the end. Add the other 4 to dropped, whether you lit "
+        "them first or not."
     )
     expect_exactly(a_show.dropped, 4, then="; show.dropped")
 
@@ -154,27 +174,40 @@ def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], c
 @pytest.mark.exercise("B4.5")
 def test_births_have_their_own_parents(rng: Random) -> None:
     x, v = components(rng), components(rng)
-    about.call = f"show.light([(1, 2, Particle(Vector3{x}, Vector3{v})), (2, 1, None)]); positions"
+    about.call = (
+        f"parent = Particle(position=Vector3{x}, velocity=Vector3{v}); show.light([(1, 2, parent), "
+        "(2, 1, None)])"
+    )
     about(
-        cause="Each birth can have a parent of its own. Pass that parent to make_firework.",
+        cause="A firework must start at the position of its parent, if it has one. Pass the parent "
+        "of each birth, the third item of its tuple, to make_firework.",
         read="the docstring of light",
     )
     a_show = show(9, "keep_old")
     a_show.light([(1, 2, Particle(Vector3(*x), Vector3(*v))), (2, 1, None)])
-    expect_exactly(burning(a_show), [1, 1, 2], then=": types")
+    expect_exactly(burning(a_show), [1, 1, 2], then="; the types of show.fireworks")
     lit = a_show.fireworks
     places = [lit[i].particle.position for i in (0, 1, 2)]
     got = [place.x for place in places[:2]] + [place.y for place in places]
     wanted = [x[0], x[0], x[1], x[1], 0.0]
-    expect_close(got, wanted, then=": x of two and y of three")
+    expect_close(got, wanted, then="; x of the first two fireworks, and y of all three, in m")
     places[0].x = 99.0
     about.cause = (
-        "Both entries in the list are the same firework. Call make_firework once per firework, "
-        "instead of adding the same one several times."
+        "You add the same firework to the list twice. Call make_firework once for each new "
+        "firework."
     )
-    expect_close(places[1].x, x[0], then="; the first one's x = 99; x of the second one")
-    about.call = "births = [(1, 2, None), (2, 3, None)]; show.light(births); births"
-    about.cause = "The list of births belongs to the caller, so light must not change it."
+    expect_close(
+        places[1].x,
+        x[0],
+        then="; show.fireworks[0].particle.position.x = 99; x of show.fireworks[1]",
+    )
+    about.call = (
+        "a show with 4 slots; births = [(1, 2, None), (2, 3, None)]; show.light(births); births"
+    )
+    about.cause = (
+        "Your light changes the list of births, which belongs to the caller. Only read the list, "
+        "or work on a copy."
+    )
     for when_full in ("keep_old", "drop_oldest"):
         left = probes.births_after(simple(1), simple(2), when_full)
         expect_exactly(left, [(1, 2), (2, 3)])
@@ -184,27 +217,26 @@ def test_births_have_their_own_parents(rng: Random) -> None:
 @pytest.mark.parametrize("when_full", ["keep_old", "drop_oldest"])
 def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str) -> None:
     about.call = (
-        f'capacity 2000, "{when_full}"; show.light() with 1000 births of 50 fireworks each; how '
-        "many fireworks were created"
+        f'a show with 2000 slots and the policy "{when_full}"; show.light(births), with 1000 '
+        "births of 50 fireworks each; calls of make_firework"
     )
     about.cause = (
-        "You created too many fireworks. First work out how many of them will have a slot at the "
-        "end, and then create only that many."
+        "You create fireworks that never get a slot. First work out how many fireworks will burn "
+        "in the end, and then create only that many."
     )
     about.read = "the docstring of light"
     _, _, made = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 50)
-    expect_exactly(max(0, made - 2000), 0, then=", beyond 2000")
+    expect_exactly(max(0, made - 2000), 0, then=" beyond the 2000 that are needed")
     about.call = (
-        f'capacity 2000, "{when_full}"; show.light() with 1000 births of 10**9 fireworks each'
+        f'a show with 2000 slots and the policy "{when_full}"; show.light(births), with 500 births '
+        "of type 1 and then 500 of type 2, each of 10**9 fireworks"
     )
     lit, dropped, _ = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
     wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
-    expect_exactly(
-        lit, wanted, then=", the first half of type 1, the rest of type 2; how many of each burn"
-    )
+    expect_exactly(lit, wanted, then="; how many fireworks of type 1 and of type 2 burn")
     about.cause = (
-        "There was no room for most of these fireworks. Add every firework without a slot to "
-        "dropped, including those of births that you skipped altogether."
+        "Most of these fireworks find no free slot. Count all of them in dropped, including those "
+        "of births that you skip altogether."
     )
     expect_exactly(dropped, 1000 * 10**9 - 2000, then="; show.dropped")
 
@@ -213,49 +245,52 @@ def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str
 def test_the_same_seed_launches_the_same(rng: Random) -> None:
     seed = rng.randrange(10**6)
     rules = [FIRST]
-    about.call = f"two shows with the seed {seed}: launch 1 three times"
+    about.call = f"two shows with the seed {seed}; show.launch(1) three times in each"
     about.cause = (
-        "Two shows with the same seed must launch the same fireworks. Draw from self.random, which "
-        "is created from the seed."
+        "Two shows with the same seed launched different fireworks. Draw all random numbers from "
+        "self.random, which is created from the seed."
     )
     about.read = "the docstring of FireworksShow"
     runs = [probes.show_after(rules, [1, 1, 1], s, 0.01, 0) for s in (seed, seed, seed + 1)]
-    expect_exactly(len(runs[0]), 3, then=", how many burn")
+    expect_exactly(len(runs[0]), 3, then="; the number of fireworks in the first show")
     differ = sum(a != b for a, b in zip(runs[0], runs[1], strict=True))
-    expect_exactly(differ, 0, then=": how many fireworks differ")
+    expect_exactly(differ, 0, then="; how many fireworks differ between the shows")
     about.cause = (
-        "Two shows with different seeds came out the same. Create self.random from the seed of the "
-        "show."
+        "Two shows with different seeds launched the same fireworks. Draw all random numbers from "
+        "self.random, which is created from the seed."
     )
     same = sum(a == b for a, b in zip(runs[0], runs[2], strict=True))
-    about.call = f"shows with the seeds {seed} and {seed + 1}: how many fireworks are equal"
+    about.call = (
+        f"two shows with the seeds {seed} and {seed + 1}; show.launch(1) three times in each; how "
+        "many fireworks are equal"
+    )
     expect_exactly(same, 0)
 
 
 @pytest.mark.exercise("B4.5")
 @pytest.mark.robust
 def test_births_that_mean_nothing_are_refused() -> None:
-    about.call = "show.launch(7), rules for 1 to 4"
+    about.call = "a show with rules for the types 1 to 4; show.launch(7)"
     about.cause = (
-        "There is no rule for this type, so you cannot make the firework. Raise a ValueError that "
-        "names the type."
+        "The show has no rule for type 7, so launch cannot light such a firework. Raise a "
+        "ValueError that names the type."
     )
     about.read = "the docstring of launch"
     a_show = show(9, "keep_old")
     expect_error(
         lambda: a_show.launch(7), ValueError, allowed=lambda: show(9, "keep_old").launch(4)
     )
-    expect_exactly(len(a_show.fireworks), 0, then="; how many burn")
+    expect_exactly(len(a_show.fireworks), 0, then="; the number of burning fireworks")
     about.cause = (
-        "One of these births is not valid, so don't light any of them. Check all births before you "
-        "light the first one."
+        "The second of the two births is not valid, so none of them may be lit. Check all births "
+        "before you light the first one."
     )
     for bad, births in (
         ("a type without a rule", [(1, 2, None), (7, 1, None)]),
         ("a negative count", [(1, 2, None), (2, -3, None)]),
         ("a negative count", [(1, 2, None), (2, -1, None)]),
     ):
-        about.call = f"show.light({births}), {bad}"
+        about.call = f"a show with rules for the types 1 to 4; show.light({births}), with {bad}"
         expect_error(
             lambda births=births: a_show.light(births),
             ValueError,
@@ -263,4 +298,4 @@ def test_births_that_mean_nothing_are_refused() -> None:
             read="the docstring of light",
         )
         now = (len(a_show.fireworks), a_show.dropped)
-        expect_exactly(now, (0, 0), then="; burning and dropped")
+        expect_exactly(now, (0, 0), then="; (number of burning fireworks, show.dropped)")

@@ -21,7 +21,10 @@ ROUNDED = 1e-12  # some roundings of numbers up to 20, divided by at least 1
 
 def words(start: Components, end: Components) -> str:
     """Return the call for this box in words."""
-    return f"box from (1, 2, 3) to (3, 6, 9); hit_fraction(Vector3{start}, Vector3{end}, box)"
+    return (
+        f"a box with corners at (1, 2, 3) and (3, 6, 9); hit_fraction(start=Vector3{start}, "
+        f"end=Vector3{end}, block=box)"
+    )
 
 
 def fraction(start: Components, end: Components) -> float | None:
@@ -34,21 +37,24 @@ def fraction(start: Components, end: Components) -> float | None:
 def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     z = round(rng.uniform(10.2, 11.4), 3)
     about.call = (
-        f"block 1 cm thick at z = {z}; hit_fraction(Vector3(0, 1, 10), Vector3(0.1, 1.1, 11.67), "
-        "block)"
+        f"a block with its center at (0, 1, {z}), which is 1 cm thick along Z; "
+        "hit_fraction(start=Vector3(0, 1, 10), end=Vector3(0.1, 1.1, 11.67), block=block)"
     )
     about.cause = (
-        "Both ends of the path lie outside the block, but the path goes through it. Test the whole "
-        "path, not just its ends."
+        "The path of this shot starts in front of the block and ends behind it, so it hits the "
+        "block. Test the whole path, not just its ends."
     )
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
-    expect_exactly(got is None, False, then=" is None", read=READ)
+    expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
-    about.cause = "Return the fraction of the path at which it crosses the near face of the block."
+    about.cause = (
+        "Return the fraction of the path after which the shot reaches the near face of the block: "
+        "0 at the start of the path, 1 at its end."
+    )
     whole = (
-        "You treated the block as twice as thick as it is. The numbers in size are whole sides, so "
-        "half of each is on either side of the center."
+        "You treat the block as twice as thick as it is. The numbers in size are whole sides, so "
+        "go only half of each from the center."
     )
     blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
     expect_close(got, wanted, read=READ, tolerance=ROUNDED)
@@ -57,8 +63,8 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     about.cause = (
-        "On each axis, the path is between the two faces of the box from the smaller of two "
-        "fractions to the larger. It enters the box at the largest of the three smaller ones."
+        "Compute for each axis at which fraction the path gets between the two faces of the box, "
+        "and at which it leaves. It enters the box at the latest of the three entries."
     )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
@@ -71,15 +77,15 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     ):
         about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
         expect_close(got, wanted, read=READ)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     about.cause = (
-        "The path doesn't move along one or two of the axes, so there is no displacement to divide "
-        "by. On such an axis, it is between the two faces either all the time or never."
+        "This path doesn't move along two of the axes, so you cannot divide by its displacement "
+        "there. On such an axis it is between the two faces either all the time or never."
     )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
@@ -88,15 +94,15 @@ def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     ):
         about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
         expect_close(got, wanted, read=READ)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: Random) -> None:
     about.cause = (
-        "On each axis, the path gets between the two faces of the box at some point. It enters the "
-        "box at the latest of these three points, not at the first."
+        "On each axis, the path gets between the two faces of the box at some fraction. It enters "
+        "the box at the largest of these three fractions."
     )
     # From outside on all axes to the middle of the box: entered at the greatest of the three.
     sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
@@ -106,12 +112,12 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
         sizes, away = sizes[turn:] + sizes[:turn], away[turn:] + away[:turn]
         start = tuple(c + sign * a for c, a in zip(center, away, strict=True))
         about.call = (
-            f"block = TargetBlock(Vector3{center}, {sizes}, mass=10); hit_fraction(Vector3{start}, "
-            f"Vector3{center}, block)"
+            f"block = TargetBlock(Vector3{center}, {sizes}, mass=10); "
+            f"hit_fraction(start=Vector3{start}, end=Vector3{center}, block=block)"
         )
         block = TargetBlock(Vector3(*center), sizes, mass=10.0)
         got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
-        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
         wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
         expect_close(got, wanted, read=READ, tolerance=ROUNDED)
 
@@ -119,12 +125,12 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
 @pytest.mark.exercise("4.3b")
 def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     start, end, center = components(rng), components(rng), components(rng)
-    about.call = f"hit_fraction(start, end, block), start = Vector3{start}, end = Vector3{end}"
+    about.call = f"start, end = Vector3{start}, Vector3{end}; hit_fraction(start, end, block)"
     first, last = Vector3(*start), Vector3(*end)
     block = TargetBlock(Vector3(*center), (1.0, 2.0, 3.0), mass=10.0)
     about(
-        cause="hit_fraction must not change its arguments. Compute with plain numbers or with new "
-        "vectors instead.",
+        cause="Your hit_fraction changes one of its arguments. Compute with plain numbers or with "
+        "new vectors instead.",
         read=READ,
     )
     targets.hit_fraction(first, last, block)
@@ -135,15 +141,16 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     # Where the first answer counts, so that this is no check of doing nothing.
     inside = Vector3(*center)
     about.call = (
-        f"hit_fraction(middle, end, block), middle = Vector3{center}, twice, and the other way"
+        "three paths that start at the center of a block, two of them the same and one in the "
+        "opposite direction; the results of hit_fraction"
     )
     other = Vector3(*(2.0 * c - e for c, e in zip(center, end, strict=True)))
     answers = [targets.hit_fraction(inside, there, block) for there in (last, last, other)]
     about.cause = (
-        "A path that starts inside the block hits it at once. Return 0 instead of a negative "
-        "fraction."
+        "A path that starts inside the block hits it at once. Return 0 for it, and never a "
+        "negative fraction."
     )
-    expect_exactly(answers[0] is None, False, then=" is None")
+    expect_exactly(answers[0] is None, False, then="; is the result None, for a miss?")
     expect_close(answers, (0.0, 0.0, 0.0), tolerance=0.0)
 
 
@@ -154,53 +161,66 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
             (3.5, 4.0, 1.0),
             (3.5, 4.0, 9.0),
             True,
-            "The path runs along Z, but to one side of the box, so it misses.",
+            "This path runs parallel to Z at x = 3.5, to one side of the box, so it misses. Return "
+            "None.",
         ),
         (
             (2.9, 4.0, 1.0),
             (2.9, 4.0, 9.0),
             False,
-            "The path is 0.9 m from the center in X, which is less than half a side, so it hits.",
+            "This path runs parallel to Z at x = 2.9, which is between the faces at x = 1 and x = "
+            "3, so it hits the box.",
         ),
         (
             (1.1, 4.0, 1.0),
             (1.1, 4.0, 9.0),
             False,
-            "The path is 0.9 m from the center on the other "
-            "side, which is less than half a side, so it hits.",
+            "This path runs parallel to Z at x = 1.1, which is between the faces at x = 1 and x = "
+            "3, so it hits the box. Check both sides of the center.",
         ),
-        ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), True, "The path passes below the box, so it misses."),
+        (
+            (2.0, 1.5, 1.0),
+            (2.0, 1.5, 9.0),
+            True,
+            "This path runs at y = 1.5, below the box, so it misses. Return None.",
+        ),
         (
             (2.0, 4.0, 0.0),
             (2.0, 4.0, 2.9),
             True,
-            "The path ends before it reaches the box, so it misses.",
+            "This path ends at z = 2.9, before it reaches the box at z = 3, so it misses. Return "
+            "None for a fraction above 1.",
         ),
         (
             (2.0, 4.0, 9.5),
             (2.0, 4.0, 20.0),
             True,
-            "The path starts behind the box and leads away from it, so it misses.",
+            "This path starts behind the box and leads away from it, so it misses. Return None if "
+            "the whole box is behind the start.",
         ),
         (
             (2.0, 4.0, -1.0),
             (2.0, 4.0, -9.0),
             True,
-            "The path leads away from the box, so it misses.",
+            "This path leads away from the box, so it misses. Return None if the whole box is "
+            "behind the start.",
         ),
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, missed, then=" is None", read=READ)
+        expect_exactly(got is None, missed, then="; is the result None, for a miss?", read=READ)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_that_cuts_the_corner_misses() -> None:
     beside = (
-        "The path is between the faces along X for a while, and between those along Z for a while, "
-        "but never both at once, so it misses."
+        "This path is between the two faces on X for a while, and later or earlier between those "
+        "on Z, but never both at once. It misses, so return None."
     )
-    through = "For a while, the path is between the faces along X, Y and Z all at once, so it hits."
+    through = (
+        "For a part of this path, it is between the two faces on X, on Y and on Z at the same "
+        "time. So it hits the box."
+    )
     for start, end, missed, cause in (
         ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0), True, beside),
         ((0.0, 4.0, 4.0), (4.0, 4.0, 8.0), False, through),
@@ -208,7 +228,7 @@ def test_a_way_that_cuts_the_corner_misses() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, missed, then=" is None", read=READ)
+        expect_exactly(got is None, missed, then="; is the result None, for a miss?", read=READ)
 
 
 @pytest.mark.exercise("4.3b")
@@ -218,52 +238,55 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
             (2.0, 4.0, 1.0),
             (2.0, 4.0, 3.0),
             1.0,
-            "The path ends exactly on a face, which counts as a hit.",
+            "This path ends exactly on a face of the box. A touch counts as a hit, so return 1.",
         ),
         (
             (3.0, 4.0, 1.0),
             (3.0, 4.0, 9.0),
             0.25,
-            "The path runs along a face, which counts as a hit.",
+            "This path runs along a face of the box. A touch counts as a hit, so return the "
+            "fraction at which it first touches the face.",
         ),
         (
             (1.0, 4.0, 1.0),
             (1.0, 4.0, 9.0),
             0.25,
-            "The path runs along a face, which counts as a hit.",
+            "This path runs along a face of the box. A touch counts as a hit, so return the "
+            "fraction at which it first touches the face.",
         ),
         (
             (2.0, 4.0, 9.0),
             (2.0, 4.0, 12.0),
             0.0,
-            "The path starts exactly on a face, which counts as a hit.",
+            "This path starts exactly on a face of the box. A touch counts as a hit, so return 0.",
         ),
         (
             (2.0, 4.0, 5.0),
             (2.0, 4.0, 30.0),
             0.0,
-            "The path starts inside the box, so it hits at fraction 0.",
+            "This path starts inside the box, so it hits the box at once. Return 0.",
         ),
         (
             (2.0, 4.0, 5.0),
             (2.5, 5.0, 7.0),
             0.0,
-            "The path starts and ends inside the box, so it hits at fraction 0.",
+            "This path starts and ends inside the box, so it hits the box at once. Return 0.",
         ),
         (
             (2.0, 4.0, 5.0),
             (2.0, 4.0, 5.0),
             0.0,
-            "This path has no length, but it is inside the box, so it hits at fraction 0.",
+            "This path has no length, but it is inside the box, so it hits the box at once. Return "
+            "0.",
         ),
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
         expect_close(got, wanted, read=READ, tolerance=0.0)
     about(
         words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0)),
-        cause="This path has no length and is outside the box, so return None.",
+        cause="This path has no length and is outside the box, so it misses. Return None.",
     )
     got = fraction((2.0, 4.0, 2.0), (2.0, 4.0, 2.0))
     expect_exactly(got, None, read=READ)

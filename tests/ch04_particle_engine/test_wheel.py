@@ -40,22 +40,22 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
     _, wheel = wheel_of(center, radius, rate)
     for angle in (0.0, round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(2.0, 6.0), 3)):
         about.call = (
-            f"wheel about {center}, radius {radius}, rate {rate}; wheel.angle = {angle}; "
-            "wheel.nozzle()"
+            f"a wheel with its center at {center}, a radius of {radius} m and a rate of {rate} "
+            f"rad/s; wheel.angle = {angle}; wheel.nozzle()"
         )
         wheel.angle = angle
         nozzle = wheel.nozzle()
         x, y = math.cos(angle), math.sin(angle)
         about.cause = (
-            "The nozzle sits on the rim, at center + radius (cos, sin, 0), with the angle measured "
-            "from the X axis."
+            "The nozzle must be on the rim of the wheel. Return the position center + radius (cos "
+            "a, sin a, 0), where a is the wheel's angle from the X axis."
         )
         wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
         got = xyz(nozzle.position)
         expect_close(got, wanted, then=".position", tolerance=1e-13)
         about.cause = (
-            "The velocity of the nozzle is at right angles to the spoke and points from X toward "
-            "Y. Its length is rate x radius."
+            "The nozzle moves at right angles to the spoke, in the direction from X toward Y. Its "
+            "speed is rate x radius."
         )
         speed = rate * radius
         wanted = (0.0 - speed * y, speed * x, 0.0)
@@ -63,25 +63,26 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         mistakes = [
             (
                 (speed * x, speed * y, 0.0),
-                "The velocity points along the spoke, but the rim moves at right angles to it. "
-                "Rotate the velocity by a quarter turn.",
+                "Your nozzle moves along the spoke, away from the center. Make its velocity "
+                "perpendicular to the spoke, as for any point on a rotating rim.",
             ),
             (
                 (speed * y, 0.0 - speed * x, 0.0),
-                "The rim moves in the wrong direction. The wheel must turn from X toward Y.",
+                "Your nozzle moves in the wrong direction along the rim. The wheel rotates from X "
+                "toward Y, so flip the sign of the velocity.",
             ),
             (
                 (0.0 - rate * y, rate * x, 0.0),
-                "The speed equals the rate, which is an angle per second. Multiply it by the "
-                "radius to get the speed of the rim.",
+                "You use the rate of the wheel, in rad/s, as the speed of the nozzle. Multiply the "
+                "rate by the radius to get the speed in m/s.",
             ),
         ]
         blame(got, mistakes)
         expect_close(got, wanted, then=".velocity", tolerance=ROUNDED)
     about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
     about.cause = (
-        "Two calls to nozzle returned the same particle, or two particles that share a vector. "
-        "Create a new particle in every call."
+        "Your nozzle method returned the same particle twice, or two particles that share a "
+        "vector. Create a new particle in every call."
     )
     one, other = wheel.nozzle(), wheel.nozzle()
     before = xyz(other.position)
@@ -93,9 +94,12 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
 def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     about.read = "the docstring of nozzle"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
-    about.call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}; wheel.nozzle().velocity"
+    about.call = (
+        f"a wheel with a radius of 2 m, a rate of {rate} rad/s and a jet of {jet} m/s; "
+        "wheel.nozzle().velocity"
+    )
     about.cause = (
-        "The speed along the circle is rate x radius minus the jet, so it is negative if the jet "
+        "The speed of the sparks is rate x radius minus jet. It is negative here, because the jet "
         "is faster than the rim."
     )
     _, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, jet=jet)
@@ -103,12 +107,13 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     mistakes = [
         (
             (0.0, 2.0 * rate + jet, 0.0),
-            "You added the speed of the jet to that of the rim. Subtract it, because the jet "
-            "blows against the motion of the rim.",
+            "You add the speed of the jet to the speed of the rim. Subtract it, because the sparks "
+            "leave the nozzle against the motion of the rim.",
         ),
         (
             (0.0, 2.0 * rate, 0.0),
-            "The jet has no effect on the velocity. Subtract its speed from the speed of the rim.",
+            "You ignore the jet. Subtract its speed from the speed of the rim, which is rate x "
+            "radius.",
         ),
     ]
     blame(got, mistakes)
@@ -119,8 +124,13 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
 def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, h = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(0.1, 0.4), 3)
-    about.call = f"wheel with rate {rate}; wheel.update({h}) twice; wheel.nozzle().position"
-    about.cause = "Each update must rotate the wheel, so add rate x duration to its angle."
+    about.call = (
+        f"a wheel with its center at (0, 5, 0), a radius of 1 m and a rate of {rate} rad/s; "
+        f"wheel.update({h}) twice; wheel.nozzle().position"
+    )
+    about.cause = (
+        "The wheel must rotate in every update. Add rate x duration to its angle each time."
+    )
     _, wheel = wheel_of((0.0, 5.0, 0.0), 1.0, rate)
     wheel.update(h)
     wheel.update(h)
@@ -137,30 +147,31 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
     # Sums of frames that are exact in binary, so that no whole spark lies on a rounding.
     for h, frames in ((1.0 / 64.0, 128), (1.0 / 4.0, 8), (2.0, 1)):
         about.call = (
-            f"wheel with {per_second} sparks a second; wheel.update({h}) {frames} times; sparks"
+            f"a wheel that throws {per_second} sparks per second; wheel.update({h}) {frames} "
+            "times, 2 s in total; the number of sparks lit"
         )
         counts = probes.sparks_of_a_wheel(per_second, h, frames)
         about.cause = (
-            "After a time t, the whole-number part of sparks_per_second x t must have left the "
-            "wheel, however long the steps are."
+            "The number of sparks must not depend on the length of the steps. After t seconds it "
+            "is sparks_per_second x t, rounded down."
         )
         if counts[-1] == frames:
             about.cause = (
-                "One spark left in every step. The number must depend on how much time has passed, "
-                "not on how many steps it took."
+                "You light one spark in every step. The number of sparks must depend on how much "
+                "time has passed, not on how many steps it took."
             )
         if counts[-1] == 0:
             about.cause = (
-                "No sparks left the wheel, because each step is too short for a whole spark. Carry "
-                "the fraction of a spark over from step to step."
+                "No spark is lit, probably because you round down in every step, and each step is "
+                "too short for a whole spark. Carry the fraction over to the next step."
             )
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
         about.cause = (
-            "A step can end with a fraction of a spark. Carry that fraction over to the next step, "
-            "so that no sparks are lost."
+            "The number of sparks is wrong after some of the steps. If a step ends with a fraction "
+            "of a spark, carry that fraction over to the next step."
         )
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
-        expect_exactly(counts, wanted, then=" after each")
+        expect_exactly(counts, wanted, then=", after each update")
 
 
 @pytest.mark.exercise("4.4")
@@ -168,60 +179,65 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
     about.call = (
-        f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}, 10.5 sparks a second; "
-        "wheel.update(0.25)"
+        f"a wheel with its center at (0, 5, 0), a radius of 2 m, a rate of {rate} rad/s and a jet "
+        f"of {jet} m/s, which throws 10.5 sparks per second; wheel.update(0.25)"
     )
     about.cause = (
-        "The sparks leave from the nozzle, so pass the nozzle's particle at the end of the step as "
-        "their parent."
+        "The sparks must start at the nozzle. Pass the particle that nozzle returns at the end of "
+        "the step as their parent."
     )
     show, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, 10.5, jet)
     wheel.update(0.25)
-    expect_exactly(len(show.fireworks), 2, then=", how many")
+    expect_exactly(len(show.fireworks), 2, then="; the number of sparks lit")
     x, y = math.cos(0.25 * rate), math.sin(0.25 * rate)
     speed = 2.0 * rate - jet
     for spark in show.fireworks:
-        expect_exactly(spark.type, 7, then=", a type")
+        expect_exactly(spark.type, 7, then="; the type of a spark")
         got, wanted = xyz(spark.particle.position), (2.0 * x, 5.0 + 2.0 * y, 0.0)
         before = (
-            "The sparks left before the wheel had turned. Rotate the wheel first, and then light "
-            "the sparks."
+            "You light the sparks before the wheel has rotated. Change the angle first, and then "
+            "light the sparks at the nozzle."
         )
         blame(got, [((2.0, 5.0, 0.0), before)])
-        expect_close(got, wanted, then=", a position", tolerance=ROUNDED)
+        expect_close(got, wanted, then="; the position of a spark", tolerance=ROUNDED)
         got, wanted = xyz(spark.particle.velocity), (-speed * y, speed * x, 0.0)
-        expect_close(got, wanted, then=", a velocity", tolerance=ROUNDED)
+        expect_close(got, wanted, then="; the velocity of a spark", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.4")
 def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
-    about.call = "a show of 3 slots, wheel with 10.5 sparks a second; wheel.update(1)"
-    about.cause = "After 1 s, 10 sparks are due, but the show has room for only 3 of them."
+    about.call = (
+        "a show with 3 free slots; a wheel that throws 10.5 sparks per second; wheel.update(1.0)"
+    )
+    about.cause = (
+        "The wheel throws 10 sparks in 1 s, but the show has room for only 3. Light all of them "
+        "with show.light, which keeps to the capacity."
+    )
     about.read = "the docstring of update"
     show, wheel = wheel_of((0.0, 5.0, 0.0), capacity=3, sparks_per_second=10.5)
     wheel.update(1.0)
     expect_exactly(len(show.fireworks), 3, then="; len(show.fireworks)")
     about.cause = (
-        "After 1 s, 10 sparks are due. Count all of them in wheel.thrown, even those that found no "
-        "slot."
+        "The wheel throws 10 sparks in 1 s. Count all of them in wheel.thrown, even those that "
+        "found no free slot."
     )
     if wheel.thrown == 3:
         about.cause = (
-            "You counted only the 3 sparks that found a slot, so the other 7 would be thrown "
-            "later. Add all 10 that were due to wheel.thrown."
+            "Your wheel counts only the sparks that got one of the 3 slots. Also count those that "
+            "found no free slot, because otherwise they are thrown again later."
         )
     expect_exactly(wheel.thrown, 10, then="; wheel.thrown")
     show.update(10.0)
     wheel.update(0.5)
-    about.call += "; show.update(10), so that all go out; wheel.update(0.5)"
+    about.call += "; show.update(10.0), after which no spark burns; wheel.update(0.5)"
     about.cause = (
-        "After 1.5 s, 15 sparks are due in total. You have already counted 10 of them, so throw 5 "
-        "more."
+        "The wheel throws 15 sparks in 1.5 s. It has already thrown 10 of them in the first "
+        "second, so throw 5 more now."
     )
     expect_exactly(wheel.thrown, 15, then="; wheel.thrown")
     about.cause = (
-        "The show drops 7 of the first 10 sparks and 2 of the last 5. Check that the second update "
-        "lights exactly 5."
+        "The show must drop 7 of the first 10 sparks and 2 of the last 5. Check that your second "
+        "update tries to light exactly 5."
     )
     expect_exactly(show.dropped, 7 + 2, then="; show.dropped")
 
@@ -231,7 +247,7 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_wheel_turns_for_a_positive_and_finite_time(bad: float) -> None:
     about(
-        f"wheel.update({bad})",
+        f"a new wheel; wheel.update({bad})",
         cause="The duration must be positive and finite. Check it before you change anything.",
     )
     about.read = "the docstring of update"
@@ -242,4 +258,4 @@ def test_a_wheel_turns_for_a_positive_and_finite_time(bad: float) -> None:
         allowed=lambda: wheel_of((0.0, 5.0, 0.0))[1].update(0.5),
     )
     now = (wheel.angle, wheel.time)
-    expect_unchanged("its angle and time", now, (0.0, 0.0))
+    expect_unchanged("(wheel.angle, wheel.time)", now, (0.0, 0.0))

@@ -33,6 +33,11 @@ def direction(rng: Random) -> Components:
     return x / length, y / length, z / length
 
 
+def rounded(a: Components) -> str:
+    """Show a vector with at most 6 digits, for a message in which more do not matter."""
+    return f"({', '.join(f'{component:.6g}' for component in a)})"
+
+
 def dot(a: Components, b: Components) -> float:
     """Return the scalar product. The sum is rounded only once."""
     return math.fsum(p * q for p, q in zip(a, b, strict=True))

@@ -39,7 +39,7 @@ TAKES_contacts := QUICK
 
 # ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
 ASSIGNED = $(if $(ASSIGNMENT),--assignment "$(ASSIGNMENT)") $(if $(COURSE),--course "$(COURSE)")
-# The chapters of a hand-out, which the course file names if there is an assignment.
+# The chapters of a handout, which the course file names if there is an assignment.
 NAMED = $(or $(CHAPTERS),$(if $(ASSIGNMENT),,$(error name the chapters: make $@ CHAPTERS=2 OUT=dir, or an assignment: make $@ ASSIGNMENT=lab1)))
 BUILT = build/$(if $(ASSIGNMENT),$(ASSIGNMENT)/)
 
@@ -59,10 +59,10 @@ similarity: $(READY) ## find similar submissions (SUBMISSIONS=dir CHAPTERS=2-3)
 mark: $(READY) ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
 	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser) $(ASSIGNED)
 
-handout: $(READY) ## make a hand-out (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
+handout: $(READY) ## make a handout (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
 	@$(RUN) -m autograder handout $(NAMED) --out "$(or $(OUT),$(BUILT)handout)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
-classroom: $(READY) ## make a hand-out for GitHub Classroom (CHAPTERS=2 OUT=dir)
+classroom: $(READY) ## make a handout for GitHub Classroom (CHAPTERS=2 OUT=dir)
 	@$(RUN) -m autograder classroom $(NAMED) --out "$(or $(OUT),$(BUILT)classroom)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
 gradescope: $(READY) ## make the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)

@@ -13,5 +13,5 @@ The following terms have a fixed meaning throughout the autograder:
 - *Given* chapter: A chapter whose code comes from the reference rather than from the student.
 - *Inherited*: A failed check is inherited if only a mistake in an earlier chapter makes it fail. A
   check is *blocked* if its exercise builds on another one that still fails.
-- *Hand-out*: The folder that an instructor gives to students, without the reference.
+- *Handout*: The folder that an instructor gives to students, without the reference.
 """

@@ -21,7 +21,7 @@ from autograder.student.check import check
 
 try:
     from autograder import instructor
-except ImportError:  # a hand-out contains only the student's commands
+except ImportError:  # a handout contains only the student's commands
     instructor = None  # type: ignore[assignment]
 
 

@@ -150,7 +150,7 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
     """Find our model answer to a written exercise, with the rubric for marking it.
 
-    In a hand-out the result is None, because students do not receive the model answers.
+    In a handout the result is None, because students do not receive the model answers.
     """
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():

@@ -1,6 +1,6 @@
 """The commands that only instructors use, such as grade, handout and similarity.
 
-A hand-out does not contain this module.
+A handout does not contain this module.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.set_defaults(run=run_grade)
 
     for name, help_text, run in (
-        ("handout", "make a hand-out for students", run_handout),
-        ("classroom", "make a hand-out with a workflow for GitHub Classroom", run_classroom),
+        ("handout", "make a handout for students", run_handout),
+        ("classroom", "make a handout with a workflow for GitHub Classroom", run_classroom),
     ):
         command = commands.add_parser(name, help=help_text)
         command.add_argument(
@@ -143,7 +143,7 @@ def run_handout(arguments: argparse.Namespace) -> int:
 
 
 def run_classroom(arguments: argparse.Namespace) -> int:
-    """Build a hand-out for GitHub Classroom, with a workflow that grades every push."""
+    """Build a handout for GitHub Classroom, with a workflow that grades every push."""
     from autograder.course.handout import about
     from autograder.platforms.classroom import make_classroom
 

@@ -11,7 +11,7 @@ import sys
 
 from autograder.commands import prepare, sentence
 
-# A hand-out for students contains only the first of these commands.
+# A handout for students contains only the first of these commands.
 COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak", "contacts")
 
 

@@ -185,7 +185,7 @@ def _modules(
 ) -> list[str]:
     """List the student's modules to import before the checks, to find out which of them fail.
 
-    A module that fails does not keep the others from being imported. In some hand-outs an earlier
+    A module that fails does not keep the others from being imported. In some handouts an earlier
     chapter has no manifest, and then all of its files are imported.
     """
     files = {c.name: c.edited_files for c in chapters}

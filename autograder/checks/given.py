@@ -32,7 +32,7 @@ def with_given(
     temporary folder that holds copies of our solutions.
 
     Raises:
-        ValueError: ``root`` does not have our solution of a chapter. No hand-out has it.
+        ValueError: ``root`` does not have our solution of a chapter. No handout has it.
     """
     if not given:
         yield engine
@@ -51,7 +51,7 @@ def with_given(
 
 
 def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
-    """Return whether our solution of a chapter is available, which it never is in a hand-out."""
+    """Return whether our solution of a chapter is available, which it never is in a handout."""
     return (root / "solutions" / chapter.name).is_dir()
 
 
@@ -115,7 +115,7 @@ def suspects(
 ) -> list[Chapter]:
     """List the earlier chapters that fail some of their own checks.
 
-    This is for a hand-out, which lacks our solutions. Without them we cannot tell which failures
+    This is for a handout, which lacks our solutions. Without them we cannot tell which failures
     are inherited, but we can at least warn the student that an earlier chapter may be to blame.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]

@@ -102,7 +102,7 @@ class Judge:
 
     def _start(self, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedJudge:
         if self.behind:
-            from autograder.isolation.judges import ForkedJudge  # not in hand-outs
+            from autograder.isolation.judges import ForkedJudge  # not in handouts
 
             return ForkedJudge(self.config, self.folder, environment(), stderr)
         return subprocess.Popen(

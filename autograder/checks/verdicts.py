@@ -213,7 +213,7 @@ def _engine(config: Config) -> InProcess | InWorker:
     where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
     if arranged.worker is None:
         return InProcess(*where, arranged.graded, apart=config.apart)
-    from autograder.isolation.in_worker import InWorker  # not in hand-outs
+    from autograder.isolation.in_worker import InWorker  # not in handouts
 
     return InWorker(*where, arranged.worker)
 

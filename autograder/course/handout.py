@@ -1,4 +1,4 @@
-"""Write the parts of a hand-out that differ between assignments: the manifests and the README."""
+"""Write the parts of a handout that differ between assignments: the manifests and the README."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What students receive: the hand-out, with stubs that are generated from the solutions."""
+"""What students receive: the handout, with stubs that are generated from the solutions."""

@@ -1,4 +1,4 @@
-"""Make a hand-out: the folder of stubs, checks and tools that instructors give to students."""
+"""Make a handout: the folder of stubs, checks and tools that instructors give to students."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ This folder has the original stubs, which `make reset` restores. Do not edit or 
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files in a hand-out that students use but do not write, such as the Makefile."""
+    """Yield the files in a handout that students use but do not write, such as the Makefile."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -100,7 +100,7 @@ def make_handout(
     below = [other for chapter in chapters for other in chapters_below(chapter, root)]
     if missing := sorted({other.name for other in below if other.name not in there}):
         print(f"each student must add: {', '.join(missing)}")
-    print(f"hand-out: {out}; try it with: make -C {shlex.quote(str(out))} check")
+    print(f"handout: {out}; try it with: make -C {shlex.quote(str(out))} check")
 
 
 def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, about: str) -> None:
@@ -141,7 +141,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 
 
 def _remove_dead_links(out: Path) -> None:
-    """Turn a link on a hand-out's pages into plain text if the linked file is not in the hand-out.
+    """Turn a link on a handout's pages into plain text if the linked file is not in the handout.
 
     One example is a link to the lesson of a later chapter, which students have not received.
     """
@@ -168,7 +168,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab into a hand-out, without scenes of chapters that students do not receive."""
+    """Copy the lab into a handout, without scenes of chapters that students do not receive."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

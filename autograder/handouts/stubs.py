@@ -24,7 +24,7 @@ from autograder.files import replace_bytes
 from autograder.handouts.lock import LOCK_NAME, read_lock, stub_hash
 from autograder.manifest import ROOT, Chapter, load_chapters
 
-KEPT = "stubs"  # the folder of a hand-out with the original stubs
+KEPT = "stubs"  # the folder of a handout with the original stubs
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
@@ -70,7 +70,7 @@ def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
     """Return the original stub of a module, as it was before the student edited it.
 
-    Where our solutions are available, the stub is generated from them. A hand-out has no solutions
+    Where our solutions are available, the stub is generated from them. A handout has no solutions
     and keeps a copy of each original stub in a separate folder instead. If there is no copy either,
     the result is None.
     """

@@ -1,4 +1,4 @@
-"""Make a hand-out for GitHub Classroom, which grades a student's work on every push."""
+"""Make a handout for GitHub Classroom, which grades a student's work on every push."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def make_classroom(
 ) -> None:
     """Write the files that students get through GitHub Classroom into the new folder ``out``.
 
-    They are an ordinary hand-out and a workflow that grades every push. GitHub Classroom accepts
+    They are an ordinary handout and a workflow that grades every push. GitHub Classroom accepts
     only whole points, so the points of the exercises are rounded in such a way that their sum stays
     the same. ``about`` is the README section about the assignment.
 

@@ -94,12 +94,12 @@ def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
     """Create the folder ``out`` for the released solutions, or delete an earlier release from it.
 
     Raises:
-        ValueError: The folder contains other files, or is one whose files go into hand-outs.
+        ValueError: The folder contains other files, or is one whose files go into handouts.
     """
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
         raise ValueError(
-            "--out must be outside of the companion or in its build/, so that no hand-out contains "
+            "--out must be outside of the companion or in its build/, so that no handout contains "
             f"the reference, got {str(out)!r}"
         )
     if submissions and place.is_relative_to(submissions.resolve()):

@@ -1,7 +1,7 @@
 """Let a student start an exercise over by restoring its stub, and keep a copy of the old file.
 
 The stub is made from the student's own file and the manifest, so that all other functions stay as
-they are. A function that the student has deleted comes from the reference or, in a hand-out, from
+they are. A function that the student has deleted comes from the reference or, in a handout, from
 the folder stubs/.
 """
 
@@ -152,7 +152,7 @@ def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str
         why = f"it cannot be read: line {error.lineno}: {error.msg}"
     except (ValueError, cst.ParserSyntaxError) as error:
         why = str(error)
-    engine, way = file.parent.parent, "copy the file from the hand-out again"
+    engine, way = file.parent.parent, "copy the file from the handout again"
     if pristine_stub(chapter, file.name):
         elsewhere = {} if engine == ROOT / "chapters" else {"ENGINE": str(engine)}
         back = command("reset", EX=exercise.id, WHOLE="1", **elsewhere)
@@ -165,7 +165,7 @@ def _whole_stub(chapter: Chapter, file: str) -> bytes:
     if stub is None:
         raise ValueError(
             f"{file} cannot be restored, because this folder has neither the reference nor the "
-            "folder stubs. Copy the file from the hand-out again"
+            "folder stubs. Copy the file from the handout again"
         )
     return stub.encode()
 

@@ -19,7 +19,7 @@ def print_written(
 ) -> None:
     """Print the question of a written exercise and, once it has been answered, our model answer.
 
-    The rubric follows, so that students can assess their own answers. A hand-out has neither the
+    The rubric follows, so that students can assess their own answers. A handout has neither the
     model answer nor the rubric, because both are reserved for the instructor.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)

@@ -97,7 +97,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
     """Choose a chapter's folder if a submission has several, and return the files in it.
 
     We take the least deeply nested folder and, if several tie, the first by name. A note says so if
-    there are several. A hand-out also has a folder with the original stubs, which counts only if
+    there are several. A handout also has a folder with the original stubs, which counts only if
     there is no other.
     """
     mine = [file for file in found if file.place[-1] == chapter.name]

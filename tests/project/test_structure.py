@@ -62,7 +62,7 @@ def test_a_chapter_imports_only_chapters_below_it(path: Path) -> None:
 @pytest.mark.parametrize("path", python_files("tests"), ids=str)
 def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(path: Path) -> None:
     if match := re.match(r"ch(\d\d)_", path.parent.name):
-        assert imported(path).isdisjoint(HELPERS), "hand-outs have the checks but not the helpers"
+        assert imported(path).isdisjoint(HELPERS), "handouts have the checks but not the helpers"
         assert chapter_numbers(imported(path)) <= BELOW[int(match[1])] | {int(match[1])}
         assert imported(path).isdisjoint({"hypothesis", "scipy", "pymunk", "numpy", "autograder"})
 

@@ -171,7 +171,7 @@ def test_extra_credit_counts_above_the_total(submissions: Path, root: Path, tmp_
 
 
 def half_done(out: Path, assigned: set[str]) -> None:
-    """Write the assigned bodies of chapter 2 into a hand-out, and no others."""
+    """Write the assigned bodies of chapter 2 into a handout, and no others."""
     source = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
     titles = {f"Exercise {e.id}: {e.title}" for e in CH02.exercises if e.id in assigned}
     left = {n: m for n, m in messages_of(CH02, "vector.py").items() if m not in titles}

@@ -79,7 +79,7 @@ def test_the_reporter_is_told_of_every_step_by_an_id_that_it_takes(chapters: lis
 
 
 def run(handout: Path, step: dict[str, Any]) -> subprocess.CompletedProcess[str]:
-    """Run a step's command in the hand-out, with this Python in place of its own."""
+    """Run a step's command in the handout, with this Python in place of its own."""
     python, *arguments = shlex.split(step["with"]["command"])
     assert python == ".venv/bin/python"
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}

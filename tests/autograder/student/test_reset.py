@@ -234,9 +234,9 @@ def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
     for arguments in (("reset", "B90.1"), ("reset", "B90.1", "--whole")):
         done = autograder(root, *arguments)
         assert done.returncode == 2
-        assert "opy the file from the hand-out again" in done.stderr
+        assert "opy the file from the handout again" in done.stderr
         assert file.read_bytes() == b"x = (\n"
-    kept = root / "stubs/ch90_small/small.py"  # as a hand-out has it
+    kept = root / "stubs/ch90_small/small.py"  # as a handout has it
     kept.parent.mkdir(parents=True)
     kept.write_text(STUB, encoding="utf-8")
     assert "EX=B90.1 WHOLE=1" in autograder(root, "reset", "B90.1").stderr

@@ -22,7 +22,7 @@ HALF = RIGHT.replace("return 4 * x", 'raise NotImplementedError("Exercise 90.1: 
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """A hand-out of the small chapter."""
+    """A handout of the small chapter."""
     return make_students_root(tmp_path)
 
 

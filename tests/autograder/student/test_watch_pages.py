@@ -106,7 +106,7 @@ QUADRUPLE = 'raise NotImplementedError("Exercise 90.1: Quadruple")'
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """A hand-out of the small chapter."""
+    """A handout of the small chapter."""
     return make_students_root(tmp_path)
 
 

@@ -1,4 +1,4 @@
-"""A hand-out has what students need, works on its own, and contains no solution."""
+"""A handout has what students need, works on its own, and contains no solution."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_twice():
 
 
 def check(handout: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run the student's check in a hand-out, without this repository on the import path."""
+    """Run the student's check in a handout, without this repository on the import path."""
     command = [sys.executable, "-P", "-m", "autograder", "check", *arguments]
     environment = {"PYTHONPATH": ".", "PYTHONUTF8": "1", "SYSTEMROOT": "C:\\Windows"}
     return subprocess.run(
@@ -111,7 +111,7 @@ def test_every_check_comes_with_what_it_imports(tmp_path: Path) -> None:
 
 
 def assert_has_no_body_of_the_reference(handout: Path, chapter: Chapter) -> None:
-    """Assert that each body that students write has a line that no file of the hand-out's has."""
+    """Assert that each body that students write has a line that no file of the handout's has."""
     for file in chapter.edited_files:
         source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
         defined = functions(ast.parse(source))

@@ -232,8 +232,8 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, stiffness={k}, "
     about.call += f"rest_length={rest}, damping={c})"
     about.cause = (
-        "connect must return the Connection that it registers, with all three numbers. The caller "
-        "may want to change or remove it later."
+        "connect must return the Connection that it registers, with the stiffness, rest length "
+        "and damping that it was given. The caller may want to change or remove it later."
     )
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
@@ -242,7 +242,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     expect_close(got, (k, rest, c), then="; (s.stiffness, s.rest_length, s.damping)")
     got = (*xyz(s.a.position), *xyz(s.b.position))
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
-    about.call += f"; s.stiffness = {2 * k}; registry.update_forces(0.5)"
+    about.call += f"; s.stiffness = {2 * k:.6g}; registry.update_forces(0.5)"
     about.cause = (
         "The check changed the stiffness of the returned spring s, but the force did not follow. "
         "Register the same Connection that you return, and read its stiffness in every call of "

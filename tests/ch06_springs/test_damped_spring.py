@@ -126,7 +126,9 @@ def test_the_three_cases_by_known_values() -> None:
         count = len(state) if isinstance(state, (tuple, list)) else 1
         both = "Return two numbers in a tuple, the position and the velocity."
         expect_exactly(count, 2, then="; number of values returned", cause=both)
-        expect_close(state[0], x, then="[0]", cause=named(state[0], about.cause, slips))
+        expect_close(
+            state[0], x, then="[0], the position in m", cause=named(state[0], about.cause, slips)
+        )
     about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=1.0, damping=10.0, mass=1.0, "
     about.call += "time=1.0)[0], the position in m"
     about.cause = "The book's formula takes the square root of 4 k - c^2, which is -96 here. It "

@@ -74,10 +74,11 @@ def test_the_force_by_its_formula() -> None:
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
-        "Your force is (T - x) / h^2 - v, as printed in the book (E-6). v is a velocity and "
-        "not an acceleration, so subtract v / h instead.": wanted[1] + 120.0 - 2.0,
-        "Your force is (T - x) / h^2, as if the particle were at rest. It is already moving, "
-        "so subtract v / h as well.": wanted[1] + 120.0,
+        "Your force contains the term -v, as printed in the book (E-6), but v is a velocity "
+        "and not an acceleration. Subtract v / h instead, where h is the duration of the "
+        "step.": wanted[1] + 120.0 - 2.0,
+        "Your force ignores the velocity v, as if the particle were at rest. Subtract v / h as "
+        "well, where h is the duration of the step.": wanted[1] + 120.0,
         "There is no force, although p moves along y. At the anchor the offset has no "
         "direction, so compute the force for x, y and z separately, not for the distance.": 0.0,
     }
@@ -202,7 +203,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, tolerance=1e-12)
     s.stiffness = 100.0
-    about.call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator, in N"
+    about.call = "an immovable particle p at (1, 0, 0); s = FakeStiffSpring(anchor=Vector3(), "
+    about.call += "stiffness=100, damping=0); s.update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = (
         "The particle is immovable, and its infinite mass makes the force infinite or NaN. Return "
         "before you compute a force for it."
@@ -238,7 +240,8 @@ def test_a_faked_spring_needs_a_duration() -> None:
             expect_error(
                 lambda p=p, bad=bad: s.update_force(p, bad),
                 ValueError,
-                call=f"s.update_force(p, {bad}) with p of {mass} kg",
+                call="s = FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=3); "
+                f"s.update_force(p, {bad}), where p has a mass of {mass}",
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
             )
     about.call = "p at (1, 0, 0); FakeStiffSpring(anchor=Vector3(), stiffness=400, "

@@ -15,9 +15,8 @@ from expect import about, expect_close, expect_finite_numbers, named
 
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
-    "backward_euler": "x' = x + v' h and v' = v + a' h, both with the new values",
-    "trapezoidal": "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with the means of the "
-    "old and new values",
+    "backward_euler": ("x' = x + v' h", "v' = v + a' h"),
+    "trapezoidal": ("x' = x + (v + v') h / 2", "v' = v + (a + a') h / 2"),
 }
 
 
@@ -41,8 +40,9 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         about.call = f"x', v' = {method}(x={x}, v={v}, stiffness={stiffness}, damping={damping}, "
         about.call += f"mass={m}, duration={h})"
         about.cause = (
-            f"Solve the equations {RULES[method]}. Here m a = -k x - c v, and the values with a "
-            "dash belong to the end of the step."
+            f"Your results x' and v' don't satisfy {' and '.join(RULES[method])}. Here a' is the "
+            "acceleration (-k x' - c v') / m. Insert the first equation into the second, and solve "
+            "for v'."
         )
         new = METHODS[method](x, v, stiffness, damping, m, h)
         expect_close(len(new), 2, then="; number of values returned")
@@ -60,7 +60,8 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
             "the velocity v' second.": off(
                 method, x, v, stiffness, damping, m, h, (new[1], new[0])
             ),
-            f"Your result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
+            f"Your result is that of {other}. Solve the equations in the docstring of {method} "
+            "instead.": off(other, x, v, stiffness, damping, m, h, new),
             "Your result ignores the damping. The acceleration follows from m a = -k x - c v, "
             "so include the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),
             "Your result ignores the stiffness. The acceleration follows from m a = -k x - c "
@@ -71,14 +72,13 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         # If the new state solves the equations of a mistake, that mistake was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
         if not slip and abs(new[0] - x - v * h) < 1e-10:
-            slip = "Your position moves with the old velocity alone, x' = x + v h."
+            slip = "Your position moves with the old velocity alone, x' = x + v h. The equation "
+            slip += f"of this method is {RULES[method][0]}."
         if not slip and abs(new[0] - x - new[1] * h) < 1e-10 and left[0] != 0.0:
-            slip = "Your position moves with the new velocity alone, x' = x + v' h."
+            slip = "Your position moves with the new velocity alone, x' = x + v' h. The equation "
+            slip += f"of this method is {RULES[method][0]}."
         known = named(new, about.cause, slips)
-        if slip and known == about.cause:
-            about.cause = slip if ". " in slip else f"{slip} {about.cause}"
-        else:
-            about.cause = known
+        about.cause = slip if slip and known == about.cause else known
         # A few roundings of numbers up to 4000.
         expect_close(
             left,

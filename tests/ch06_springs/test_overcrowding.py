@@ -103,7 +103,7 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12)
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
-    about.call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
+    about.call += f"crowd.stiffness = {2 * k:.6g}; crowd.update_force(p, 0.5)"
     about.cause = (
         "The check changes the list, the distance and the stiffness before this call, so that "
         "only one particle is closer than 1.25 m. Read these attributes in every call."

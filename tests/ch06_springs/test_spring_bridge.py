@@ -45,8 +45,8 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     about.read = HANG
     places = draw_places(rng)
     numbers = positive_number(rng), positive_number(rng), positive_number(rng)
-    about.call = "hang_bridge(registry, planks, height={}, stiffness={}, damping={}); "
-    "registry.update_forces(0.5)".format(*numbers)
+    hang = "hang_bridge(registry, planks, height={}, stiffness={}, damping={})".format(*numbers)
+    about.call = f"{hang}; registry.update_forces(0.5)"
     about.cause = (
         "In a new bridge no spring is stretched, so its rest length must be its current length. "
         "For a hanger that is the height, and for a spring between two planks it is their "
@@ -62,9 +62,10 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         )
         blame(force, [((0.0, k * height, 0.0), slack)])
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator, in N", tolerance=1e-12)
-    about.call += ", after the check has lowered the only plank by 0.5 m"
+    about.call = f"{hang} with a single plank; the check lowers it by 0.5 m; "
+    about.call += "registry.update_forces(0.5)"
     about.cause = (
-        "The check lowers the only plank by 0.5 m. Its hanger is then stretched by 0.5 m, so it "
+        "The check lowers the plank by 0.5 m. Its hanger is then stretched by 0.5 m, so it "
         "must pull the plank up with 0.5 m times the stiffness."
     )
     x, y, z = places[0]

@@ -317,7 +317,7 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     about.call += f"stiffness={k}, rest_length={rest}, damping={c}); "
     p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
     s = AnchoredSpring(Vector3(*first), k, rest, c)
-    about.call += "s.update_force(p, 0.5)"
+    about.call += "s.update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = (
         "The offset is p.position minus the anchor. The anchor is at rest, so the relative "
         "velocity is p.velocity, and the mass has no effect on the force."
@@ -344,7 +344,8 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)
     about.call += f"; p.clear_forces(); s.anchor = Vector3{second}; s.stiffness, s.rest_length, "
-    about.call += f"s.damping = {2 * k}, {longer}, {4 * c}; s.update_force(p, 0.5)"
+    about.call += f"s.damping = {2 * k:.6g}, {longer}, {4 * c:.6g}; s.update_force(p, 0.5); "
+    about.call += "p.force_accumulator, in N"
     about.cause = (
         "The check changes the anchor and the other attributes of s before this call. Read them "
         "in every call instead of storing a result."

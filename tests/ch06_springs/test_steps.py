@@ -147,21 +147,25 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             method,
             f"p at {p} with velocity {v}, acceleration {a}, mass {mass} and damping d = {d}; ",
         )
-        about.call += f"apply_forces adds -{k} x - {c} v{pushed}; {what} of h = {h} s"
+        about.call += f"apply_forces adds the force -{k} x - {c} v of a spring{pushed}; {what} of "
+        about.call += f"h = {h} s"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
         slips = slips_of(method, body, k, c, h, frames)
         slip = named((*ends["positions"][0], *ends["velocities"][0]), about.cause, slips)
         expect_exactly(ends["dampings"], [d], then="; p.damping")
         # A few roundings of numbers up to 10^4.
-        for name, got, numbers in (
-            ("p.position", ends["positions"][0], slice(3)),
-            ("p.velocity", ends["velocities"][0], slice(3, 6)),
+        for name, unit, got, numbers in (
+            ("p.position", "m", ends["positions"][0], slice(3)),
+            ("p.velocity", "m/s", ends["velocities"][0], slice(3, 6)),
         ):
-            parts = {f"{one} Only {name} is off in this way.": slips[one][numbers] for one in slips}
+            parts = {
+                one.replace("This is a step of", f"Your {name} is that of"): slips[one][numbers]
+                for one in slips
+            }
             why = named(got, about.cause, parts) if slip == about.cause else slip
             wanted = states[numbers]
-            expect_close(got, wanted, then=f"; {name}", cause=why, tolerance=1e-10)
+            expect_close(got, wanted, then=f"; {name}, in {unit}", cause=why, tolerance=1e-10)
 
 
 @methods
@@ -293,10 +297,9 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     about.cause += "again in the next step. Clear the accumulators."
     ends = stepped(method, [body], (k, c), h, 1)
     expect_close(ends["forces"][0], ZERO, then="; p.force_accumulator, in N")
-    about.cause = (
-        "last_acceleration must be the mean acceleration of the step. Add the mean force to the "
-        "particle and call kick, which changes the velocity and sets this attribute."
-    )
+    about.cause = "last_acceleration must be the mean acceleration of the step. Add the mean "
+    about.cause += "force to the particle and call kick, which changes the velocity and sets this "
+    about.cause += "attribute."
     wanted = tuple(
         one_step(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)[2]
         for i in range(3)
@@ -314,10 +317,8 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     about.call = call_of(
         method, f"an immovable particle at {place} with velocity {velocity}, and a movable one"
     )
-    about.cause = (
-        "An immovable particle must stay where it is and keep its velocity. Skip it, or use drift "
-        "and kick, which leave it alone."
-    )
+    about.cause = "An immovable particle must stay where it is and keep its velocity. Skip it, or "
+    about.cause += "use drift and kick, which leave it alone."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(
         ends["positions"][0],

@@ -31,7 +31,8 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
         *bad_numbers((9.81, 0.3, 0.05)),
     ):
         about.cause = "One of these arguments is not valid, so raise ValueError. Check each "
-        about.cause += "argument with a function from arguments.py, which raises the error for you."
+        about.cause += "argument with one of the functions in arguments.py, which raise the error "
+        about.cause += "for you."
         if bad[1:] == (0.0, 0.0):
             about.cause = "Both k1 and k2 are 0, so there is no drag and no terminal speed. Raise "
             about.cause += "ValueError."
@@ -47,7 +48,7 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
 def test_a_fall_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of quadratic_fall"
     about.cause = "One of these arguments is not valid, so raise ValueError. Check each argument "
-    about.cause += "with a function from arguments.py, which raises the error for you."
+    about.cause += "with one of the functions in arguments.py, which raise the error for you."
     for bad in (
         (0.0, 9.81, 0.05, 3.0),
         (2.0, 0.0, 0.05, 3.0),
@@ -69,7 +70,7 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
 def test_coasting_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of coasting_speed"
     about.cause = "One of these arguments is not valid, so raise ValueError. Check each argument "
-    about.cause += "with a function from arguments.py, which raises the error for you."
+    about.cause += "with one of the functions in arguments.py, which raise the error for you."
     for bad in (
         (-20.0, 0.3, 0.05, 2.0, 1.5),
         (20.0, -0.3, 0.05, 2.0, 1.5),

@@ -142,7 +142,7 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
 def test_limits_need_numbers_that_mean_something() -> None:
     about.read = LIMITS
     about.cause = "One of these arguments is not valid, so raise ValueError. Check each argument "
-    about.cause += "with a function from arguments.py, which raises the error for you."
+    about.cause += "with one of the functions in arguments.py, which raise the error for you."
     for bad in (
         (-0.3, 0.05, 2.0, 5.0),
         (0.3, -0.05, 2.0, 5.0),

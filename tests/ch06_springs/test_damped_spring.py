@@ -48,11 +48,8 @@ def by_roots(x0: float, v0: float, k: float, c: float, m: float, t: float) -> tu
 @scoped
 def expect_position(arguments: tuple[float, ...], wanted: float, tolerance: float) -> None:
     """Expect the position that damped_spring_state gives of these arguments."""
-    about.call, about.read = (
-        "damped_spring_state(x0={}, v0={}, stiffness={}, damping={}, mass={}, time={})[0], the "
-        "position in m".format(*arguments),
-        READ,
-    )
+    call = "damped_spring_state(x0={}, v0={}, stiffness={}, damping={}, mass={}, time={})[0]"
+    about(f"{call.format(*arguments)}, the position in m", read=READ)
     got = damped_spring_state(*arguments)[0]
     expect_close(got, wanted, tolerance=tolerance)
 
@@ -236,8 +233,8 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
             expect_close(got, wanted, tolerance=tolerance)
     about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=4.0, damping=4 - 4e-9, mass=1.0, "
     about.call += "time=0.75) minus the same with damping=4 + 4e-9"
-    about.cause = "The motion changes smoothly with the damping. Your results just below and just "
-    about.cause += "above critical damping must differ by at most 1e-8."
+    about.cause = "The motion changes smoothly with the damping. Just below and just above "
+    about.cause += "critical damping your results must agree to 1e-8."
     below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
     above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
     for a, b in zip(below, above, strict=True):
@@ -320,8 +317,8 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             math.exp(-5.0),
             1e-5,
             "cosh(gamma t) is too large for a float at a time this late. Multiply it by "
-            "e^(-half t) on paper, so that your code needs only e^(-(half - gamma) t) and "
-            "e^(-(half + gamma) t).",
+            "e^(-half t) on paper, so that you need only e^(-(half - gamma) t) and e^(-(half "
+            "+ gamma) t).",
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),

@@ -153,7 +153,7 @@ def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
     about.read = READ
     about.cause = (
         "One of these arguments is not valid, so raise ValueError, even if the damping is 0. "
-        "Check each argument with a function from arguments.py."
+        "Check each argument with one of the functions in arguments.py."
     )
     for bad in (
         (-0.5, 0.25, 1.0),

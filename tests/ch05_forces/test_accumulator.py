@@ -53,7 +53,7 @@ def test_forces_add_up(rng: Random) -> None:
         about.call += f"; p.add_force(Vector3{force})"
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
-        name = "p.force_accumulator after p.add_force was called"
+        name = "p.force_accumulator, after a force was added"
         cause = "force_accumulator must return the sum of the forces as a new Vector3."
         got = expect_vector(p.force_accumulator, call=name, cause=cause)
         slips = {

@@ -199,7 +199,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
 @pytest.mark.exercise("B5.5")
 def test_a_fall_comes_to_its_terminal_speed() -> None:
     about(
-        "a particle of 2 kg that falls for 60 s with g = 9.81 m/s^2 and Drag(k1=0.3, k2=0.05)",
+        "a particle p of 2 kg that falls for 60 s with g = 9.81 m/s^2; Drag(k1=0.3, "
+        "k2=0.05).update_force(p, h) in every step",
         read=READ,
     )
     about.cause = "After 60 s the particle must fall at its terminal speed v, at which the drag "
@@ -228,7 +229,8 @@ def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) 
 @pytest.mark.exercise("B5.5")
 def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_frames() -> None:
     about(
-        "a particle of 2 kg that falls for 3 s with g = 9.81 m/s^2 and Drag(k1=0, k2=0.05)",
+        "a particle p of 2 kg that falls for 3 s with g = 9.81 m/s^2; Drag(k1=0, "
+        "k2=0.05).update_force(p, h) in every step",
         read=READ,
     )
     about.cause = "The fall is too far from the exact solution, whose speed is u tanh(g t / u) "
@@ -245,7 +247,8 @@ def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_f
 @pytest.mark.exercise("B5.5")
 def test_coasting_with_both_kinds_of_drag_comes_nearer_with_shorter_frames() -> None:
     about(
-        "a particle of 2 kg that starts at 20 m/s and moves for 2 s with Drag(k1=0.3, k2=0.05)",
+        "a particle p of 2 kg that starts at 20 m/s and moves for 2 s; Drag(k1=0.3, "
+        "k2=0.05).update_force(p, h) in every step",
         read=READ,
     )
     about.cause = "The speed is too far from the exact solution, in which 1 / v + k2 / k1 grows "
@@ -269,8 +272,8 @@ def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None
     # The rounding of each step, which the factor below enlarges at most 1.02^40 = 2.2 times.
     for share in (0.98, 1.02, 1.98, 2.02):
         h = share * mass / k1
-        about.call = "a particle p of 2 kg that starts at 3 m/s, with Drag(k1=8, k2=0) and steps "
-        about.call += f"of {h:g} s, which is {share} m / k1"
+        about.call = "a particle p of 2 kg that starts at 3 m/s; Drag(k1=8, k2=0).update_force(p, "
+        about.call += f"h) in every step, with h = {h:g} s, which is {share} m / k1"
         for steps in (1, 2, frames):
             _, velocity = with_drag((3.0, 0.0, 0.0), k1, 0.0, mass, h, steps)
             wanted = 3.0 * (1.0 - share) ** steps

@@ -47,7 +47,9 @@ def expect_asked(
     told = []
     for name, *numbers in acts:
         if name == "add":
-            told.append(f"registry.add(p[{numbers[0]}], generator[{numbers[1]}])")
+            told.append(
+                f"pair of p[{numbers[0]}] and generator[{numbers[1]}] added to the registry"
+            )
         elif name == "remove":
             told.append(f"registry.remove(p[{numbers[0]}], generator[{numbers[1]}])")
         elif name == "free":
@@ -137,8 +139,8 @@ def test_remove_takes_back_one_call_of_add() -> None:
         cause="The pair (p[0], generator[0]) was added three times, and every call of "
         "add registers another pair. All three must act until remove is called.",
     )
-    about.call = "registry.add(p[0], generator[0]) three times and registry.add(p[1], "
-    about.call += "generator[1]) once; registry.remove(p[0], generator[0]); "
+    about.call = "pair of p[0] and generator[0] added to the registry three times; pair of p[1] "
+    about.call += "and generator[1] added once; registry.remove(p[0], generator[0]); "
     about.call += "registry.update_forces(0.5); the calls of update_force as (number of the "
     about.call += "particle, number of the generator, duration), sorted"
     got = sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)]))

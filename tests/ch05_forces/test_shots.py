@@ -122,7 +122,7 @@ def test_the_wind_acts_on_the_bullet() -> None:
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     about.read = SHOOT
     a, e = draw_angles(rng)
-    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); range.update(1/60)"
+    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); one step of 1/60 s"
     at = SniperRange(1)
     about.cause = "A step of h seconds must move the bullet once, by its velocity times h. "
     about.cause += "Integrate the bullet in update, once per step, and not in shoot."

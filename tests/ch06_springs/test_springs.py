@@ -362,8 +362,9 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
 @pytest.mark.exercise("B6.1")
 def test_a_particle_between_two_springs_swings_with_its_period() -> None:
     about.read = "book 6.3.2, Eq. 6.3"
-    about.call = "a particle of 2 kg on AnchoredSpring(anchor=Vector3(), stiffness=50, "
-    about.call += "rest_length=0), released 0.5 m away; steps of 1/1000 s until its third return"
+    about.call = "p of 2 kg, released 0.5 m from the anchor; AnchoredSpring(anchor=Vector3(), "
+    about.call += "stiffness=50, rest_length=0).update_force(p, h) in steps of 1/1000 s until its "
+    about.call += "third return"
     about.cause = (
         "The period must be 2 pi sqrt(m / k), which is 1.25664 s here, in every direction. Check "
         "that the force is proportional to the distance from the anchor."

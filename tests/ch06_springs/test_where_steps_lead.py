@@ -15,8 +15,8 @@ ZERO = (0.0, 0.0, 0.0)
 @pytest.mark.exercise("B6.6")
 def test_explicit_euler_gains_energy_by_its_factor() -> None:
     about.read = "the docstring of explicit_euler, and E-17"
-    about.call = "explicit_euler with h = 1/60 s, 600 times, for a particle of 1 kg on a spring "
-    about.call += "of 100 N/m; the final energy divided by the initial energy"
+    about.call = "explicit_euler([p], apply_forces, h) 600 times, with p of 1 kg on a spring of "
+    about.call += "100 N/m and h = 1/60 s; the final energy divided by the initial energy"
     about.cause = (
         "With explicit Euler, each step multiplies the energy of this spring by 1 + k h^2 / m. "
         "Move the particle with its old velocity, before you change the velocity."
@@ -35,14 +35,15 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
         "not drift. Change the velocity first, and then move with the new velocity."
     )
     for frames in (600, 6000):
-        about.call = f"semi_implicit_euler with h = 1/60 s, {frames} times, for a particle of 1 kg "
-        about.call += "on a spring of 100 N/m; the final energy divided by the initial energy"
+        about.call = f"semi_implicit_euler([p], apply_forces, h) {frames} times, with p of 1 kg on "
+        about.call += "a spring of 100 N/m and h = 1/60 s; the final energy divided by the "
+        about.call += "initial energy"
         got = energy_left("semi_implicit_euler", 100.0, 1.0 / 60.0, frames)
         # chi h / 2 is 1/12; its square comes on top.
         expect_close(got, 1.0, tolerance=0.1)
     about.call = (
-        "semi_implicit_euler with h = 1/60 s, once, for a particle of 1 kg on a spring of 100 "
-        "N/m; the final energy divided by the initial energy"
+        "semi_implicit_euler([p], apply_forces, h) once, with p of 1 kg on a spring of 100 N/m "
+        "and h = 1/60 s; the final energy divided by the initial energy"
     )
     about.cause = (
         "The particle starts at rest at 1 m. One step must give it the velocity -k h / m and "
@@ -64,9 +65,9 @@ def test_leapfrog_swings_as_its_frequency_says() -> None:
     h, k = 1.0 / 60.0, 100.0
     kappa = k * h * h
     for frames in (1, 600, 6000):
-        about.call = f"leapfrog with h = 1/60 s, {frames} times, for a particle of 1 kg on a "
-        about.call += "spring of 100 N/m, from rest at 1 m; the final energy divided by the "
-        about.call += "initial energy"
+        about.call = f"leapfrog([p], apply_forces, h) {frames} times, with p of 1 kg on a spring "
+        about.call += "of 100 N/m, from rest at 1 m, and h = 1/60 s; the final energy divided by "
+        about.call += "the initial energy"
         angle = frames * 2.0 * math.asin(0.5 * math.sqrt(kappa))
         # From rest x is cos(n w h), and v / chi is -sin(n w h) / sqrt(1 - kappa / 4).
         wanted = math.cos(angle) ** 2 + math.sin(angle) ** 2 / (1.0 - kappa / 4.0)
@@ -83,9 +84,9 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
     limit = (1.0 / keep - 1.0) / h**2
     for share in (0.98, 1.02):
         k = share * limit
-        about.call = "explicit_euler with h = 1/60 s for a particle of 1 kg with damping d = 0.5 "
-        about.call += f"on a spring of {k:.4f} N/m; the largest distance in steps 1500 to 2000, "
-        about.call += "divided by that in steps 0 to 500"
+        about.call = "explicit_euler([p], apply_forces, h) with p of 1 kg and damping d = 0.5 on "
+        about.call += f"a spring of {k:.4f} N/m, and h = 1/60 s; the largest distance in steps "
+        about.call += "1500 to 2000, divided by that in steps 0 to 500"
         about.cause = (
             "Each step multiplies the amplitude of the oscillation by the square root of d^h (1 + "
             "k h^2 / m). Damp the velocity by d^h once per step, and move the particle with the "
@@ -154,8 +155,8 @@ def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: f
     frames = 500
     for share in (0.98, 1.02):
         k = share * limit / h**2
-        about.call = f"{method} with h = 1/60 s, {frames} times, for a particle of 1 kg on a "
-        about.call += f"spring of {k:.6g} N/m, released 1 m away"
+        about.call = f"{method}([p], apply_forces, h) {frames} times, with p of 1 kg on a spring "
+        about.call += f"of {k:.6g} N/m, released 1 m away, and h = 1/60 s"
         about.cause = (
             f"{method} is stable as long as k h^2 / m is below {limit:g}, and here it is "
             f"{share * limit:g}. Your step behaves differently, so compare it with the formulas in "

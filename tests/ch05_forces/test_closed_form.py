@@ -274,8 +274,8 @@ def test_a_fall_begins_at_rest() -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     about.read = COAST
-    about.cause = "Both kinds of drag act at the same time, so the speed must be v e^-s / (1 + k2 "
-    about.cause += "v (1 - e^-s) / k1). Here v is the speed at the start, and s is k1 t / m."
+    about.cause = "Both kinds of drag act at the same time, so use the formula v e^-s / (1 + k2 v "
+    about.cause += "(1 - e^-s) / k1), with the speed v at the start and s = k1 t / m."
     for _ in range(3):
         v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
         mass, time = positive_number(rng), positive_number(rng, 0.2, 2.0)

@@ -233,9 +233,9 @@ def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_f
         "k2=0.05).update_force(p, h) in every step",
         read=READ,
     )
-    about.cause = "The fall is too far from the exact solution, whose speed is u tanh(g t / u) "
-    about.cause += "and whose distance is (u^2 / g) ln cosh(g t / u). Here u is the terminal "
-    about.cause += "speed. Check the force that Drag adds."
+    about.cause = "The speed must be close to u tanh(g t / u) and the distance close to (u^2 / g) "
+    about.cause += "ln cosh(g t / u), where u is the terminal speed. Check the force that Drag "
+    about.cause += "adds."
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
     speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]

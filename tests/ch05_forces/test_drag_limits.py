@@ -24,9 +24,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         positive_number(rng),
         positive_number(rng, 1.0, 90.0),
     )
-    about.cause = "A step of h seconds multiplies the velocity v by 1 - (k1 + k2 |v|) h / m. At "
-    about.cause += "the first limit this factor is 0, and at the second it is -1, so solve for h "
-    about.cause += "in both cases."
+    about.cause = "A step of h seconds multiplies the velocity v by 1 - (k1 + k2 |v|) h / m. "
+    about.cause += "Solve for the h at which this factor is 0 (first limit) and -1 (second limit)."
     for one, two, rate in (
         (k1, 0.0, k1 / mass),
         (0.0, k2, k2 * speed / mass),

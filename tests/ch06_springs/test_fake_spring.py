@@ -43,9 +43,8 @@ def test_the_force_by_its_formula() -> None:
     about.call += "FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=0).update_force(p, "
     about.call += "1/60)"
     about.cause = (
-        "For a mass of 1 kg the force is (T - x) / h^2 - v / h. Here T is the position that a "
-        "real spring would reach in the step of h seconds, whatever the particle's acceleration "
-        "and damping."
+        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position that a "
+        "real spring would reach in h seconds. The acceleration and the damping of p don't matter."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
@@ -66,8 +65,8 @@ def test_the_force_by_its_formula() -> None:
     about.call += "FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=0).update_force(p, "
     about.call += "1/60)"
     about.cause = (
-        "The particle is at the anchor and moves along y. The force is (T - x) / h^2 - v / h with "
-        "x = 0 and v = 2, where T is the position that a real spring would reach."
+        "p moves along y, so the force is (T - x) / h^2 - v / h with x = 0 and v = 2. T is the "
+        "position that a real spring would reach in h seconds."
     )
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)

@@ -187,7 +187,7 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     about.call += "ground.update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = (
         "The check changes the attributes after creating the ground, so read them in every call. "
-        "The force is now 3 N minus 0.5 times 2 N."
+        "The force must now be 3 N minus 0.5 * 2 N, which is 2 N."
     )
     ground, p = PenaltyGround(0.0, 400.0), Particle(velocity=Vector3(0.0, 2.0, 0.0))
     ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5

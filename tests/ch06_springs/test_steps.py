@@ -22,23 +22,20 @@ EXERCISES = {
 }
 RULES = {
     "explicit_euler": (
-        "Explicit Euler first moves the particle with its old velocity, p' = p + v h. "
-        "Then it changes the velocity and damps it once, v' = (v + a h) d^h, with the "
-        "acceleration a at the start."
+        "Explicit Euler first moves the particle with the old velocity, p' = p + v h. Then it "
+        "sets the new velocity v' = (v + a h) d^h, with the acceleration a at the start."
     ),
     "semi_implicit_euler": (
-        "Semi-implicit Euler first changes the velocity and damps it once, v' = (v + a h) d^h. "
-        "Then it moves the particle with the new velocity, p' = p + v' h."
+        "Semi-implicit Euler first sets the new velocity v' = (v + a h) d^h. Then it moves the "
+        "particle with the new velocity, p' = p + v' h."
     ),
     "leapfrog": (
-        "Leapfrog first moves for half the step, p1 = p + v h / 2, and evaluates the forces "
-        "there. Then it sets v' = (v + a h) d^h, damped once, and moves for the other half, "
-        "p' = p1 + v' h / 2."
+        "Move for half the step, p1 = p + v h / 2, and evaluate the forces there. Then set v' "
+        "= (v + a h) d^h, and move for the other half, p' = p1 + v' h / 2."
     ),
     "velocity_verlet": (
-        "Velocity Verlet first moves the particle, p' = p + v h + a h^2 / 2. Then it evaluates "
-        "the acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / "
-        "2) d^h, damped once."
+        "Move the particle first, p' = p + v h + a h^2 / 2. Then evaluate the acceleration b "
+        "at p' with the velocity v + a h, and set v' = (v + (a + b) h / 2) d^h."
     ),
     "runge_kutta_4": (
         "Runge-Kutta takes a weighted mean of four rates, in which the second and the third "

@@ -40,7 +40,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     about.read = READ
     v, k = components(rng), round(rng.uniform(0.1, 0.9), 3)
     pulled = tuple(-k * v[i] for i in range(3))
-    about.call, switched = f"brake = Airbrake({k})", ""
+    about.call, switched = f"brake = Airbrake(k={k})", ""
     p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
     for on, wanted, cause in (
         (
@@ -77,7 +77,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         if on is not None:
             brake.on = on
             switched = f"{switched}, {'on' if on else 'off'}".lstrip(", ")
-        about.call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake({k}), "
+        about.call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake(k={k}), "
         about.call += f"{f'switched {switched}' if switched else 'not switched on yet'}; "
         about.call += "brake.update_force(p, 0.5)"
         brake.update_force(p, 0.5)
@@ -108,7 +108,7 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
     for share in (0.01, 0.5, 0.98):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
-        about.call += f"brake = Airbrake({k:.6g}), switched on; brake.update_force(p, {h}); "
+        about.call += f"brake = Airbrake(k={k:.6g}), switched on; brake.update_force(p, {h}); "
         about.call += "p.force_accumulator, in N"
         p = Particle(velocity=Vector3(*v), mass=mass)
         p.add_force(Vector3(*f))
@@ -145,9 +145,9 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
     about.cause += "stops the particle completely. Never add a larger force than that."
     for share in (1.02, 2.02, 1e3, 1e12):
         k = share * mass / h
-        about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = Airbrake({k:.6g}), "
-        about.call += f"switched on; brake.update_force(p, {h}); p.integrate({h}); p.velocity in "
-        about.call += "m/s"
+        about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = "
+        about.call += f"Airbrake(k={k:.6g}), switched on; brake.update_force(p, {h}); "
+        about.call += f"p.integrate({h}); p.velocity in m/s"
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
         got = xyz(p.velocity)
@@ -175,7 +175,7 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
     about.read = READ
     v, f, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     about.call = f"p = Particle(velocity=Vector3{v}, acceleration=Vector3(1, 2, 3), mass={mass}); "
-    about.call += f"p.add_force(Vector3{f}); brake = Airbrake(1e6), switched on; "
+    about.call += f"p.add_force(Vector3{f}); brake = Airbrake(k=1e6), switched on; "
     about.call += "brake.update_force(p, 0.5)"
     vectors = {"velocity": Vector3(*v), "acceleration": Vector3(1, 2, 3)}
     p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
@@ -235,7 +235,8 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
 def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
     about.read = READ
     for on in (True, False):
-        about.call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
+        about.call = f"brake = Airbrake(k=2.0); brake.on = {on}; brake.update_force(p, "
+        about.call += f"{duration!r})"
         about.cause = "The duration must be positive and finite, even if the brake is off. Check "
         about.cause += "it first, with the function positive from arguments.py."
         p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)

@@ -31,7 +31,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         (0.0, k2, k2 * speed / mass),
         (k1, k2, (k1 + k2 * speed) / mass),
     ):
-        about.call = f"drag_limits(k1={one}, k2={two}, mass={mass}, speed={speed}), in s"
+        about.call = f"drag_limits(k1={one}, k2={two}, mass={mass}, speed={speed}) as (first "
+        about.call += "limit, second limit) in s"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
             "The mass is missing. Drag slows a heavier particle down less, so the particle "
@@ -62,9 +63,15 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         expect_close(got, (1.0 / rate, 2.0 / rate), cause=why)
     about.cause = "Here the drag is very small, but it is not 0. Compute the two limits as usual."
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
-    expect_close(got, (1e12, 2e12), call="drag_limits(k1=1e-12, k2=0.0, mass=1.0, speed=1.0), in s")
+    expect_close(
+        got,
+        (1e12, 2e12),
+        call="drag_limits(k1=1e-12, k2=0.0, mass=1.0, speed=1.0) as (first limit, "
+        "second limit) in s",
+    )
     about(
-        f"drag_limits(k1={k1}, k2={k2}, mass={mass}, speed=0.0), in s",
+        f"drag_limits(k1={k1}, k2={k2}, mass={mass}, speed=0.0) as (first limit, second limit) "
+        "in s",
         cause="Here the speed is 0, so only k1 counts. The limits are m / k1 and 2 m / "
         "k1, where m is the mass.",
     )
@@ -84,7 +91,11 @@ def test_without_drag_no_frame_is_too_long() -> None:
     about.cause = "Here (k1 + k2 |v|) / m is 1 per second, where |v| is the speed. The limits are "
     about.cause += "therefore 1 s and 2 s."
     got = drag_limits(1.0, 0.5, 2.0, 2.0)
-    expect_close(got, (1.0, 2.0), call="drag_limits(k1=1.0, k2=0.5, mass=2.0, speed=2.0), in s")
+    expect_close(
+        got,
+        (1.0, 2.0),
+        call="drag_limits(k1=1.0, k2=0.5, mass=2.0, speed=2.0) as (first limit, second limit) in s",
+    )
 
 
 @pytest.mark.exercise("B5.8")

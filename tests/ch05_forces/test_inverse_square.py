@@ -36,7 +36,7 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         about.cause += "center."
         place = away_from(center, way, distance)
         about.call = f"a particle p of {mass} kg, {distance} m from the center; "
-        about.call += f"InverseSquareGravity(Vector3{center}, mu={mu}).update_force(p, 0.5)"
+        about.call += f"InverseSquareGravity(center=Vector3{center}, mu={mu}).update_force(p, 0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
         InverseSquareGravity(Vector3(*center), mu).update_force(p, 0.5)
         size = mass * mu / distance**2
@@ -82,7 +82,7 @@ def test_at_the_center_there_is_no_finite_force() -> None:
         (1e-5, 1e300, 1.0),
     ):
         about.call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
-        about.call += f"InverseSquareGravity(Vector3(), mu={mu}).update_force(p, 0.5)"
+        about.call += f"InverseSquareGravity(center=Vector3(), mu={mu}).update_force(p, 0.5)"
         about.cause = "The particle is so close to the center that the force m mu / r^2 is too "
         about.cause += "large for a float. Raise ArithmeticError."
         if x == 0.0:
@@ -116,8 +116,9 @@ def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
         (1.0, 1e300, -1.5e300),
         (1e200, 2.0, 0.0),
     ):
-        about.call = f"p = Particle(Vector3(0, {y}, 0), mass=1.5); InverseSquareGravity(Vector3(), "
-        about.call += f"mu={mu}).update_force(p, 0.5); p.force_accumulator, in N"
+        about.call = f"p = Particle(Vector3(0, {y}, 0), mass=1.5); "
+        about.call += f"InverseSquareGravity(center=Vector3(), mu={mu}).update_force(p, 0.5); "
+        about.call += "p.force_accumulator, in N"
         p = Particle(Vector3(0, y, 0), mass=1.5)
         InverseSquareGravity(Vector3(), mu).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
@@ -127,8 +128,9 @@ def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
 @pytest.mark.exercise("5.4")
 def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
     about.read = READ
-    about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); InverseSquareGravity(Vector3(), "
-    about.call += "mu=10.0).update_force(p, 0.5); p.force_accumulator, in N"
+    about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
+    about.call += "InverseSquareGravity(center=Vector3(), mu=10.0).update_force(p, 0.5); "
+    about.call += "p.force_accumulator, in N"
     about.cause = "An immovable particle has infinite mass, so the force would be infinite or "
     about.cause += "NaN. Check has_finite_mass first, and add no force if it is False."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
@@ -152,7 +154,7 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     about.read = READ
     force = components(rng)
     about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
-    about.call += "= InverseSquareGravity(Vector3(), mu=-6.0); gravity.update_force(p, 0.5)"
+    about.call += "= InverseSquareGravity(center=Vector3(), mu=-6.0); gravity.update_force(p, 0.5)"
     about.cause = "With a negative mu the center pushes the particle away. Use mu with its sign, "
     about.cause += "and add the force to the earlier one with add_force."
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)

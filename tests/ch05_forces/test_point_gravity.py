@@ -33,7 +33,8 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         about.cause = "The force must point toward the center, and its size must be m times the "
         about.cause += "strength at any distance, so normalize the direction."
         about.call = f"a particle p of {mass} kg, {distance} m from the center; "
-        about.call += f"PointGravity(Vector3{center}, strength={strength}).update_force(p, 0.5)"
+        about.call += f"PointGravity(center=Vector3{center}, strength={strength}).update_force(p, "
+        about.call += "0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
         PointGravity(Vector3(*center), strength).update_force(p, 0.5)
         wanted = tuple(-mass * strength * way[i] for i in range(3))
@@ -66,7 +67,7 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
 def expect_full_strength(y: float, cause: str) -> None:
     """Expect the whole force on a particle at this height above the center."""
     about(cause=cause, read=READ)
-    about.call = f"p = Particle(Vector3(0, {y}, 0)); PointGravity(Vector3(), "
+    about.call = f"p = Particle(Vector3(0, {y}, 0)); PointGravity(center=Vector3(), "
     about.call += "strength=10.0).update_force(p, 0.5)"
     p = Particle(Vector3(0, y, 0))
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
@@ -78,7 +79,7 @@ def expect_full_strength(y: float, cause: str) -> None:
 def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
     about.read = READ
     center = components(rng)
-    about.call = f"p = Particle(Vector3{center}); PointGravity(Vector3{center}, "
+    about.call = f"p = Particle(Vector3{center}); PointGravity(center=Vector3{center}, "
     about.call += "strength=10.0).update_force(p, 0.5)"
     about.cause = "The particle is exactly at the center, so the force has no direction. Add no "
     about.cause += "force, and don't divide by the distance of 0."
@@ -103,7 +104,9 @@ def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
 
 @pytest.mark.exercise("5.3")
 def test_point_gravity_leaves_an_immovable_particle_alone() -> None:
-    about("p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(Vector3(), ", read=READ)
+    about(
+        "p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(center=Vector3(), ", read=READ
+    )
     about.call += "strength=10.0).update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = "An immovable particle has infinite mass, so the force would be infinite or "
     about.cause += "NaN. Check has_finite_mass first, and add no force if it is False."
@@ -122,7 +125,7 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     about.read = READ
     force, center = components(rng), (7.0, 0.0, 0.0)
     about.call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
-    about.call += "= PointGravity(Vector3(), strength=-5.0); gravity.update_force(p, 0.5)"
+    about.call += "= PointGravity(center=Vector3(), strength=-5.0); gravity.update_force(p, 0.5)"
     about.cause = "With a negative strength the center pushes the particle away. Use the strength "
     about.cause += "with its sign, and add the force to the earlier one with add_force."
     p, gravity = Particle(Vector3(3, 0, 0), mass=2.0), PointGravity(Vector3(), -5.0)

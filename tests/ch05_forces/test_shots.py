@@ -45,7 +45,8 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
     about.read = SHOOT
     a, e = draw_angles(rng)
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
-        about.call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
+        about.call = f"range = SniperRange(1); range.shoot(azimuth={azimuth}, "
+        about.call += f"elevation={elevation})"
         at = SniperRange(1)
         about.cause = "There are shots left, and no bullet is in flight. shoot must therefore "
         about.cause += "fire a bullet and return True."

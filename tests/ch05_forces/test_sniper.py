@@ -49,8 +49,8 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         azimuth, elevation = math.atan2(x, distance), distance * 0.00007
         level = 120.0 * math.cos(elevation) * math.cos(azimuth)
         y = math.hypot(x, distance) * math.tan(elevation) - fallen(distance / (level * FRAME))
-        about.call = f"a range without drag; range.shoot({azimuth:.6g}, {elevation:.6g}); "
-        about.call += "range.update(1/60) until the shot has landed"
+        about.call = f"a range without drag; range.shoot(azimuth={azimuth:.6g}, "
+        about.call += f"elevation={elevation:.6g}); range.update(1/60) until the shot has landed"
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
         expect_exactly(len(holes), 1, then="; number of holes")
@@ -78,7 +78,7 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
 def test_the_wind_carries_the_bullet_away() -> None:
     about.call = "a range with a wind of 10 m/s along X; range.shoot(0.0, 0.02); "
     about.call += "range.update(1/60) until the shot has landed"
-    once = "In each step, call update_forces exactly once, and integrate the bullet after that."
+    once = "Call update_forces exactly once in each step, before you integrate the bullet."
     about(
         cause=f"{once} The shot has landed when the bullet's z is larger than "
         "END_OF_RANGE, which is 210 m.",
@@ -187,8 +187,8 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         ),
     ):
         about.cause = cause
-        about.call = f"a range without drag; range.shoot({azimuth}, {elevation}); "
-        about.call += "range.update(1/60) until the shot has landed"
+        about.call = f"a range without drag; range.shoot(azimuth={azimuth}, "
+        about.call += f"elevation={elevation}); range.update(1/60) until the shot has landed"
         along = 120.0 * math.cos(elevation) * math.cos(azimuth) * FRAME
         rises = 120.0 * math.sin(elevation) * FRAME
         n = 0

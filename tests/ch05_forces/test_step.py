@@ -31,7 +31,8 @@ def moving(
     x: Components, v: Components, a: Components, mass: float, damping: float = 1.0
 ) -> tuple[str, Particle]:
     """Return a particle and the words that make it."""
-    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass}"
+    words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+    words += f"mass={mass}"
     words += f", damping={damping})" if damping != 1.0 else ")"
     return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
 

@@ -110,8 +110,8 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
 def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     h, mass = round(rng.uniform(0.2, 0.8), 3), round(rng.uniform(2.0, 9.0), 3)
-    about.call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
-    about.call += f"p.add_force(Vector3{f}); p.integrate({h})"
+    about.call = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+    about.call += f"mass=math.inf); p.add_force(Vector3{f}); p.integrate({h})"
     about(
         cause="An immovable particle must not move. Check the inverse mass before you "
         "change the position or the velocity.",
@@ -144,7 +144,8 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
 def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.2, 0.8), 3)
-    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass})"
+    words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+    words += f"mass={mass})"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
     about(f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)", read="the docstring of kick")
     p.add_force(Vector3(*f))
@@ -189,7 +190,8 @@ def test_a_refused_step_keeps_the_forces(duration: float) -> None:
     error = TypeError if isinstance(duration, str) else ValueError
     x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
     for mass in (2.0, math.inf):
-        words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass})"
+        words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+        words += f"mass={mass})"
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
         about.cause = "The duration must be positive and finite. Check it in integrate before "
         about.cause += "anything else."

@@ -25,8 +25,9 @@ def shown(place: tuple) -> tuple:
 @scoped
 def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[str, object]:
     """Ask a column for its force on a particle at a place; return the words and the force."""
-    about.call = f"p = Particle(Vector3{shown(place)}, Vector3(9, 9, 9), mass=4.0); "
-    about.call += f"Uplift(Vector3{origin}, {radius}, Vector3{force}).update_force(p, 0.5)"
+    about.call = f"p = Particle(position=Vector3{shown(place)}, velocity=Vector3(9, 9, 9), "
+    about.call += f"mass=4.0); Uplift(origin=Vector3{origin}, radius={radius}, "
+    about.call += f"force=Vector3{force}).update_force(p, 0.5)"
     p = Particle(Vector3(*place), Vector3(9, 9, 9), mass=4.0)
     Uplift(Vector3(*origin), radius, Vector3(*force)).update_force(p, 0.5)
     del about.cause, about.read  # what is said where update_force raises
@@ -134,7 +135,8 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     about.read = READ
     first, force, moved = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(Vector3(1, 2, 1)); p.add_force(Vector3{first}); uplift = "
-    about.call += f"Uplift(Vector3(0, 1, 0), 3.0, Vector3{force}); uplift.update_force(p, 0.5)"
+    about.call += f"Uplift(origin=Vector3(0, 1, 0), radius=3.0, force=Vector3{force}); "
+    about.call += "uplift.update_force(p, 0.5)"
     about.cause = "The sum must contain both self.force and the force that was added before. Use "
     about.cause += "add_force, which adds to the other forces."
     p, uplift = Particle(Vector3(1, 2, 1)), Uplift(Vector3(0, 1, 0), 3.0, Vector3(*force))

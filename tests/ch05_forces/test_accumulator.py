@@ -12,7 +12,6 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from draw import components
 from expect import (
-    UNCHANGED,
     about,
     blame,
     expect_close,
@@ -35,10 +34,10 @@ def expect_unmoved(p: Particle, cause: str) -> None:
     about.cause = cause
     state = (*xyz(p.position), *xyz(p.velocity), *xyz(p.acceleration))
     expect_unchanged(
-        "(x, y, z, vx, vy, vz, ax, ay, az)",
+        "the state of p (position, velocity, acceleration)",
         state,
         (1, 2, 3, 4, 5, 6, 7, 8, 9),
-        read="the docstring of add_force",
+        read="the docstrings of add_force and clear_forces",
     )
 
 
@@ -49,8 +48,8 @@ def test_forces_add_up(rng: Random) -> None:
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9), mass=4.0)
     total = [0.0, 0.0, 0.0]
     for force in forces:
-        about.cause = "Add each new force to the sum, component by component. Leave the mass out "
-        about.cause += "of it, because the sum is a force."
+        about.cause = "The sum of the forces is wrong. Add each new force to the sum, component "
+        about.cause += "by component, and don't use the mass, because the sum is a force in N."
         about.call += f"; p.add_force(Vector3{force})"
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
@@ -60,21 +59,24 @@ def test_forces_add_up(rng: Random) -> None:
         slips = {
             "This is only the latest force. Add each force to the sum instead of replacing the "
             "sum.": force,
-            "This is the sum divided by the mass, which is an acceleration. Store the sum of the "
-            "forces itself, in N, and divide only in the step.": [t / 4.0 for t in total],
+            "This is the sum divided by the mass, which is an acceleration. Store the sum of "
+            "the forces itself, in N, because the step divides it by the mass later.": [
+                t / 4.0 for t in total
+            ],
             (
-                "The sum has the wrong sign, perhaps because you subtracted each force instead of "
-                "adding it."
+                "Your sum has the wrong sign, perhaps because add_force subtracts the force. "
+                "Add it instead."
             ): [-part for part in total],
-            "Forces were added, but the sum is still zero. Store it in self._forces[0], and let "
-            "force_accumulator read it from there.": ZERO,
+            "A force was added, but p.force_accumulator is still zero. Store the sum in "
+            "self._forces[0], and let force_accumulator return what is stored there.": ZERO,
         }
         blame(got, slips)
-        expect_close(got, total, then="; p.force_accumulator", tolerance=ROUNDED)
+        expect_close(got, total, then="; p.force_accumulator, in N", tolerance=ROUNDED)
         expect_unmoved(
             p,
-            "add_force has changed something other than the sum. A force has no effect until the "
-            "next step, so change only the sum.",
+            "add_force has changed the position, the velocity or the acceleration. A force has "
+            "no effect until the next step, so add_force must change only the sum of the "
+            "forces.",
         )
 
 
@@ -84,17 +86,19 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     opposite = (-force[0], -force[1], -force[2])
     about.read = "the docstring of force_accumulator"
     about.cause = "No force has been added yet, so the sum must be Vector3(0, 0, 0), not None."
-    about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
+    about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator, in N"
     p = Particle(acceleration=Vector3(0, -10, 0))
     expect_close(xyz(p.force_accumulator), ZERO)
-    about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
-    about.cause = "Two opposite forces add up to zero. Check that you add each force to this "
-    about.cause += "particle's own sum, which is stored in self."
+    about.call = (
+        f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator, in N"
+    )
+    about.cause = "The two forces are opposite, so their sum must be zero. Store the sum of each "
+    about.cause += "particle in self, not in the class, where all particles would share it."
     p.add_force(Vector3(*force))
     first = xyz(p.force_accumulator)
     p.add_force(Vector3(*opposite))
     expect_close(xyz(p.force_accumulator), ZERO)
-    about.call = f"p.add_force(Vector3{force}); p.force_accumulator"
+    about.call = f"p.add_force(Vector3{force}); p.force_accumulator, in N"
     about.cause = "Only one force has been added, so the sum must equal that force."
     expect_close(first, force)
 
@@ -103,29 +107,35 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
 def test_a_force_is_only_read(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"f = Vector3{first}; p.add_force(f)"
-    about.cause = "The sum must not change if the caller later changes f. Store the components of "
-    about.cause += "the force, not the vector itself."
+    about.cause = "The sum must not change when the caller changes the vector f later. Copy the "
+    about.cause += "components of the force instead of storing the vector itself."
     about.read = "the docstring of add_force"
     p, f = Particle(), Vector3(*first)
     p.add_force(f)
     f.x = 99.0
-    expect_close(xyz(p.force_accumulator), first, then="; f.x = 99.0; p.force_accumulator")
+    expect_close(xyz(p.force_accumulator), first, then="; f.x = 99.0; p.force_accumulator, in N")
     about.call = f"p.add_force(Vector3{second}); f = Vector3{first}; p.add_force(f)"
     p, f = Particle(), Vector3(*first)
     p.add_force(Vector3(*second))
     p.add_force(f)
-    expect_unchanged("f", xyz(f), first, cause=UNCHANGED)
+    expect_unchanged(
+        "f",
+        xyz(f),
+        first,
+        cause="add_force has changed the vector f that it was called with. It must only read f, so "
+        "don't use += or any other method that works in place on it.",
+    )
     wanted = tuple(first[i] + second[i] for i in range(3))
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, then="; p.force_accumulator", tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.1")
 def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
     force = components(rng)
     about.call = f"p.add_force(Vector3{force}); total = p.force_accumulator; total.x = 99.0"
-    about.cause = "Changing the returned vector must not change the particle. Return a new vector "
-    about.cause += "from every call."
+    about.cause = "A change of the vector that force_accumulator returned must not change the "
+    about.cause += "particle. Return a new vector from every call."
     about.read = "the docstring of force_accumulator"
     p = Particle()
     p.add_force(Vector3(*force))
@@ -138,23 +148,23 @@ def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
         "was added.",
     )
     total.x = 99.0
-    expect_close(xyz(p.force_accumulator), force, then="; p.force_accumulator")
+    expect_close(xyz(p.force_accumulator), force, then="; p.force_accumulator, in N")
 
 
 @pytest.mark.exercise("B5.1")
 def test_two_particles_have_forces_of_their_own(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"p.add_force(Vector3{first}); q.add_force(Vector3{second})"
-    about.cause = "Each particle needs a sum of its own. Store it in self, not in the class or in "
-    about.cause += "a global variable."
+    about.cause = "Each particle needs its own sum of forces. Store the sum in self, not in the "
+    about.cause += "class or in a global variable."
     about.read = "the docstring of Particle"
     p, q = Particle(), Particle()
     p.add_force(Vector3(*first))
     q.add_force(Vector3(*second))
     got = xyz(p.force_accumulator)
-    expect_close(got, first, then="; p.force_accumulator")
+    expect_close(got, first, then="; p.force_accumulator, in N")
     got = xyz(q.force_accumulator)
-    expect_close(got, second, then="; q.force_accumulator")
+    expect_close(got, second, then="; q.force_accumulator, in N")
 
 
 @pytest.mark.exercise("B5.1")
@@ -162,22 +172,23 @@ def test_forces_can_be_dropped(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about(
         f"p.add_force(Vector3{first}); p.clear_forces()",
-        cause="After clear_forces the sum must be zero, as if no force had ever been added.",
+        cause="The sum of the forces is not zero after clear_forces. Set it back to "
+        "zero, as if no force had ever been added.",
     )
     about.read = "the docstring of clear_forces"
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9))
     p.add_force(Vector3(*first))
     before = xyz(p.force_accumulator)
     p.clear_forces()
-    expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator")
+    expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator, in N")
     p.clear_forces()
     p.add_force(Vector3(*second))
     about.call = f"{about.call}; p.clear_forces(); p.add_force(Vector3{second})"
-    about.cause = "clear_forces resets the sum to zero, even if you call it twice, so after the "
-    about.cause += "next force the sum must equal that force."
+    about.cause = "clear_forces must set the sum to zero, even if it is called twice in a row. "
+    about.cause += "The force that is added after that is then the whole sum."
     got = xyz(p.force_accumulator)
-    expect_close(got, second, then="; p.force_accumulator")
-    name = f"p.add_force(Vector3{first}); p.force_accumulator"
+    expect_close(got, second, then="; p.force_accumulator, in N")
+    name = f"p.add_force(Vector3{first}); p.force_accumulator, in N"
     expect_close(
         before,
         first,
@@ -206,10 +217,10 @@ def expect_refusal(
         error,
         allowed=lambda: Particle().add_force(Vector3(1.5e308, 1.5e308, 1.0)),
     )
-    about.cause = "The force was rejected, but the sum changed anyway. Check both the force and "
-    about.cause += "the new sum before you store anything."
+    about.cause = "add_force raised an error, but it changed the sum anyway. Check both the force "
+    about.cause += "and the new sum before you store anything."
     got = xyz(p.force_accumulator)
-    expect_close(got, so_far, then="; p.force_accumulator")
+    expect_close(got, so_far, then="; p.force_accumulator, in N")
 
 
 @pytest.mark.exercise("B5.1")
@@ -250,8 +261,8 @@ def test_what_changes_the_sum_returns_nothing(rng: Random) -> None:
     force = components(rng)
     about(
         f"p.add_force(Vector3{force})",
-        cause="This method changes the particle in place, so it must return None. Leave out the "
-        "return statement.",
+        cause="add_force and clear_forces change the particle in place, so they must "
+        "return None. Leave out the return statement.",
     )
     about.read = "the docstrings of add_force and clear_forces"
     p = Particle()
@@ -261,7 +272,7 @@ def test_what_changes_the_sum_returns_nothing(rng: Random) -> None:
     expect_close(
         total,
         force,
-        then="; p.force_accumulator",
+        then="; p.force_accumulator, in N",
         cause="Only one force has been added, so the sum must equal that force.",
     )
     expect_exactly(p.clear_forces(), None, call="p.clear_forces()")

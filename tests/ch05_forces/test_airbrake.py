@@ -40,56 +40,60 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     about.read = READ
     v, k = components(rng), round(rng.uniform(0.1, 0.9), 3)
     pulled = tuple(-k * v[i] for i in range(3))
-    about.call, switched = f"brake = Airbrake({k})", ""
+    about.call, switched = f"brake = Airbrake(k={k})", ""
     p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
     for on, wanted, cause in (
         (
             None,
             ZERO,
-            "A new brake is off, so it must not add a force. Set self.on to False in __init__.",
+            "A new brake is off (brake.on is False), so update_force must add no force. Check "
+            "self.on in every call.",
         ),
         (
             True,
             pulled,
-            "The brake is on, so it must add -k v. The limit plays no part here, because a full "
-            "stop would take a force of m / h = 4 times the velocity.",
+            "The brake is on and too weak to stop the particle in one step. Its force must be "
+            "-k v, where v is the velocity.",
         ),
         (
             None,
             pulled,
-            "The brake was switched on earlier, and it must stay on until it is switched off.",
+            "The brake was switched on before an earlier call, and it is still on. Only the "
+            "player switches it off, so update_force must not change self.on.",
         ),
         (
             False,
             ZERO,
-            (
-                "The brake was switched off, so it must no longer add a force. Check self.on in "
-                "every call."
-            ),
+            "The brake was switched off, so update_force must add no force. Check self.on "
+            "in every call.",
         ),
-        (True, pulled, "The brake is on again, so it must add -k v."),
+        (
+            True,
+            pulled,
+            "The brake was switched on again, so its force must be -k v, where v is the velocity.",
+        ),
     ):
         about.cause = cause
         if on is not None:
             brake.on = on
             switched = f"{switched}, {'on' if on else 'off'}".lstrip(", ")
-        about.call = f"p = Particle(velocity=Vector3{v}, mass=2.0); a new Airbrake({k}), switched "
-        about.call += f"{switched or 'neither on nor off'}; brake.update_force(p, 0.5)"
+        about.call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake(k={k}), "
+        about.call += f"{f'switched {switched}' if switched else 'not switched on yet'}; "
+        about.call += "brake.update_force(p, 0.5)"
         brake.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         if wanted is pulled:
             slips = {
-                "The force points along the motion, but it must point against it. Add the missing "
-                "minus sign.": [-part for part in pulled],
-                "This force is -v m / h, which would stop the particle completely. Here -k v is "
-                "smaller, so use that. Always use the smaller of the two.": [
-                    -4.0 * part for part in v
-                ],
-                "This force is -k |v| v, which is quadratic drag. The brake is linear, so use -k "
-                "v.": [part * math.hypot(*v) for part in pulled],
+                "Your force points along the velocity, but a brake must push against it. Add "
+                "the missing minus sign.": [-part for part in pulled],
+                "Your force is -v m / h, which stops the particle completely in a step of h "
+                "seconds. Here -k v is smaller, and update_force must always add the smaller "
+                "of the two.": [-4.0 * part for part in v],
+                "Your force is -k |v| v, which is quadratic drag. The drag of the brake is "
+                "linear, so use -k v.": [part * math.hypot(*v) for part in pulled],
             }
             blame(got, slips)
-        expect_close(got, wanted, then="; p.force_accumulator")
+        expect_close(got, wanted, then="; p.force_accumulator, in N")
         p.clear_forces()
     expect_unchanged("p.velocity", xyz(p.velocity), v, cause=UNCHANGED)
 
@@ -99,28 +103,31 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
     about.read = READ
     v, f = components(rng), components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = "The brake is too weak to stop the particle in one step, because k h / m is "
-    about.cause += "below 1. The force must be -k v, with no limit."
+    about.cause = "The brake is too weak to stop the particle in a step of h seconds, because k h "
+    about.cause += "/ m is below 1. Its force must be -k v, without a limit."
     for share in (0.01, 0.5, 0.98):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
-        about.call += f"brake = Airbrake({k!r}), on; brake.update_force(p, {h}); "
-        about.call += "p.force_accumulator"
+        about.call += f"brake = Airbrake(k={k:.6g}), switched on; brake.update_force(p, {h}); "
+        about.call += "p.force_accumulator, in N"
         p = Particle(velocity=Vector3(*v), mass=mass)
         p.add_force(Vector3(*f))
         brake_of(k, on=True).update_force(p, h)
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
         slips = {
-            "You limited the force to -v / h, which lacks the mass. The limit must be -v m / h.": [
+            "You limited the force to -v / h, without the mass. The limit must be -v m / h, "
+            "which stops the particle completely in a step of h seconds.": [
                 f[i] - v[i] / h for i in range(3)
             ],
-            "You limited the force to -v m, which lacks the duration. The limit must be -v m / "
-            "h.": [f[i] - v[i] * mass for i in range(3)],
-            "You limited the force to -v m h. Divide by the duration instead of multiplying by it, "
-            "so that the limit is -v m / h.": [f[i] - v[i] * mass * h for i in range(3)],
-            "You limited the force to half of what a full stop takes. The limit must be the "
-            "force that stops the particle completely, -v m / h.": [
+            "You limited the force to -v m, without the duration h of the step. The limit must "
+            "be -v m / h.": [f[i] - v[i] * mass for i in range(3)],
+            "You limited the force to -v m h. Divide by the duration h of the step instead of "
+            "multiplying by it, so that the limit is -v m / h.": [
+                f[i] - v[i] * mass * h for i in range(3)
+            ],
+            "You limited the force to half of what stops the particle in this step. The limit "
+            "must be the force that stops it completely, -v m / h.": [
                 f[i] - 0.5 * v[i] * mass / h for i in range(3)
             ],
         }
@@ -134,25 +141,29 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
     about.read = READ
     v = components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = "A step changes the velocity by f h / m, so a force of -v m / h stops the "
-    about.cause += "particle completely. Never add a larger one."
+    about.cause = "In a step of h seconds a force f changes the velocity by f h / m, so -v m / h "
+    about.cause += "stops the particle completely. Never add a larger force than that."
     for share in (1.02, 2.02, 1e3, 1e12):
         k = share * mass / h
-        about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = Airbrake({k!r}), "
-        about.call += f"on; brake.update_force(p, {h}); p.integrate({h}); p.velocity"
+        about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = "
+        about.call += f"Airbrake(k={k:.6g}), switched on; brake.update_force(p, {h}); "
+        about.call += f"p.integrate({h}); p.velocity in m/s"
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
         got = xyz(p.velocity)
-        adds = "The generator changed the velocity itself. It must only add a force, and let the "
-        adds += "step change the velocity."
-        expect_unchanged("p.velocity before the step", got, v, cause=adds)
+        adds = "update_force changed the velocity itself. It must only add a force, and then the "
+        adds += "step changes the velocity."
+        expect_unchanged("p.velocity", got, v, cause=adds)
         p.integrate(h)
         got = xyz(p.velocity)
         slips = {
-            "The brake has reversed the motion, because its force is more than a full stop takes. "
-            "Limit the force to -v m / h.": [part * (1.0 - share) for part in v],
-            "The velocity did not change. Even if -k v is more than a full stop takes, the brake "
-            "must still stop the particle, with -v m / h.": v,
+            "Your brake reverses the motion, because its force is larger than what stops the "
+            "particle. Limit the force to -v m / h, where h is the duration of the step.": [
+                part * (1.0 - share) for part in v
+            ],
+            "The velocity did not change. Even if -k v is more than a full stop takes, the "
+            "brake must add a force: -v m / h, which stops the particle in a step of h "
+            "seconds.": v,
         }
         why = named(got, about.cause, slips)
         # What FULL, or rounding, leaves of 10 m/s.
@@ -164,23 +175,24 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
     about.read = READ
     v, f, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     about.call = f"p = Particle(velocity=Vector3{v}, acceleration=Vector3(1, 2, 3), mass={mass}); "
-    about.call += f"p.add_force(Vector3{f}); brake = Airbrake(1e6), on; brake.update_force(p, 0.5)"
+    about.call += f"p.add_force(Vector3{f}); brake = Airbrake(k=1e6), switched on; "
+    about.call += "brake.update_force(p, 0.5)"
     vectors = {"velocity": Vector3(*v), "acceleration": Vector3(1, 2, 3)}
     p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
     for h in (0.5, 0.25):
-        about.cause = "The brake is strong enough to stop the particle in one step. It must add -v "
-        about.cause += "m / h to the other forces, without losing them."
+        about.cause = "The brake is strong enough to stop the particle in one step, so its force "
+        about.cause += "is -v m / h. Add this force to the earlier ones, and don't clear them."
         p.clear_forces()
         p.add_force(Vector3(*f))
         brake.update_force(p, h)
         got = xyz(p.force_accumulator)
         wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
         # Up to a part in 1e12 of 400 N, as FULL says.
-        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-9)
+        expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-9)
         about.cause = "update_force has changed brake.on or brake.k. Leave both alone, because "
         about.cause += "only the player sets them."
         expect_exactly((brake.on, brake.k), (True, 1e6), then="; (brake.on, brake.k)")
-        about.call += "; in another frame, brake.update_force(p, 0.25)"
+        about.call += "; in the next step, brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
     about.cause = "No force can stop an immovable particle, so its velocity must stay the same. "
@@ -194,17 +206,18 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
 @pytest.mark.exercise("5.2")
 def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     about.read = READ
-    about.cause = "Because of rounding, a force of -v m / h can be slightly too large and reverse "
-    about.cause += "the motion. Multiply this limit by FULL."
+    about.cause = "Because of rounding, the force -v m / h can be slightly too large, and then "
+    about.cause += "the step reverses the motion. Multiply this limit by FULL, which is slightly "
+    about.cause += "below 1."
     tries = 400
-    about.call = f"brake.update_force(p, h) in {tries} steps with k above m / h, each with "
-    about.call += "another k, mass, h and speed: the smallest fraction of the velocity that is "
-    about.call += "left"
+    about.call = f"{tries} particles with different speeds and masses, each braked for one step of "
+    about.call += "h seconds by an Airbrake whose k is above m / h; the smallest fraction of its "
+    about.call += "velocity that a particle keeps"
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
     expect_between(least, 0.0, 1e-9)
-    about.cause = "The brake is strong enough to stop the particle in one step, so nothing but a "
+    about.cause = "Each brake is strong enough to stop its particle in one step, so at most a "
     about.cause += "rounding error of the velocity may be left."
     name = about.call.replace("smallest", "largest")
     expect_between(most, 0.0, 1e-9, call=name)
@@ -222,9 +235,10 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
 def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
     about.read = READ
     for on in (True, False):
-        about.call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
+        about.call = f"brake = Airbrake(k=2.0); brake.on = {on}; brake.update_force(p, "
+        about.call += f"{duration!r})"
         about.cause = "The duration must be positive and finite, even if the brake is off. Check "
-        about.cause += "it first, with positive from arguments.py."
+        about.cause += "it first, with the function positive from arguments.py."
         p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)
         expect_error(
             lambda brake=brake, p=p: brake.update_force(p, duration),
@@ -232,6 +246,6 @@ def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
             allowed=lambda brake=brake: brake.update_force(Particle(), 0.5),
         )
         got = xyz(p.force_accumulator)
-        about.cause = "The duration was rejected, but a force was added anyway. Check the duration "
-        about.cause += "before you add a force."
-        expect_close(got, ZERO, then="; p.force_accumulator")
+        about.cause = "update_force raised an error because of the duration, but it added a force "
+        about.cause += "anyway. Check the duration before you add a force."
+        expect_close(got, ZERO, then="; p.force_accumulator, in N")

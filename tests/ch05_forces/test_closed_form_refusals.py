@@ -30,12 +30,16 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
         (9.81, 0.0, 0.0),
         *bad_numbers((9.81, 0.3, 0.05)),
     ):
-        about.cause = "Both coefficients are 0, so there is no drag and no terminal speed. Raise "
-        about.cause += "ValueError."
+        about.cause = "One of these arguments is not valid, so raise ValueError. Check each "
+        about.cause += "argument with one of the functions in arguments.py, which raise the error "
+        about.cause += "for you."
+        if bad[1:] == (0.0, 0.0):
+            about.cause = "Both k1 and k2 are 0, so there is no drag and no terminal speed. Raise "
+            about.cause += "ValueError."
         expect_error(
             lambda bad=bad: terminal_speed(*bad),
             ValueError,
-            call=f"terminal_speed{bad}",
+            call="terminal_speed(weight={}, k1={}, k2={})".format(*bad),
             allowed=lambda: terminal_speed(9.81, 0.3, 0.05),
         )
 
@@ -43,8 +47,8 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of quadratic_fall"
-    about.cause = "One of these arguments is out of range, so raise ValueError. Pass each of them "
-    about.cause += "to one of the functions in arguments.py, which raise the error for you."
+    about.cause = "One of these arguments is not valid, so raise ValueError. Check each argument "
+    about.cause += "with one of the functions in arguments.py, which raise the error for you."
     for bad in (
         (0.0, 9.81, 0.05, 3.0),
         (2.0, 0.0, 0.05, 3.0),
@@ -57,7 +61,7 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
         expect_error(
             lambda bad=bad: quadratic_fall(*bad),
             ValueError,
-            call=f"quadratic_fall{bad}",
+            call="quadratic_fall(mass={}, gravity={}, k2={}, time={})".format(*bad),
             allowed=lambda: quadratic_fall(2.0, 9.81, 0.05, 3.0),
         )
 
@@ -65,8 +69,8 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of coasting_speed"
-    about.cause = "One of these arguments is out of range, so raise ValueError. Pass each of them "
-    about.cause += "to one of the functions in arguments.py, which raise the error for you."
+    about.cause = "One of these arguments is not valid, so raise ValueError. Check each argument "
+    about.cause += "with one of the functions in arguments.py, which raise the error for you."
     for bad in (
         (-20.0, 0.3, 0.05, 2.0, 1.5),
         (20.0, -0.3, 0.05, 2.0, 1.5),
@@ -79,6 +83,6 @@ def test_coasting_needs_numbers_that_mean_something() -> None:
         expect_error(
             lambda bad=bad: coasting_speed(*bad),
             ValueError,
-            call=f"coasting_speed{bad}",
+            call="coasting_speed(speed={}, k1={}, k2={}, mass={}, time={})".format(*bad),
             allowed=lambda: coasting_speed(20.0, 0.3, 0.05, 2.0, 1.5),
         )

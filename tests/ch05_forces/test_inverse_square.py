@@ -31,11 +31,12 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
     center, way = components(rng), direction(rng)
     mass, mu = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.5, 1.0, 20.0, 4000.0, 1e6):
-        about.cause = "The force must have the size m mu / r^2 and point along the unit vector "
-        about.cause += "toward the center."
+        about.cause = "The force must have the size m mu / r^2, where r is the distance from the "
+        about.cause += "center. It must point from the particle's current position toward the "
+        about.cause += "center."
         place = away_from(center, way, distance)
-        about.call = f"p = Particle({distance} m from the center, mass={mass}); "
-        about.call += f"InverseSquareGravity(Vector3{center}, {mu}).update_force(p, 0.5)"
+        about.call = f"a particle p of {mass} kg, {distance} m from the center; "
+        about.call += f"InverseSquareGravity(center=Vector3{center}, mu={mu}).update_force(p, 0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
         InverseSquareGravity(Vector3(*center), mu).update_force(p, 0.5)
         size = mass * mu / distance**2
@@ -44,24 +45,28 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         x, y, z = xyz(place)
         reach = math.hypot(x, y, z)
         slips = {
-            "This force is proportional to 1 / r, but it must be proportional to 1 / r^2. Check "
-            "the power of r, and normalize the direction.": [part * distance for part in wanted],
-            "This force is proportional to 1 / r^3, but it must be proportional to 1 / r^2. Check "
-            "the power of r.": [part / distance for part in wanted],
-            "This force pushes the particle away from the center. Use the direction from the "
-            "particle to the center instead.": [-part for part in wanted],
-            "The mass is missing, so this is an acceleration. Multiply it by particle.mass to get "
-            "a force.": [part / mass for part in wanted],
-            "This force pulls toward (0, 0, 0), but the center is somewhere else. Measure both "
-            "the direction and the distance from self.center.": [
+            "Your force is proportional to 1 / r, but it must be proportional to 1 / r^2, "
+            "where r is the distance from the center. Check the power of r, and normalize "
+            "the direction.": [part * distance for part in wanted],
+            "Your force is proportional to 1 / r^3, but it must be proportional to 1 / r^2, "
+            "where r is the distance from the center. Check the power of r.": [
+                part / distance for part in wanted
+            ],
+            "Your force pushes the particle away from the center. Use the vector from the "
+            "particle to the center as its direction.": [-part for part in wanted],
+            "Your force does not depend on the mass, so it is really an acceleration. Multiply "
+            "it by particle.mass.": [part / mass for part in wanted],
+            "Your force pulls the particle toward the point (0, 0, 0). Measure both the "
+            "direction and the distance from self.center instead.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
         blame(got, slips)
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
-        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12 * size)
-        about.cause = "The position or the center has changed, perhaps because you used -= or "
-        about.cause += "normalize, which work in place. Use - and normalized instead."
+        expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12 * size)
+        about.cause = "update_force has changed the position or the center, perhaps because you "
+        about.cause += "used -= or normalize, which work in place. Use - and normalized, which "
+        about.cause += "create new vectors."
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
@@ -77,9 +82,9 @@ def test_at_the_center_there_is_no_finite_force() -> None:
         (1e-5, 1e300, 1.0),
     ):
         about.call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
-        about.call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5)"
-        about.cause = "The particle is so close to the center that m mu / r^2 is too large for a "
-        about.cause += "float. Raise ArithmeticError."
+        about.call += f"InverseSquareGravity(center=Vector3(), mu={mu}).update_force(p, 0.5)"
+        about.cause = "The particle is so close to the center that the force m mu / r^2 is too "
+        about.cause += "large for a float. Raise ArithmeticError."
         if x == 0.0:
             about.cause = "The particle is exactly at the center, so the force has no direction. "
             about.cause += "Raise ArithmeticError."
@@ -92,18 +97,18 @@ def test_at_the_center_there_is_no_finite_force() -> None:
                 Particle(Vector3(0, 1, 0)), 0.5
             ),
         )
-        about.cause = "Your code raised an error, but only after adding a force. Check that the "
-        about.cause += "force is finite before you add it."
+        about.cause = "update_force raised an error, but only after it added a force. Check that "
+        about.cause += "the force is finite before you add it."
         got = xyz(p.force_accumulator)
-        expect_close(got, (1, 2, 3), then="; p.force_accumulator")
+        expect_close(got, (1, 2, 3), then="; p.force_accumulator, in N")
 
 
 @pytest.mark.exercise("5.4", weight=0.5)
 @pytest.mark.robust
 def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
     about.read = READ
-    about.cause = "r^2 or r^3 can be too small or too large for a float even if the force is not. "
-    about.cause += "Compute (m / r) (mu / r) and multiply it by a unit vector."
+    about.cause = "Here r^2 or r^3 is too small or too large for a float, although the force is "
+    about.cause += "not. Compute (m / r) (mu / r) instead, and multiply it by a unit vector."
     for y, mu, force in (
         (1e-120, 2.0, -3e240),
         (1e-150, 2e-50, -3e250),
@@ -111,8 +116,9 @@ def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
         (1.0, 1e300, -1.5e300),
         (1e200, 2.0, 0.0),
     ):
-        about.call = f"p = Particle(Vector3(0, {y}, 0), mass=1.5); InverseSquareGravity(Vector3(), "
-        about.call += f"{mu}).update_force(p, 0.5); p.force_accumulator"
+        about.call = f"p = Particle(Vector3(0, {y}, 0), mass=1.5); "
+        about.call += f"InverseSquareGravity(center=Vector3(), mu={mu}).update_force(p, 0.5); "
+        about.call += "p.force_accumulator, in N"
         p = Particle(Vector3(0, y, 0), mass=1.5)
         InverseSquareGravity(Vector3(), mu).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
@@ -122,21 +128,22 @@ def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
 @pytest.mark.exercise("5.4")
 def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
     about.read = READ
-    about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); InverseSquareGravity(Vector3(), "
-    about.call += "10.0).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "An immovable particle has infinite mass, which can make the force NaN. Check "
-    about.cause += "has_finite_mass first, and add no force if it is False."
+    about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
+    about.call += "InverseSquareGravity(center=Vector3(), mu=10.0).update_force(p, 0.5); "
+    about.call += "p.force_accumulator, in N"
+    about.cause = "An immovable particle has infinite mass, so the force would be infinite or "
+    about.cause += "NaN. Check has_finite_mass first, and add no force if it is False."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
     p.position = Vector3()
-    about.cause = "An immovable particle gets no force, even at the center. Check its mass before "
-    about.cause += "you check the distance."
+    about.cause = "An immovable particle gets no force, not even at the center. Check "
+    about.cause += "has_finite_mass before you check the distance."
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     name = about.call.replace("(0, 2, 0)", "()")
     expect_close(xyz(p.force_accumulator), ZERO, call=name)
     about.call = about.call.replace("math.inf", "4.0")
-    about.cause = "This particle has a finite mass, so the force must act on it."
+    about.cause = "The mass of this particle is finite, so the force must act on it."
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), (0, -10.0, 0))
@@ -147,60 +154,64 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     about.read = READ
     force = components(rng)
     about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
-    about.call += "= InverseSquareGravity(Vector3(), -6.0); gravity.update_force(p, 0.5)"
-    about.cause = "A negative mu is valid and pushes the particle away from the center. Use "
-    about.cause += "add_force, which adds to the other forces."
+    about.call += "= InverseSquareGravity(center=Vector3(), mu=-6.0); gravity.update_force(p, 0.5)"
+    about.cause = "With a negative mu the center pushes the particle away. Use mu with its sign, "
+    about.cause += "and add the force to the earlier one with add_force."
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 3.0, force[1], force[2])
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, then="; p.force_accumulator")
-    about.cause = "The center or the position has changed. Work with new vectors instead of "
-    about.cause += "changing these two."
+    expect_close(got, wanted, then="; p.force_accumulator, in N")
+    about.cause = "update_force has changed the center or the position, which it must only read. "
+    about.cause += "Compute with new vectors instead."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "The check changes the center and mu between the two calls. Read self.center and "
-    about.cause += "self.mu in every call."
+    about.cause = "The check changes gravity.center and gravity.mu between two calls of "
+    about.cause += "update_force. Read self.center and self.mu in every call."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, (0.5, 0, 0), then="; p.force_accumulator")
+    expect_close(got, (0.5, 0, 0), then="; p.force_accumulator, in N")
 
 
 @pytest.mark.exercise("5.4")
 def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) -> None:
     about.read = READ
     mass, center = round(rng.uniform(2.0, 9.0), 3), components(rng)
-    about.call = "p at (0.4, 0, 0) from the center with (0, 2, 0) m/s, mu = 1; a second of "
-    about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "With a force of m mu / r^2 toward the center, a particle of any mass follows "
-    about.cause += "Kepler's ellipse. If another check of this force fails too, fix that one "
-    about.cause += "first."
+    about.call = "a particle p, 0.4 m from the center and moving at 2 m/s at right angles to it; "
+    about.call += "1 s of InverseSquareGravity with mu = 1"
+    about.cause = "With a force of m mu / r^2 toward the center, the particle moves on Kepler's "
+    about.cause += "ellipse. If another check of this force fails too, fix that one first."
     exact = (-0.62894818, 0.79966473, 0.0)
     ends = [orbit(ELLIPSE, 1.0, mass, 1.0 / n, n, center)[0] for n in (1000, 2000)]
     errors = [math.dist(end, exact) for end in ends]
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
-    expect_between(errors[0], -0.008, 0.008, then=" in steps of 1/1000 s: the error of p.position")
-    about.cause = "With the right force, halving the time step must halve the error. Check that "
-    about.cause += "the force is m mu / r^2 at every distance."
+    expect_between(
+        errors[0], -0.008, 0.008, then="; error of p.position in m with steps of 1/1000 s"
+    )
+    about.cause = "With the right force, half the time step gives half the error. Check that the "
+    about.cause += "force is m mu / r^2 at every distance r."
     expect_close(
         errors[0] / errors[1],
         2.0,
-        then=": this error divided by the error in steps of 1/2000 s",
+        then="; error of p.position with steps of 1/1000 s, divided by the error with "
+        "steps of 1/2000 s",
         tolerance=0.02,
     )
 
 
 @pytest.mark.exercise("5.4")
 def test_the_orbit_closes() -> None:
-    about("p at (0.4, 0, 0) with (0, 2, 0) m/s, mu = 1; one orbit, 2 pi s, of ", read=READ)
-    about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "If the force falls off with the square of r, the orbit closes, so shorter steps "
-    about.cause += "must leave a smaller gap. Check the power of r."
+    about(
+        "a particle, 0.4 m from the center and moving at 2 m/s at right angles to it; ", read=READ
+    )
+    about.call += "one orbit by InverseSquareGravity with mu = 1, which takes 2 pi s"
+    about.cause = "With a force proportional to 1 / r^2 the particle returns to where it started, "
+    about.cause += "apart from the error of the steps. Check the power of r in your force."
     counts = (10_000, 20_000)
     ends = [orbit(ELLIPSE, 1.0, 1.0, PERIOD / n, n, ZERO)[0] for n in counts]
     gaps = [math.dist(end, ELLIPSE[0]) for end in ends]
@@ -208,11 +219,14 @@ def test_the_orbit_closes() -> None:
     expect_close(
         gaps[0] / gaps[1],
         2.0,
-        then=": the gap in 10000 steps divided by the gap in 20000",
+        then="; distance between start and end with 10000 steps, divided by that with 20000 steps",
         tolerance=0.05,
     )
     # Richardson's rule removes the error of first order. The rest is of second order, 0.0265 m.
     left = math.dist([2.0 * b - a for a, b in zip(*ends, strict=True)], ELLIPSE[0])
     expect_between(
-        left, -0.03, 0.03, then=": the gap extrapolated to a step of 0 s by Richardson's rule"
+        left,
+        -0.03,
+        0.03,
+        then="; distance between start and end in m, extrapolated to steps of 0 s",
     )

@@ -31,7 +31,8 @@ def moving(
     x: Components, v: Components, a: Components, mass: float, damping: float = 1.0
 ) -> tuple[str, Particle]:
     """Return a particle and the words that make it."""
-    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass}"
+    words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+    words += f"mass={mass}"
     words += f", damping={damping})" if damping != 1.0 else ")"
     return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
 
@@ -41,39 +42,45 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     v, f, mass, h = components(rng), components(rng), draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, ZERO, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
-    about.cause = "A force divided by the mass is an acceleration (Eq. 3.2), so the new velocity "
-    about.cause += "must be v + (f / m) h."
+    about.cause = "A force f divided by the mass m is an acceleration (Eq. 3.2). After a step of "
+    about.cause += "h seconds, the new velocity must therefore be v + (f / m) h."
     about.read = "book 5.1"
     p.add_force(Vector3(*f))
     p.integrate(h)
     wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
     got = xyz(p.velocity)
     slips = {
-        "The velocity did not change. Either the kick doesn't use the force, or it clears the sum "
+        "The velocity did not change, so the force had no effect. Perhaps kick clears the sum "
         "too early. Move the sum to self._forces[1] before you use last_acceleration.": v,
-        "This is v + f h, so the mass is missing. Divide the force by it.": [
+        "Your new velocity is v + f h, so the mass is missing. Divide the force f by the mass.": [
             v[i] + f[i] * h for i in range(3)
         ],
-        "This is v + f m h. A heavier particle is harder to accelerate, so divide by the mass "
-        "instead of multiplying.": [v[i] + f[i] * mass * h for i in range(3)],
-        "This is v + f / m, so the duration is missing. Multiply the acceleration by it.": [
-            v[i] + f[i] / mass for i in range(3)
+        "Your new velocity is v + f m h. A heavier particle is harder to accelerate, so divide "
+        "the force f by the mass m instead of multiplying.": [
+            v[i] + f[i] * mass * h for i in range(3)
         ],
+        "Your new velocity is v + f / m, so the duration h of the step is missing. Multiply "
+        "the acceleration f / m by it.": [v[i] + f[i] / mass for i in range(3)],
     }
     blame(got, slips)
-    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-    about.cause = "As in chapter 3, the position must move with the velocity from before the step."
+    expect_close(got, wanted, then="; p.velocity, in m/s", tolerance=ROUNDED)
+    about.cause = "The position must move with the velocity from before the step, as in chapter "
+    about.cause += "3. Don't change the position in kick, because drift moves it."
     about.read = "book 3.3.2, the docstring of kick, errata.md"
     slips = {
-        "The position moved with the new velocity. In this step it must move with the old one, so "
-        "drift before you kick.": [wanted[i] * h for i in range(3)],
-        "The position moved by v h + a h^2 / 2. The book's step leaves out the second term, so "
-        "move it by v h.": [(v[i] + wanted[i]) / 2.0 * h for i in range(3)],
+        "The position moved with the new velocity. It must move with the old one, so drift "
+        "before you kick, and don't change the position in kick.": [
+            wanted[i] * h for i in range(3)
+        ],
+        "The position moved by v h + a h^2 / 2, where v is the old velocity. The book's step "
+        "leaves out the second term, so move the position by v h.": [
+            (v[i] + wanted[i]) / 2.0 * h for i in range(3)
+        ],
     }
     wanted = tuple(v[i] * h for i in range(3))
     got = xyz(p.position)
     blame(got, slips)
-    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.position, in m", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
@@ -82,8 +89,8 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     mass, h = draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, a, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.add_force(Vector3{g}); p.integrate({h})"
-    about.cause = "The acceleration of this step must be a + f / m, where f is the sum of all "
-    about.cause += "forces."
+    about.cause = "The acceleration of the step must be a + f / m. Here a is the particle's "
+    about.cause += "constant acceleration, f the sum of all forces and m the mass."
     about.read = "the docstring of kick"
     p.add_force(Vector3(*f))
     p.add_force(Vector3(*g))
@@ -92,19 +99,18 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     wanted = tuple(v[i] + (a[i] + sums[i]) * h for i in range(3))
     got = xyz(p.velocity)
     slips = {
-        "The constant acceleration a is missing. Add it, so that the acceleration of the step is a "
-        "+ f / m.": [v[i] + sums[i] * h for i in range(3)],
-        "This is v + a h, so the forces are missing. Add f / m to the acceleration.": [
-            v[i] + a[i] * h for i in range(3)
-        ],
+        "The constant acceleration a is missing. Add it, so that the acceleration of the step "
+        "is a + f / m.": [v[i] + sums[i] * h for i in range(3)],
+        "Your new velocity is v + a h, so the forces are missing. Add f / m to the "
+        "acceleration a, where f is the sum of the forces.": [v[i] + a[i] * h for i in range(3)],
     }
     blame(got, slips)
-    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-    about.cause = "p.acceleration has changed, but a step must leave it alone. Forces act for one "
-    about.cause += "step only, so keep them apart from it."
+    expect_close(got, wanted, then="; p.velocity, in m/s", tolerance=ROUNDED)
+    about.cause = "The step changed p.acceleration, which must stay constant. Forces act for one "
+    about.cause += "step only, so don't store their effect in it."
     slips = {
-        "p.acceleration is now a + f / m. Compute this sum in a new vector, and don't store it in "
-        "p.acceleration.": [a[i] + sums[i] for i in range(3)]
+        "p.acceleration is now a + f / m. Compute this sum in a new vector, and don't store it "
+        "in p.acceleration.": [a[i] + sums[i] for i in range(3)]
     }
     blame(xyz(p.acceleration), slips)
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
@@ -115,28 +121,27 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
     v, a, f = (components(rng) for _ in range(3))
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
     words, p = moving(ZERO, v, a, mass, damping)
-    about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    about.cause = "The damping comes last in a step, so the new velocity must be (v + (a + f / m) "
-    about.cause += "h) d^h."
+    about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity, in m/s"
+    about.cause = "The damping d comes last in a step of h seconds. The new velocity must be (v + "
+    about.cause += "(a + f / m) h) d^h."
     about.read = "the docstring of kick, E-16 of errata.md"
     p.add_force(Vector3(*f))
     p.integrate(h)
     keep, gained = damping**h, [(a[i] + f[i] / mass) * h for i in range(3)]
     wanted = tuple((v[i] + gained[i]) * keep for i in range(3))
     slips = {
-        "This is v d^h + a h, as in Eq. 3.6. The listing of the book applies the damping at the "
-        "end (E-16), so multiply the whole new velocity by d^h.": [
+        "This is v d^h + a h, as in Eq. 3.6. The listing of the book applies the damping at "
+        "the end (E-16), so multiply the whole new velocity by d^h.": [
             v[i] * keep + gained[i] for i in range(3)
         ],
-        "You applied the damping before the force. Add f / m to the acceleration first, and "
-        "multiply by d^h at the end.": [
+        "You apply the damping before the force. Add f / m to the acceleration first, and "
+        "multiply by d^h at the end, where h is the duration.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
-        "The damping is missing. Multiply the new velocity by d^h.": [
-            v[i] + gained[i] for i in range(3)
-        ],
-        "You multiplied the velocity by d, which is the damping for a whole second. Multiply by "
-        "d^h instead.": [(v[i] + gained[i]) * damping for i in range(3)],
+        "The damping is missing. Multiply the new velocity by d^h, the damping to the power of "
+        "the duration.": [v[i] + gained[i] for i in range(3)],
+        "You multiply the velocity by d, the damping for a whole second. In a step of h "
+        "seconds, multiply by d^h instead.": [(v[i] + gained[i]) * damping for i in range(3)],
     }
     got = xyz(p.velocity)
     blame(got, slips)
@@ -150,16 +155,21 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     words, p = moving(ZERO, v, a, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
     about(
-        cause=("A force acts for one step only, so the kick must clear the sum after using it."),
+        cause=(
+            "A force acts for one step only. kick must therefore set the sum of the "
+            "forces to zero after using it."
+        ),
         read="book 5.1",
     )
     p.add_force(Vector3(*f))
     p.integrate(h)
     got = xyz(p.force_accumulator)
-    expect_close(got, ZERO, then="; p.force_accumulator")
+    expect_close(got, ZERO, then="; p.force_accumulator, in N")
     p.integrate(h)
     wanted = tuple(v[i] + f[i] / mass * h + a[i] * 2 * h for i in range(3))
-    expect_close(xyz(p.velocity), wanted, then=f"; p.integrate({h}); p.velocity", tolerance=ROUNDED)
+    expect_close(
+        xyz(p.velocity), wanted, then=f"; p.integrate({h}); p.velocity, in m/s", tolerance=ROUNDED
+    )
 
 
 @pytest.mark.exercise("B5.2")
@@ -168,25 +178,25 @@ def test_without_forces_the_step_is_chapter_3s(rng: Random) -> None:
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
     words, p = moving(x, v, a, mass, damping)
     about.call = f"{words}; p.integrate({h})"
-    about.cause = "Without forces the step must be the same as in chapter 3. The new position is p "
-    about.cause += "+ v h, the new velocity is (v + a h) d^h, and the mass plays no part."
+    about.cause = "Without forces the step must be the same as in chapter 3. The position moves "
+    about.cause += "by v h, the new velocity is (v + a h) d^h, and the mass has no effect."
     about.read = "the docstring of kick"
     p.integrate(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     got = xyz(p.position)
-    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.position, in m", tolerance=ROUNDED)
     wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
     got = xyz(p.velocity)
-    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.velocity, in m/s", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
 def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -> None:
     v, f, mass = components(rng), components(rng), draw_mass(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; p.mass = "
-    about.call += f"{mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
+    about.call += f"{mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity, in m/s"
     about.cause = "The check changes the damping and the mass between the two steps. Compute d^h "
-    about.cause += "and 1 / m afresh in every step instead of storing them."
+    about.cause += "and 1 / m in every step instead of storing them."
     about.read = "the docstring of kick"
     p = Particle(velocity=Vector3(*v))
     p.integrate(0.5)
@@ -197,9 +207,9 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
     wanted = tuple((v[i] + f[i] / mass * 0.5) * 0.5 for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.25); p.integrate(0.5) twice; "
-    about.call += "p.velocity"
-    about.cause = "With a damping of 0.25, each step of 0.5 s must leave 0.25^0.5 of the velocity, "
-    about.cause += "which is one half."
+    about.call += "p.velocity, in m/s"
+    about.cause = "With a damping of 0.25, a step of 0.5 s must multiply the velocity by "
+    about.cause += "0.25^0.5, which is one half."
     p = Particle(velocity=Vector3(*v), damping=0.25)
     p.integrate(0.5)
     p.integrate(0.5)
@@ -211,26 +221,26 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
 def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     v, f = components(rng), components(rng)
     about.read = "the docstring of kick"
-    about.cause = "With a damping of 0 the factor 0^h is 0, so the particle must stop, even if a "
-    about.cause += "force acts on it."
+    about.cause = "With a damping of 0, the factor d^h is 0 in every step. The particle must "
+    about.cause += "therefore stop, even if a force acts on it."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
-    about.call += "p.integrate(0.5); p.velocity"
+    about.call += "p.integrate(0.5); p.velocity, in m/s"
     p = Particle(velocity=Vector3(*v), damping=0.0)
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     expect_close(xyz(p.velocity), ZERO)
-    about.cause = "Here the duration is the int 1, which must work just like 1.0."
+    about.cause = "The duration is the int 1 here, which must work just like 1.0."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "
-    about.call += "p.integrate(1); p.velocity"
+    about.call += "p.integrate(1); p.velocity, in m/s"
     p = Particle(velocity=Vector3(*v), damping=0.5)
     p.add_force(Vector3(*f))
     p.integrate(1)
     wanted = tuple((v[i] + f[i]) / 2.0 for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
     about.cause = "A damping above 1 is valid and speeds the particle up. Multiply by d^h as "
-    about.cause += "usual."
+    about.cause += "usual, where d is the damping and h the duration."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=2.0); p.add_force(Vector3{f}); "
-    about.call += "p.integrate(2.0); p.velocity"
+    about.call += "p.integrate(2.0); p.velocity, in m/s"
     p = Particle(velocity=Vector3(*v), damping=2.0)
     p.add_force(Vector3(*f))
     p.integrate(2.0)
@@ -241,14 +251,15 @@ def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
 @pytest.mark.exercise("B5.2")
 def test_a_push_of_5_seconds_lags_as_explicit_euler_does(rng: Random) -> None:
     f, mass = components(rng), draw_mass(rng)
-    about.call = f"p = Particle(mass={mass}); 300 times p.add_force(Vector3{f}), p.integrate(1/60)"
-    about.cause = "A constant force gives a constant acceleration. With explicit Euler the "
-    about.cause += "velocity must be exact, and the position must lag a t h / 2 behind the exact "
-    about.cause += "one."
+    about.call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}) and p.integrate(1/60), both "
+    about.call += "300 times"
+    about.cause = "A constant force gives a constant acceleration a. After a time t in steps of h "
+    about.cause += "seconds, the velocity must be exact and the position a t h / 2 behind the "
+    about.cause += "exact one."
     about.read = "book 5.1, 3.3.2"
     position, velocity = probes.pushed(f, mass, 1.0, 1.0 / 60.0, 300)
     # 300 roundings of numbers up to 1200.
     wanted = tuple(f[i] / mass * (12.5 - 5.0 / 120.0) for i in range(3))
-    expect_close(position, wanted, then="; p.position", tolerance=1e-10)
+    expect_close(position, wanted, then="; p.position, in m", tolerance=1e-10)
     wanted = tuple(f[i] / mass * 5.0 for i in range(3))
-    expect_close(velocity, wanted, then="; p.velocity", tolerance=1e-10)
+    expect_close(velocity, wanted, then="; p.velocity, in m/s", tolerance=1e-10)

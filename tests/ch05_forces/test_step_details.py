@@ -10,7 +10,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from draw import components
-from expect import UNCHANGED, about, blame, expect_close, expect_error, expect_unchanged, xyz
+from expect import about, blame, expect_close, expect_error, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 # Numbers up to 100, and a handful of roundings of each.
@@ -27,8 +27,8 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     )
     about.call = f"p = Particle(acceleration=Vector3{a}, mass={mass}, damping=0.5); "
     about.call += f"p.add_force(Vector3{f}); p.integrate(0.5)"
-    about.cause = "last_acceleration must be the acceleration of the last step, a + f / m. The "
-    about.cause += "damping plays no part in it."
+    about.cause = "last_acceleration must be the acceleration of the last step, a + f / m. Here a "
+    about.cause += "is the constant acceleration and f the force, and the damping has no effect."
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=mass, damping=0.5)
     p.add_force(Vector3(*f))
@@ -36,38 +36,44 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     wanted = tuple(a[i] + f[i] / mass for i in range(3))
     got = xyz(p.last_acceleration)
     slips = {
-        "This is only the constant acceleration. In the kick, store the forces that it uses in "
-        "self._forces[1], where last_acceleration reads them.": a,
-        "This is a + f, so the mass is missing. Divide the force by the mass.": [
+        "This is only the constant acceleration. In kick, store the forces that the step uses "
+        "in self._forces[1], where last_acceleration reads them.": a,
+        "This is a + f, so the mass is missing. Divide the force f by the mass.": [
             a[i] + f[i] for i in range(3)
         ],
         (
-            "This is a + f m, but a force causes the acceleration f / m. Divide by the mass "
-            "instead of multiplying."
+            "This is a + f m, but a force f causes the acceleration f / m. Divide by the mass "
+            "m instead of multiplying."
         ): [a[i] + f[i] * mass for i in range(3)],
         "This is only f / m. Add the constant acceleration to it.": [f[i] / mass for i in range(3)],
     }
     blame(got, slips)
-    expect_close(got, wanted, then="; p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "The new force is meant for the next step, so it must not change the "
-    about.cause += "acceleration of the last one. Store the forces of the last step separately."
+    expect_close(got, wanted, then="; p.last_acceleration, in m/s^2", tolerance=ROUNDED)
+    about.cause = "The force that was added last is meant for the next step, so it must not "
+    about.cause += "change the acceleration of the last one. Store the forces of the last step "
+    about.cause += "separately."
     p.add_force(Vector3(*g))
     got = xyz(p.last_acceleration)
     expect_close(
-        got, wanted, then=f"; p.add_force(Vector3{g}); p.last_acceleration", tolerance=ROUNDED
+        got,
+        wanted,
+        then=f"; p.add_force(Vector3{g}); p.last_acceleration, in m/s^2",
+        tolerance=ROUNDED,
     )
     about.cause = "clear_forces has changed last_acceleration. It must clear only the forces for "
-    about.cause += "the next step."
+    about.cause += "the next step, not those of the last one."
     p.clear_forces()
     got = xyz(p.last_acceleration)
-    expect_close(got, wanted, then="; p.clear_forces(); p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "No force acted in the last step, so last_acceleration must be the constant "
-    about.cause += "acceleration."
+    expect_close(
+        got, wanted, then="; p.clear_forces(); p.last_acceleration, in m/s^2", tolerance=ROUNDED
+    )
+    about.cause = "No force acted in the last step. last_acceleration must therefore be the "
+    about.cause += "constant acceleration alone."
     p.integrate(0.5)
     expect_close(
         xyz(p.last_acceleration),
         a,
-        then="; p.integrate(0.5); p.last_acceleration",
+        then="; p.integrate(0.5); p.last_acceleration, in m/s^2",
         tolerance=ROUNDED,
     )
 
@@ -78,8 +84,8 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
     about.call = f"p = Particle(acceleration=Vector3{a}); p.add_force(Vector3{f}); "
     about.call += "p.last_acceleration"
     about(
-        cause="No step has used the force yet, so last_acceleration must still be the constant "
-        "acceleration.",
+        cause="No step has used the force yet. last_acceleration must therefore still be "
+        "the constant acceleration.",
         read="the docstring of last_acceleration",
     )
     p = Particle(acceleration=Vector3(*a))
@@ -87,15 +93,15 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
     last = p.last_acceleration
     expect_close(xyz(last), a)
     last.x = 99.0
-    about.cause = "Changing the returned vector must not change the particle. Return a new vector "
-    about.cause += "from every call."
-    expect_unchanged("p.acceleration", xyz(p.acceleration), a, then=".x = 99.0", cause=UNCHANGED)
+    about.cause = "A change of the vector that last_acceleration returned must not change the "
+    about.cause += "particle. Return a new vector from every call."
+    expect_unchanged("p.acceleration", xyz(p.acceleration), a, then=".x = 99.0")
     p.integrate(0.5)
     last = p.last_acceleration
     last.x = 99.0
     wanted = tuple(a[i] + f[i] for i in range(3))
-    name = f"{about.call[: about.call.rindex(';')]}; p.integrate(0.5); p.last_acceleration.x = 99.0"
-    name += "; p.last_acceleration"
+    name = f"{about.call[: about.call.rindex(';')]}; p.integrate(0.5); p.last_acceleration.x = "
+    name += "99.0; p.last_acceleration, in m/s^2"
     got = xyz(p.last_acceleration)
     expect_close(got, wanted, call=name, tolerance=ROUNDED)
 
@@ -104,11 +110,11 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
 def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     h, mass = round(rng.uniform(0.2, 0.8), 3), round(rng.uniform(2.0, 9.0), 3)
-    about.call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
-    about.call += f"p.add_force(Vector3{f}); p.integrate({h})"
+    about.call = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+    about.call += f"mass=math.inf); p.add_force(Vector3{f}); p.integrate({h})"
     about(
-        cause="An immovable particle must not move. Check the inverse mass before you change the "
-        "position or the velocity.",
+        cause="An immovable particle must not move. Check the inverse mass before you "
+        "change the position or the velocity.",
         read="the docstring of kick",
     )
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
@@ -116,19 +122,20 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     p.integrate(h)
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
-    about.cause = "The forces on the immovable particle were not cleared. Clear them too, or they "
-    about.cause += "will pile up until the particle becomes movable."
+    about.cause = "The forces on the immovable particle were not cleared. Clear them in every "
+    about.cause += "step, because otherwise they add up until the particle becomes movable."
     got = xyz(p.force_accumulator)
-    expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "Forces don't accelerate an immovable particle, so its last_acceleration must be "
-    about.cause += "the constant acceleration alone."
-    expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration")
+    expect_close(got, ZERO, then="; p.force_accumulator, in N")
+    about.cause = "Forces don't accelerate an immovable particle. Its last_acceleration must "
+    about.cause += "therefore be the constant acceleration alone."
+    expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration, in m/s^2")
     p.mass = mass
     p.add_force(Vector3(*f))
     p.integrate(h)
-    about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    about.cause = "The particle now has a finite mass, so it must move. Only the new force may act "
-    about.cause += "on it, because the earlier one was cleared."
+    about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity, in "
+    about.call += "m/s"
+    about.cause = "The particle now has a finite mass, so it must move. Only the second force may "
+    about.cause += "act on it, because the step before has cleared the first."
     wanted = tuple(v[i] + (a[i] + f[i] / mass) * h for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
 
@@ -137,41 +144,42 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
 def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.2, 0.8), 3)
-    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass})"
+    words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+    words += f"mass={mass})"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
     about(f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)", read="the docstring of kick")
     p.add_force(Vector3(*f))
     p.drift(h / 2.0)
-    about.cause = "drift changed the velocity or the forces. It must change only the position, and "
-    about.cause += "leave the forces to the kick."
+    about.cause = "drift changed the velocity or the forces. It must change only the position, "
+    about.cause += "because the forces act in kick."
     expect_unchanged("p.velocity", xyz(p.velocity), v)
     got = xyz(p.force_accumulator)
-    expect_close(got, f, then="; p.force_accumulator")
+    expect_close(got, f, then="; p.force_accumulator, in N")
     about.call += f"; p.kick({h})"
     before = xyz(p.position)
     p.kick(h)
-    about.cause = "A kick must change only the velocity, and the new velocity is (v + (a + f / m) "
-    about.cause += "h) d^h."
+    about.cause = "kick must change only the velocity, to (v + (a + f / m) h) d^h. Here f is the "
+    about.cause += "force, m the mass, h the duration and d the damping."
     expect_unchanged("p.position", xyz(p.position), before)
     total = [a[i] + f[i] / mass for i in range(3)]
     wanted = tuple(v[i] + total[i] * h for i in range(3))
     got = xyz(p.velocity)
-    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-    about.cause = "The forces are still there after the kick. Each force acts only once, so the "
-    about.cause += "kick must clear their sum."
+    expect_close(got, wanted, then="; p.velocity, in m/s", tolerance=ROUNDED)
+    about.cause = "The forces are still there after kick. Each force acts only once, so kick must "
+    about.cause += "set their sum to zero."
     got = xyz(p.force_accumulator)
-    expect_close(got, ZERO, then="; p.force_accumulator")
+    expect_close(got, ZERO, then="; p.force_accumulator, in N")
     about.cause = "last_acceleration must be the acceleration that the last kick used. A drift "
     about.cause += "after the kick must not change it."
     about.call += f"; p.drift({h} / 2)"
     p.drift(h / 2.0)
     got = xyz(p.last_acceleration)
-    expect_close(got, total, then="; p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "With a constant force, half a drift, a kick and another half drift must give "
-    about.cause += "the exact position."
+    expect_close(got, total, then="; p.last_acceleration, in m/s^2", tolerance=ROUNDED)
+    about.cause = "With a constant force, drift for h / 2, kick for h and drift for h / 2 must "
+    about.cause += "give the exact position. Check by how much each of them moves the particle."
     wanted = tuple(x[i] + v[i] * h + total[i] * h * h / 2.0 for i in range(3))
     got = xyz(p.position)
-    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.position, in m", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
@@ -182,21 +190,22 @@ def test_a_refused_step_keeps_the_forces(duration: float) -> None:
     error = TypeError if isinstance(duration, str) else ValueError
     x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
     for mass in (2.0, math.inf):
-        words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass})"
+        words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
+        words += f"mass={mass})"
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
-        about.cause = "The duration must be positive and finite. Make sure that integrate checks "
-        about.cause += "it."
+        about.cause = "The duration must be positive and finite. Check it in integrate before "
+        about.cause += "anything else."
         about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
         p.add_force(Vector3(*f))
         expect_error(
             lambda p=p: p.integrate(duration), error, allowed=lambda: Particle().integrate(0.5)
         )
-        about.cause = "The duration was rejected, but the particle changed anyway. Check the "
-        about.cause += "duration before you change anything."
+        about.cause = "integrate raised an error because of the duration, but it changed the "
+        about.cause += "particle anyway. Check the duration before you change anything."
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.velocity", xyz(p.velocity), v)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
         got = xyz(p.force_accumulator)
-        expect_close(got, f, then="; p.force_accumulator")
+        expect_close(got, f, then="; p.force_accumulator, in N")
         got = xyz(p.last_acceleration)
-        expect_close(got, a, then="; p.last_acceleration")
+        expect_close(got, a, then="; p.last_acceleration, in m/s^2")

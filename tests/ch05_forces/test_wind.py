@@ -32,8 +32,9 @@ CHANGE = "the docstring of change_wind"
 @scoped
 def blow(v: Components, w: Components, k1: float, k2: float) -> tuple[str, object]:
     """Let the wind act on a particle; return the words and the force."""
-    about.call = f"p = Particle(velocity=Vector3{v}, mass=4.0); wind = Wind({k1}, {k2}); "
-    about.call += f"wind.velocity = Vector3{w}; wind.update_force(p, 0.5); p.force_accumulator"
+    about.call = f"p = Particle(velocity=Vector3{v}, mass=4.0); wind = Wind(k1={k1}, k2={k2}); "
+    about.call += f"wind.velocity = Vector3{w}; wind.update_force(p, 0.5); p.force_accumulator, in "
+    about.call += "N"
     p, wind = Particle(velocity=Vector3(*v), mass=4.0), Wind(k1, k2)
     wind.velocity = Vector3(*w)
     wind.update_force(p, 0.5)
@@ -46,8 +47,8 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     about.read = READ
     v, w = components(rng), components(rng)
     k1, k2 = round(rng.uniform(0.2, 0.9), 3), round(rng.uniform(0.2, 0.9), 3)
-    about.cause = "Drag depends on the velocity relative to the air, u = v - w, so the force must "
-    about.cause += "be -u (k1 + k2 |u|)."
+    about.cause = "Drag depends on the velocity relative to the air, u = v - w, where w is the "
+    about.cause += "wind. The force must be -u (k1 + k2 |u|)."
     u = [v[i] - w[i] for i in range(3)]
 
     def drag(a: Sequence[float], one: float, two: float) -> list[float]:
@@ -58,21 +59,26 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         wanted = drag(u, one, two)
         still, blown = drag(v, one, two), drag(w, one, two)
         slips = {
-            "This is the drag in still air. First subtract the velocity of the wind from that of "
-            "the particle.": still,
+            "This is the drag in still air. Subtract the velocity of the wind from the "
+            "velocity of the particle first.": still,
             (
-                "This is the wind's force on a particle at rest. Take the velocity of the particle "
-                "into account as well."
+                "This is the force on a particle at rest. Subtract the velocity of the wind "
+                "from the velocity of the particle, instead of using the wind alone."
             ): [-part for part in blown],
-            "You added the velocity of the wind. Drag depends on the velocity relative to the air, "
-            "so use v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
-            "The force points in the wrong direction, because it was computed with w - v. Use v - "
-            "w.": [-part for part in wanted],
-            "k1 and k2 are swapped. k1 goes with the speed, and k2 goes with its square.": drag(
-                u, two, one
+            "You add the velocity w of the wind to the velocity v of the particle. Drag "
+            "depends on the velocity relative to the air, so use v - w.": drag(
+                [v[i] + w[i] for i in range(3)], one, two
             ),
-            "This is the sum of two drags, one for v and one for w. Compute v - w first, and then "
-            "the drag at that relative velocity.": [still[i] - blown[i] for i in range(3)],
+            "Your force points in the wrong direction, because it was computed with w - v. Use "
+            "v - w, where v is the velocity of the particle and w that of the wind.": [
+                -part for part in wanted
+            ],
+            "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by the "
+            "square of the speed.": drag(u, two, one),
+            "You add two drags, one for the particle's velocity v and one for the wind's "
+            "velocity w. Compute v - w first, and then a single drag at that velocity.": [
+                still[i] - blown[i] for i in range(3)
+            ],
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 700.
@@ -83,11 +89,12 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
 def test_what_moves_with_the_air_feels_nothing(rng: Random) -> None:
     about.read = READ
     v = components(rng)
-    about.cause = "This particle moves along with the wind, so v - w is 0 and no force acts on it."
+    about.cause = "The particle moves along with the wind, so its velocity relative to the air is "
+    about.cause += "0. No force must act on it."
     about.call, got = blow(v, v, 0.5, 0.25)
     expect_close(got, ZERO)
-    about.cause = "The wind must push a particle that is at rest in the direction of w. Check the "
-    about.cause += "sign, and use v - w as the relative velocity."
+    about.cause = "The wind must push a particle at rest in the direction of the wind. Use v - w "
+    about.cause += "as the relative velocity, and check the sign of the force."
     about.call, got = blow(ZERO, (2.0, 0.0, 0.0), 0.5, 0.25)
     expect_close(got, (2.0, 0.0, 0.0))
     about.cause = "The air is still, so the force must be ordinary drag, against the particle's "
@@ -100,9 +107,10 @@ def test_what_moves_with_the_air_feels_nothing(rng: Random) -> None:
 def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
     about.read = READ
     f, v, w = components(rng), components(rng), components(rng)
-    about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(0.5, "
-    about.call += f"0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
-    about.cause = "Add the force with add_force, which adds to the other forces. Don't change the "
+    about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(k1=0.5, "
+    about.call += f"k2=0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
+    about.cause = "update_force must add the force with add_force, which keeps the other forces. "
+    about.cause += "It must not change the velocity of the particle or of the wind."
     p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
     p.add_force(Vector3(*f))
     wind.velocity = Vector3(*w)
@@ -110,7 +118,7 @@ def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
     wanted = tuple(f[i] - 0.5 * (v[i] - w[i]) for i in range(3))
     got = xyz(p.force_accumulator)
     # A few roundings of numbers up to 30.
-    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-13)
+    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-13)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
     expect_unchanged("wind.velocity", xyz(wind.velocity), w)
 
@@ -119,19 +127,19 @@ def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
 def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
-    about.call = f"range = SniperRange({seed}); range.change_wind() 400 times; range.wind.velocity"
-    about.cause = "Each call to change_wind must draw a new wind, with one call to "
-    about.cause += "self.random.uniform per component."
+    about.call = f"range = SniperRange({seed}); range.change_wind() 400 times"
+    about.cause = "Each call of change_wind must draw a new wind. Call self.random.uniform once "
+    about.cause += "for x and once for z."
     (seen,) = winds([seed], 400)
     expect_exactly(
         len(seen),
         401,
-        call=f"how many: {about.call}",
+        call=f"{about.call}; number of winds",
         cause="Draw exactly one wind in each call to change_wind.",
     )
-    about.cause = "The wind has a vertical component, but it must be horizontal. Set y to 0."
+    about.cause = "Your wind has a vertical component, but it must be horizontal. Set y to 0."
     highest = max(abs(y) for _, y, _ in seen)
-    expect_close(highest, 0.0, then=": the largest |y|")
+    expect_close(highest, 0.0, then="; the largest |y| of all winds, in m/s")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
         about.cause = f"Draw the {name} component uniformly between -STRONGEST_WIND and "
         about.cause += "STRONGEST_WIND, which is 10 m/s."
@@ -144,31 +152,32 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
         ):
             why = about.cause
             if abs(got) > 10.0:
-                why = "A component of the wind exceeds 10 m/s. Perhaps the new wind was added to "
-                why += f"the old one. {why}"
-            expect_between(got, low, high, then=f": the {what} {name}", cause=why)
-    about.cause = "Weak winds are too rare or too common. Draw x and z independently of each "
-    about.cause += "other."
+                why = "A component of the wind exceeds 10 m/s, perhaps because you add the new "
+                why += f"wind to the old one. {about.cause}"
+            expect_between(
+                got, low, high, then=f"; the {what} {name} of all winds, in m/s", cause=why
+            )
+    about.cause = "Weak winds are too rare or too common. Draw x and z independently of each other."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
-    expect_between(weak, 27, 131, then=": how often it is below 5 m/s")
+    expect_between(weak, 27, 131, then="; number of winds below 5 m/s")
     # x z > 0 for half of all: 200 of 401, and beyond these bounds once in 10^11 runs.
-    about.cause = "The wind is not equally likely to come from all directions. Draw x and z "
-    about.cause += "independently of each other."
+    about.cause = "Winds from some directions are too common. Draw x and z independently of each "
+    about.cause += "other."
     same = sum(x * z > 0.0 for x, _, z in seen)
-    expect_between(same, 130, 270, then=": how often x and z have the same sign")
-    about.cause = "x and z have the same size, but two separate random numbers are almost never "
-    about.cause += "equal. Draw one number for each of them."
+    expect_between(same, 130, 270, then="; number of winds in which x and z have the same sign")
+    about.cause = "The x and z of some winds have the same size. Two random floats are almost "
+    about.cause += "never equal, so draw one for each of them, and don't round."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
-    expect_exactly(same, 0, then=": how often |x| is |z|")
+    expect_exactly(same, 0, then="; number of winds with |x| = |z|")
 
 
 @pytest.mark.exercise("P4.2a")
 def test_the_wind_stays_the_same_generator() -> None:
     about.read = CHANGE
     about.call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
-    about.cause = "The registry holds the old Wind object, so a new one would have no effect. "
-    about.cause += "Change the velocity of self.wind instead of creating a new wind."
+    about.cause = "change_wind created a new Wind object, but the registry still holds the old "
+    about.cause += "one. Change the velocity of self.wind instead."
     at = SniperRange(1)
     wind = at.wind
     before = xyz(wind.velocity)
@@ -179,25 +188,31 @@ def test_the_wind_stays_the_same_generator() -> None:
     now = xyz(at.wind.velocity)
     gap = tuple(now[i] - after[i] for i in range(3))
     expect_close(gap, ZERO, then="; range.wind.velocity minus wind.velocity")
-    about.cause = "The velocity of the wind is still the same. Draw a new one, and store it in "
+    about.cause = "The wind has the same velocity as before. Draw a new one, and store it in "
     about.cause += "self.wind.velocity."
-    expect_exactly(after == before, False, then="; is it the same as before")
+    expect_exactly(after == before, False, then="; range.wind.velocity is the same as before")
 
 
 @pytest.mark.exercise("P4.2a")
 def test_the_wind_follows_the_seed_of_its_range(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
-    about.call = f"ranges of the seeds {seed}, {seed} and {seed + 1}; change_wind() of each in turn"
-    about.cause = "The same seed must always give the same winds. Draw with self.random instead of "
-    about.cause += "the random module."
+    about.call = f"SniperRange({seed}) twice and SniperRange({seed + 1}) once; change_wind() six "
+    about.call += "times for each of the three ranges"
+    about.cause = "The same seed must always give the same winds. Draw with self.random, which "
+    about.cause += "was created from the seed, instead of the random module."
     first, second, other = winds([seed, seed, seed + 1], 6)
     same = sum(a == b for a, b in zip(first, second, strict=True))
-    expect_exactly(same, 7, then=": winds that are the same for one seed")
-    about.cause = "Two different seeds gave the same winds. Draw with self.random, which depends "
-    about.cause += "on the seed of the range."
+    expect_exactly(
+        same, 7, then="; number of winds that are the same in the two ranges with the same seed"
+    )
+    about.cause = "Two different seeds gave the same winds. Draw with self.random, which was "
+    about.cause += "created from the seed of the range."
     same = sum(a == b for a, b in zip(first, other, strict=True))
-    expect_exactly(same, 0, then=": winds that are the same for two seeds")
-    about.cause = "Some calls gave the same wind, but every call must draw a new one."
+    expect_exactly(
+        same, 0, then="; number of winds that are the same in ranges with different seeds"
+    )
+    about.cause = "Some calls of change_wind gave the same wind again. Draw a new wind in every "
+    about.cause += "call."
     kinds = len({tuple(w) for w in first})
-    expect_exactly(kinds, 7, then=": how many winds the first has seen")
+    expect_exactly(kinds, 7, then="; number of different winds of the first range")

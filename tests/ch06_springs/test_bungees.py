@@ -38,8 +38,9 @@ def rope(
     else:
         bungee = AnchoredBungee(Vector3(*base), k, rest, c)
         end = f"AnchoredBungee(Vector3{base}"
-    about.call = f"p at {place}, velocity {velocity} seen from the other end; {end}, {k}, {rest}, "
-    about.call += f"{c}).update_force(p, 0.5); p.force_accumulator"
+    about.call = f"p at {place} with a velocity of {velocity} relative to the other end; {end}, "
+    about.call += f"stiffness={k}, rest_length={rest}, damping={c}).update_force(p, 0.5); "
+    about.call += "p.force_accumulator, in N"
     return about.call, bungee, p
 
 
@@ -53,8 +54,9 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             offset = tuple((rest + extension) * part for part in d)
             about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
             about.cause = (
-                "This rope is longer than its rest length, so it pulls toward its other end. The "
-                "force is -k (l - l0) d^."
+                "The rope is longer than its rest length l0, so it must pull p toward its other "
+                "end. The size of the pull is k (l - l0), where k is the stiffness and l the "
+                "length."
             )
             before = xyz(p.position), xyz(p.velocity)
             bungee.update_force(p, 0.5)
@@ -62,18 +64,20 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             wanted = tuple(-k * extension * part for part in d)
             slips = {
                 (
-                    "The force pushes, but a stretched rope must pull. Perhaps you used k (l0 - l) "
-                    "from the book's listing, which has the wrong sign (E-4), or your offset "
-                    "points the wrong way."
+                    "Your rope pushes, but a stretched rope must pull. Perhaps you used k (l0 "
+                    "- l) from the book's listing, which has the wrong sign (E-4), or your "
+                    "offset points the wrong way."
                 ): [-part for part in wanted],
-                "The force is zero, but this rope is longer than its rest length, so it must pull. "
-                "Check the condition that your code uses to detect a slack rope.": ZERO,
-                "Your force is -k l d^, as if the rest length were 0. Only the extension counts, "
-                "so subtract the rest length from the "
-                "length.": [-k * (rest + extension) * part for part in d],
-                "You multiplied the force by the whole offset, so a long rope pulls too hard. "
-                "Multiply by the unit vector along the offset "
-                "instead.": [part * (rest + extension) for part in wanted],
+                "Your rope exerts no force, although it is longer than its rest length. Check "
+                "the condition with which your code detects a slack rope.": ZERO,
+                "Your force is the stiffness times the whole length of the rope. Only the "
+                "extension counts, so subtract the rest length from the length.": [
+                    -k * (rest + extension) * part for part in d
+                ],
+                "You multiply the force by the whole offset, so a long rope pulls too hard. "
+                "Multiply by the unit vector along the offset instead.": [
+                    part * (rest + extension) for part in wanted
+                ],
             }
             blame(got, slips)
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
@@ -93,22 +97,20 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             (
                 0.5,
                 0.0,
-                "This rope is shorter than its rest length, so it is slack. A Bungee never pushes, "
-                "so don't add any force here.",
+                "The rope is shorter than its rest length, so it is slack. A rope never "
+                "pushes, so add no force.",
             ),
             (
                 0.9,
                 5.0,
-                "A slack rope exerts no force at all, not even damping, however fast its ends are "
-                "moving apart.",
+                "The rope is slack, so it exerts no force at all. Don't add damping either, "
+                "even if the ends move apart.",
             ),
             (
                 0.0,
                 5.0,
-                (
-                    "Both ends are at the same position, so the rope is slack and has no "
-                    "direction. Don't add any force."
-                ),
+                "Both ends are at the same position, so the rope is slack and has no "
+                "direction. Add no force.",
             ),
         ):
             about.cause = cause
@@ -120,14 +122,14 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             expect_close(got, ZERO)
         about.call, bungee, p = rope(kind, STILL, (2.0, 0.0, 0.0), (5.0, 0.0, 0.0), (3.0, 2.0, 3.0))
         about.cause = (
-            "At exactly its rest length a rope is still slack, so it doesn't damp the motion "
+            "At exactly its rest length the rope is still slack, so it does not damp the motion "
             "either. Compare with > instead of >=."
         )
         bungee.update_force(p, 0.5)
         expect_close(xyz(p.force_accumulator), ZERO)
         about.cause = (
-            "The rope was slack but is now stretched again, so it should pull. Don't remember from "
-            "an earlier call that it was slack."
+            "The rope was slack in an earlier call, but now it is stretched and must pull. Don't "
+            "store anything between calls."
         )
         offset = tuple(2.0 * rest * part for part in d)
         about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
@@ -149,25 +151,25 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
         for share, cause in (
             (
                 -1.0,
-                "This rope is getting longer. Damping resists that by adding to the pull, so the "
-                "force is -(k x + c l') d^, where x is the extension.",
+                "The rope is getting longer, and the damping c resists this by adding to the "
+                "pull. The pull is k x + c l', where x is the extension and l' the rate at "
+                "which the length grows.",
             ),
             (
                 0.5,
-                "This rope is getting shorter. Damping resists that by reducing the pull, so the "
-                "force is -(k x + c l') d^, where x is the extension.",
+                "The rope is getting shorter, and the damping c resists this by reducing the "
+                "pull. The pull is k x + c l', where x is the extension and l' the rate at "
+                "which the length grows.",
             ),
             (
                 2.0,
-                "The damping outweighs the pull here, so their sum would push. A rope can't push, "
-                "so don't add any force here.",
+                "The damping is larger than the pull here, so the sum of both would push. A "
+                "rope can't push, so add no force.",
             ),
             (
                 1.001,
-                (
-                    "The damping slightly outweighs the pull here, so their sum would push a "
-                    "little. A rope can't push at all, so don't add any force here."
-                ),
+                "The damping is slightly larger than the pull here, so the sum of both "
+                "would push a little. A rope can't push at all, so add no force.",
             ),
         ):
             about.cause = cause
@@ -180,16 +182,16 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "Your force ignores the damping. Add the term -c l', which acts along the rope.": [
-                    -k * extension * part for part in d
-                ],
+                "Your force ignores the damping. Add a force along the rope: the damping times "
+                "the rate at which the length changes.": [-k * extension * part for part in d],
                 (
-                    "The damping is so large here that your rope pushes. A rope can only pull, so "
-                    "don't add any force here."
+                    "The damping is so large here that your rope pushes. A rope can only pull, "
+                    "so add no force in this case."
                 ): [-k * extension * (1.0 - share) * part for part in d],
-                "Your damping uses only p's velocity, but q's motion changes the length too. "
-                "Subtract q's velocity from "
-                "p's.": [-(k * extension + c * own) * part for part in d],
+                "Your damping uses only the velocity of p, but the motion of q changes the "
+                "length too. Subtract q's velocity from p's.": [
+                    -(k * extension + c * own) * part for part in d
+                ],
             }
             blame(got, slips)
             expect_close(got, wanted, tolerance=1e-11)
@@ -200,42 +202,40 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
     about.read = "the docstring of Bungee"
     f = components(rng)
     about.cause = (
-        "A Bungee acts on one particle only. Add its pull to the forces already on p, and leave "
-        "the other end alone."
+        "A Bungee acts only on the particle that is passed to update_force. Add its pull to the "
+        "forces on p, and add nothing to q."
     )
-    about.call = f"p at (0, -3, 0); q at (0, 0, 0); p.add_force(Vector3{f}); Bungee(q, 2.0, "
-    about.call += "1.0).update_force(p, 0.5)"
+    about.call = f"p at (0, -3, 0) and q at (0, 0, 0); p.add_force(Vector3{f}); Bungee(q, "
+    about.call += "stiffness=2.0, rest_length=1.0).update_force(p, 0.5)"
     p, q = Particle(Vector3(0.0, -3.0, 0.0)), Particle(mass=math.inf)
     p.add_force(Vector3(*f))
     Bungee(q, 2.0, 1.0).update_force(p, 0.5)
     wanted = (f[0], f[1] + 4.0, f[2])
-    expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator")
-    expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
+    expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator, in N")
+    expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
     about.read = "the docstring of AnchoredBungee"
     for kind in BOTH:
         about.call, bungee, p = rope(kind, STILL, (0.0, -3.0, 0.0), STILL, (2.0, 1.0, 0.0))
-        about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b = {kind}(..., 2.0, 1.0), its "
-        about.call += "other end at (0, 0, 0); b.update_force(p, 0.5)"
+        about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b is a {kind} with stiffness=2.0 "
+        about.call += "and rest_length=1.0 whose other end is at (0, 0, 0); b.update_force(p, 0.5)"
         about.cause = (
-            "The forces that were already on p are gone. Call add_force, which adds the pull to "
-            "them."
+            "The force that was added to p before is lost. Use add_force, which adds the pull to "
+            "the other forces."
         )
         p.add_force(Vector3(*f))
         bungee.update_force(p, 0.5)
         wanted = (f[0], f[1] + 4.0, f[2])
         got = xyz(p.force_accumulator)
-        expect_close(got, wanted, then="; p.force_accumulator")
-        about.call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; p "
-        about.call += "has "
-        about.call += "(0, -1, 0) more velocity; b.update_force(p, 0.5)"
+        expect_close(got, wanted, then="; p.force_accumulator, in N")
+        about.call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; "
+        about.call += "p.velocity.y -= 1; b.update_force(p, 0.5)"
         about.cause = (
-            "The check has changed the bungee's attributes since the last call, so the pull is now "
-            "3 (3 - 2) + 0.5 * 1. Read the attributes on every call instead of caching anything "
-            "computed from them."
+            "The check changes the attributes of b before this call, so the pull is 3 (3 - 2) + "
+            "0.5 * 1. Read the attributes in every call instead of storing a result."
         )
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)
         bungee.stiffness, bungee.rest_length, bungee.damping = 3.0, 2.0, 0.5
         bungee.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(got, (0.0, 3.5, 0.0), then="; p.force_accumulator")
+        expect_close(got, (0.0, 3.5, 0.0), then="; p.force_accumulator, in N")

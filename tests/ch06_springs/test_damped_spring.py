@@ -48,10 +48,8 @@ def by_roots(x0: float, v0: float, k: float, c: float, m: float, t: float) -> tu
 @scoped
 def expect_position(arguments: tuple[float, ...], wanted: float, tolerance: float) -> None:
     """Expect the position that damped_spring_state gives of these arguments."""
-    about.call, about.read = (
-        "damped_spring_state({}, {}, {}, {}, {}, {})[0]".format(*arguments),
-        READ,
-    )
+    call = "damped_spring_state(x0={}, v0={}, stiffness={}, damping={}, mass={}, time={})[0]"
+    about(f"{call.format(*arguments)}, the position in m", read=READ)
     got = damped_spring_state(*arguments)[0]
     expect_close(got, wanted, tolerance=tolerance)
 
@@ -61,24 +59,27 @@ def test_the_three_cases_by_known_values() -> None:
     about.read = READ
     damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
     slips = {
-        "Your exponent uses the full rate c / m. The amplitude decays at half that rate, so use c "
-        "/ (2 m).": math.exp(-1.0) * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
-        "Your position is e^(-half t) cos(gamma t), which leaves out the second term. Add half "
-        "sin(gamma t) / gamma to the cosine before you "
-        "multiply.": math.exp(-0.5) * math.cos(0.5 * damped),
-        "Your spring oscillates at the undamped frequency sqrt(k / m). Damping slows the "
-        "oscillation down, so use gamma instead.": math.exp(-0.5)
+        "Your exponent uses the full rate c / m. The amplitude decays at half that rate, c / "
+        "(2 m), where c is the damping and m the mass.": math.exp(-1.0)
+        * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
+        "Your position lacks its second term, so it is only e^(-half t) cos(gamma t) with half "
+        "= c / (2 m). Add half sin(gamma t) / gamma to the cosine, where gamma is the damped "
+        "frequency.": math.exp(-0.5) * math.cos(0.5 * damped),
+        "Your spring oscillates at the undamped frequency sqrt(k / m). Damping makes the "
+        "oscillation slower, so use the damped frequency gamma.": math.exp(-0.5)
         * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "Your position is e^(-half t), which is only the first term. Add the second one, half t "
-        "e^(-half t).": math.exp(-5.0),
+        "Your position is e^(-half t) with half = c / (2 m), which is only the first term. Add "
+        "the second term, half t e^(-half t).": math.exp(-5.0),
     }
     over = math.sqrt(300.0)  # gamma for c = 40
     slips |= {
-        "You used sinh in both terms. The first one needs cosh(gamma t), which is half of e^(gamma "
-        "t) + e^(-gamma t).": math.exp(-1.0) * (1.0 + 20.0 / over) * math.sinh(0.05 * over),
-        "You left out the second term. Multiply e^(-half t) by cosh(gamma t) plus half sinh(gamma "
-        "t) / gamma.": math.exp(-1.0) * math.cosh(0.05 * over),
-        "You used cos and sin for an over-damped spring. It doesn't oscillate, so use cosh and "
+        "You use sinh in both terms. The first term needs cosh(gamma t), which is half of "
+        "e^(gamma t) + e^(-gamma t).": math.exp(-1.0)
+        * (1.0 + 20.0 / over)
+        * math.sinh(0.05 * over),
+        "Your position lacks its second term. Multiply e^(-half t) by cosh(gamma t) plus half "
+        "sinh(gamma t) / gamma, where half = c / (2 m).": math.exp(-1.0) * math.cosh(0.05 * over),
+        "You use cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
         "sinh instead.": math.exp(-1.0)
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
     }
@@ -87,47 +88,49 @@ def test_the_three_cases_by_known_values() -> None:
             2.0,
             0.5,
             0.09855066761858595,
-            "This spring is under-damped, so it oscillates while its "
-            "amplitude decays. Multiply e^(-half t) by the terms "
-            "with cos and sin of gamma t.",
+            "The spring is under-damped, so it oscillates while its amplitude decays. Multiply "
+            "e^(-half t) by terms with cos(gamma t) and sin(gamma t), where half = c / (2 m).",
         ),
         (
             20.0,
             0.5,
             0.04042768199451279,
-            (
-                "This spring is critically damped, a case that the book leaves out (E-23). Here "
-                "gamma is 0, so replace sin(gamma t) / gamma with its limit, t."
-            ),
+            "The spring is critically damped, which the book leaves out (E-23). gamma is 0 "
+            "here, so replace sin(gamma t) / gamma by its limit, which is the time t.",
         ),
         (
             40.0,
             0.05,
             0.9302947940980407,
-            (
-                "This spring is over-damped, a case that the book leaves out (E-23). Multiply "
-                "e^(-half t) by the terms with cosh and sinh of gamma t."
-            ),
+            "The spring is over-damped, which the book leaves out (E-23). Multiply "
+            "e^(-half t) by terms with cosh(gamma t) and sinh(gamma t), where half = c / "
+            "(2 m).",
         ),
         (
             40.0,
             0.5,
             0.2821711739751533,
-            "This spring is over-damped, and by this time only the slowly decaying part is left, "
-            "e^(-(half - gamma) t).",
+            "The spring is over-damped, and at this late time only the slowly decaying part "
+            "e^(-(half - gamma) t) is left, where half = c / (2 m).",
         ),
     ):
-        about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, {t})", cause=cause)
+        about(
+            f"damped_spring_state(x0=1.0, v0=0.0, stiffness=100.0, damping={c}, mass=1.0, "
+            f"time={t})",
+            cause=cause,
+        )
         state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, t)
         count = len(state) if isinstance(state, (tuple, list)) else 1
-        both = "Return two numbers in a tuple: the position and the velocity."
-        expect_exactly(count, 2, then=": how many numbers", cause=both)
-        expect_close(state[0], x, then="[0]", cause=named(state[0], about.cause, slips))
-    about.call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
-    about.cause = (
-        "The printed formula takes the square root of 4 k - d^2. For k = 1 and d = 10 that is -96, "
-        "because the formula covers only under-damped springs (E-23)."
-    )
+        both = "Return two numbers in a tuple, the position and the velocity."
+        expect_exactly(count, 2, then="; number of values returned", cause=both)
+        expect_close(
+            state[0], x, then="[0], the position in m", cause=named(state[0], about.cause, slips)
+        )
+    about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=1.0, damping=10.0, mass=1.0, "
+    about.call += "time=1.0)[0], the position in m"
+    about.cause = "The book's formula takes the square root of 4 k - c^2, which is -96 here. It "
+    about.cause += "covers only under-damped springs (E-23), so treat over-damped springs "
+    about.cause += "separately."
     got = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
     wanted = by_roots(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
     expect_close(got, wanted)
@@ -141,36 +144,38 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         x0, v0 = draw_number(rng), draw_number(rng)
         k, m, t = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, longest)
         c = share * 2.0 * math.sqrt(k * m)
-        about.call = f"damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {t})"
+        about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness={k}, damping={c:.6g}, "
+        about.call += f"mass={m}, time={t}) as (position in m, velocity in m/s)"
         got = damped_spring_state(x0, v0, k, c, m, t)
         wanted = by_roots(x0, v0, k, c, m, t)
         half, (x, v) = c / (2.0 * m), wanted
         fade = math.exp(-half * t)
         slips = {
-            "You didn't divide the damping by the mass, so a heavy body would slow down as fast as "
+            "You didn't divide the damping by the mass, so a heavy body slows down as fast as "
             "a light one. Use c / (2 m) as the decay rate.": by_roots(x0, v0, k, c * m, m, t),
-            "You didn't divide the stiffness by the mass, so a heavy body would oscillate as fast "
-            "as a light one. The square of the natural frequency is k / "
-            "m.": by_roots(x0, v0, k * m, c, m, t),
-            "Your position ignores v0, although a body that is already moving ends up somewhere "
-            "else. Add the term with v0.": (
+            "You didn't divide the stiffness by the mass, so a heavy body oscillates as fast "
+            "as a light one. The square of the undamped frequency is k / m.": by_roots(
+                x0, v0, k * m, c, m, t
+            ),
+            "Your position ignores the velocity v0 at the start. Add the term with v0.": (
                 by_roots(x0, 0.0, k, c, m, t)[0],
                 v,
             ),
-            "Your velocity ignores x0, although the spring pulls on a displaced body. "
-            "Differentiate the whole position to get the velocity.": (
+            "Your velocity ignores the position x0 at the start, although the spring pulls a "
+            "displaced body. Differentiate the whole position to get the velocity.": (
                 x,
                 by_roots(0.0, v0, k, c, m, t)[1],
             ),
-            "Your code treats this spring as critically damped, although c^2 is not equal to 4 k "
-            "m. Compare them exactly, without a tolerance.": (
+            "You treat this spring as critically damped, although c^2 is not equal to 4 k m. "
+            "Compare them exactly, without a tolerance.": (
                 (x0 + (v0 + half * x0) * t) * fade,
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
             ),
         }
-        about.cause = f"{name.capitalize()}: Divide c by 2 m and k by m. Both x0 and v0 contribute."
+        about.cause = f"The spring is {name}. Divide the damping by 2 m and the stiffness by m, "
+        about.cause += "and let both x0 and v0 contribute."
         if isinstance(got, tuple) and abs(got[0] - x) < 1e-10:
-            about.cause = f"{name.capitalize()}: The position is right, but the velocity is not "
+            about.cause = f"The spring is {name}. Your position is right, but your velocity is not "
             about.cause += "its derivative."
         blame(got, slips)
         # The roots' formula takes differences of numbers up to 10^4.
@@ -191,45 +196,45 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
             (
                 0.0,
                 1e-12,
-                "At critical damping the position is (x0 + (v0 + half x0) t) e^(-half t). "
-                "Differentiate it to get the velocity.",
+                "At critical damping the position is (x0 + (v0 + half x0) t) e^(-half t), "
+                "where half = c / (2 m). Differentiate it to get the velocity.",
             ),
             (
                 -1e-9,
                 1e-7,
-                "This spring is damped slightly less than critically. sin(gamma t) / gamma is then "
-                "very close to t, so the result should be close to the critical case.",
+                "The damping is slightly below the critical one, so sin(gamma t) / gamma is "
+                "very close to t. The result must be close to that of critical damping.",
             ),
             (
                 1e-9,
                 1e-7,
-                "This spring is damped slightly more than critically. sinh(gamma t) / gamma is "
-                "then very close to t, so the result should be close to the critical case.",
+                "The damping is slightly above the critical one, so sinh(gamma t) / gamma is "
+                "very close to t. The result must be close to that of critical damping.",
             ),
             (
                 -1e-15,
                 1e-8,
-                "Very close to critical damping, gamma can round to 0. Make sure that your code "
-                "doesn't divide by it in that case.",
+                "Very close to critical damping, gamma can round to 0. Don't divide by gamma "
+                "in that case.",
             ),
             (
                 1e-15,
                 1e-8,
-                "Very close to critical damping, the two exponentials are almost equal, so their "
-                "difference loses most of its digits. Use sinh or expm1 instead.",
+                "Very close to critical damping, the two exponentials are almost equal, so "
+                "their difference loses most of its digits. Use math.sinh or math.expm1 "
+                "instead.",
             ),
         ):
             about.cause = cause
             c = critical * (1.0 + share)
-            about.call = f"damped_spring_state({x0}, {v0}, {k}, {c!r}, {m}, {t})"
+            about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness={k}, damping={c!r}, "
+            about.call += f"mass={m}, time={t}) as (position in m, velocity in m/s)"
             got = damped_spring_state(x0, v0, k, c, m, t)
             expect_close(got, wanted, tolerance=tolerance)
-    about.call = "damped_spring_state(1.0, 0.0, 4.0, 4 - 4e-9, 1.0, 0.75), and with 4 + 4e-9: "
-    about.call += "difference"
-    about.cause = (
-        "The motion changes smoothly with the damping, so your results just below and just above "
-        "critical damping should agree to within 1e-8."
-    )
+    about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=4.0, damping=4 - 4e-9, mass=1.0, "
+    about.call += "time=0.75) minus the same with damping=4 + 4e-9"
+    about.cause = "The motion changes smoothly with the damping. Just below and just above "
+    about.cause += "critical damping your results must agree to 1e-8."
     below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
     above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
     for a, b in zip(below, above, strict=True):
@@ -241,24 +246,28 @@ def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
     about.read = READ
     x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
     c, m = positive_number(rng), positive_number(rng)
-    about.call = f"damped_spring_state({x0}, {v0}, 3.0, {c}, {m}, 0.0)"
-    about.cause = "No time has passed yet, so the position and the velocity are still x0 and v0."
+    about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=3.0, damping={c}, mass={m}, "
+    about.call += "time=0.0)"
+    about.cause = "No time has passed yet. The position and the velocity must still be x0 and v0."
     got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
     expect_close(got, (x0, v0))
-    about.call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
-    about.cause = (
-        "No force acts here, so the velocity stays constant and the position is x0 + v0 t."
-    )
+    about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=0.0, damping=0.0, mass={m}, "
+    about.call += f"time={t})"
+    about.cause = "No force acts here. The velocity must stay v0, and the position must be x0 + "
+    about.cause += "v0 t."
     got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
     expect_close(got, (x0 + v0 * t, v0))
-    about.call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"
-    about.cause = "With damping but no stiffness, the velocity decays as v0 e^(-c t / m)."
+    about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=0.0, damping={c}, mass={m}, "
+    about.call += f"time={t})"
+    about.cause = "With damping but no stiffness, the velocity must decay as v0 e^(-c t / m), "
+    about.cause += "where c is the damping."
     got = damped_spring_state(x0, v0, 0.0, c, m, t)
     slow = math.exp(-c * t / m)
     wanted = (x0 + v0 * (1.0 - slow) * m / c, v0 * slow)
     expect_close(got, wanted, tolerance=1e-11)
-    about.call = f"damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, {t}): energy"
-    about.cause = "Without damping no energy is lost, so x^2 + v^2 should stay constant."
+    about.call = f"x, v = damped_spring_state(x0={x0}, v0={v0}, stiffness=1.0, damping=0.0, "
+    about.call += f"mass=1.0, time={t}); x^2 + v^2"
+    about.cause = "Without damping no energy is lost, so x^2 + v^2 must stay constant."
     x, v = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, t)
     wanted_energy = x0 * x0 + v0 * v0
     expect_close(x * x + v * v, wanted_energy, tolerance=1e-11)
@@ -271,28 +280,28 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
             0.0,
             1e-12,
-            "After 100 s of damping the oscillation has died out, so the position should be 0.",
+            "After 100 s of damping the oscillation has died out. The position must be 0.",
         ),
         (
             (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
             math.cos(1.0),
             1e-12,
-            "A very soft spring is still a spring. Without damping it oscillates, just slowly, so "
-            "don't treat a small stiffness as zero.",
+            "A very soft spring without damping still oscillates, only slowly. Don't treat a "
+            "small stiffness as zero.",
         ),
         (
             (1.0, 0.0, 1e-18, 0.0, 1.0, 1e9),
             math.cos(1.0),
             1e-12,
-            "Without damping even the softest spring oscillates. Compare half with chi exactly: "
-            "with a tolerance, this spring would count as critically damped.",
+            "Without damping even the softest spring oscillates. Compare c / (2 m) with sqrt(k "
+            "/ m) exactly, because with a tolerance this spring counts as critically damped.",
         ),
         (
             (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
             -1.0,
             1e-9,
-            "After half a period an undamped body has reached the opposite side, so its position "
-            "is -x0.",
+            "After half a period an undamped body is on the opposite side. Its position must "
+            "be -x0.",
         ),
     ):
         about.cause = cause
@@ -307,31 +316,30 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh(gamma t) overflows at a time this late. Multiply it by e^(-half t) on paper, so "
-            "that your code only needs e^(-(half - gamma) t) and e^(-(half + gamma) t).",
+            "cosh(gamma t) is too large for a float at a time this late. Multiply it by "
+            "e^(-half t) on paper, so that you need only e^(-(half - gamma) t) and e^(-(half "
+            "+ gamma) t).",
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
             math.exp(-1.0),
             1e-9,
-            "half and gamma are almost equal here, so half - gamma loses all of its digits. Use "
-            "chi^2 / (half + gamma), which equals it.",
+            "half = c / (2 m) and gamma are almost equal here, so half - gamma loses all of "
+            "its digits. Use chi^2 / (half + gamma) instead, where chi^2 = k / m.",
         ),
         (
             (1.0, 1.0, 5.0, 10.0, 1.0, 1e6),
             0.0,
             1e-12,
-            "cosh(gamma t) overflows here, while "
-            "e^(-half t) becomes 0. Combine the two "
-            "factors into one exponential before you "
-            "evaluate it.",
+            "cosh(gamma t) is too large for a float here, and e^(-half t) is 0. Combine the "
+            "two factors into one exponential before you evaluate it.",
         ),
         (
             (0.0, 1.0, 1.0, 1e9, 1.0, 1.0),
             1e-9,
             1e-17,
             "Strong damping stops the body almost at once, after a distance of v0 m / c. The "
-            "position should be close to that.",
+            "position must be close to that.",
         ),
     ):
         about.cause = cause
@@ -343,10 +351,8 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     about.read = READ
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
-    about.cause = (
-        "Two durations in a row should lead to the same state as their sum in one go. If they "
-        "don't, your position and your velocity don't belong to the same motion."
-    )
+    about.cause = "Two durations in a row must lead to the same state as their sum at once. If "
+    about.cause += "yours don't, your velocity is not the derivative of your position."
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
         c = share * 2.0 * math.sqrt(k * m)
@@ -358,10 +364,8 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-11)
     about.call = f"s = damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, pi); damped_spring_state(*s, "
     about.call += "...)"
-    about.cause = (
-        "This spring has no damping. After half a period the body is on the opposite side, and "
-        "after a full period it is back where it started."
-    )
+    about.cause = "The spring has no damping. After half a period the body must be on the "
+    about.cause += "opposite side, and after a full period back where it started."
     half = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, math.pi)
     expect_close(half, (-x0, -v0), tolerance=1e-11)
     got = damped_spring_state(*half, 1.0, 0.0, 1.0, math.pi)
@@ -375,21 +379,20 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
     good = (1, 2, 3, 4, 5, 6)
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
     expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad)
-    about.cause = (
-        "The angle of the oscillation is about 1e350 here, which is too large for a float. Raise "
-        "ValueError instead of returning a number."
-    )
+    about.cause = "The angle of the oscillation is about 1e350 here, which is too large for a "
+    about.cause += "float. Raise ValueError instead of returning a number."
     expect_error(
         lambda: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200),
         ValueError,
-        call="damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200)",
+        call="damped_spring_state(x0=1.0, v0=0.0, stiffness=1e300, damping=0.0, mass=1.0, "
+        "time=1e200)",
         allowed=lambda: damped_spring_state(*good),
     )
-    about.call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
-    about.cause = (
-        "All arguments of this call are valid, so don't raise an error. The spring is critically "
-        "damped, so the position is (1 + t) e^-t and the velocity is -t e^-t."
-    )
+    about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=1.0, damping=2.0, mass=1.0, "
+    about.call += "time=1.0)"
+    about.cause = "All of these arguments are valid, so don't raise an error. The spring is "
+    about.cause += "critically damped, so the position is (1 + t) e^-t and the velocity is -t "
+    about.cause += "e^-t."
     got = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)
     wanted = (2.0 * math.exp(-1.0), -math.exp(-1.0))
     expect_close(got, wanted)

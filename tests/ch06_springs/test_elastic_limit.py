@@ -25,57 +25,55 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     for share, cause in (
         (
             1.9,
-            "The spring is stretched, but not beyond the limit, so it pulls like any other spring. "
-            "The force is -k (l - l0) d^.",
+            "The spring is stretched, but not beyond its limit, so it must pull like any other "
+            "spring. The size of the pull is the stiffness times the extension.",
         ),
         (
             0.5,
-            "The spring is shorter than its rest length, so it pushes like any other spring. The "
-            "force is -k (l - l0) d^.",
+            "The spring is shorter than its rest length, so it must push like any other "
+            "spring. The size of the push is the stiffness times the missing length.",
         ),
         (
             0.1,
-            (
-                "The limit applies only to stretching. A compressed spring pushes with its full "
-                "stiffness, however short it is."
-            ),
+            "The limit applies only to stretching. A compressed spring must push with its "
+            "full stiffness, however short it is.",
         ),
     ):
         about.cause = cause
         place = tuple(b + share * rest * part for b, part in zip(base, d, strict=True))
-        about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, "
-        about.call += f"{1.95 * rest}, 0.25).update_force(p, 0.5)"
+        about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, stiffness={k}, "
+        about.call += f"rest_length={rest}, limit={1.95 * rest:.6g}, share=0.25).update_force(p, "
+        about.call += "0.5)"
         p, q = Particle(Vector3(*place), Vector3(1.0, 2.0, 3.0), mass=3.0), Particle(Vector3(*base))
         ElasticLimitSpring(q, k, rest, 1.95 * rest, 0.25).update_force(p, 0.5)
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
         slips = {
-            "There is no force on p. Below its limit this is an ordinary spring, so pass the usual "
-            "spring force to particle.add_force.": ZERO,
-            "The force points along the offset, so a stretched spring would push. Perhaps you left "
-            "out the minus sign.": opposite,
+            "There is no force on p. Below its limit the spring acts like any other one, so "
+            "pass the usual spring force to particle.add_force.": ZERO,
+            "Your force points along the offset, so the stretched spring pushes. Perhaps the "
+            "minus sign is missing.": opposite,
         }
         if share < 1.0:
             slips = {
-                "There is no force on p. Below its limit this is an ordinary spring, so pass the "
-                "usual spring force to particle.add_force.": ZERO,
-                "Your extension is abs(l - l0), so a compressed spring pulls instead of pushing. "
-                "Remove abs, because the extension of a compressed spring is negative "
-                "(E-3).": opposite,
+                "There is no force on p. Below its limit the spring acts like any other one, "
+                "so pass the usual spring force to particle.add_force.": ZERO,
+                "Your extension is abs(length - rest_length), so a compressed spring pulls. "
+                "Remove abs, because a compressed spring has a negative extension (E-3).": opposite,
             }
         blame(got, slips)
-        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
+        expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12)
         about.cause = (
-            "You added a force to the other particle as well. This spring acts only on the "
-            "particle that is passed to update_force."
+            "You added a force to q as well. This spring acts only on the particle that is passed "
+            "to update_force."
         )
-        expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
+        expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
     about.call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, "
-    about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
+    about.call += "0.25).update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = (
-        "The length equals the limit here, so the spring still pulls with its full stiffness. "
-        "Apply share only to the part of the length beyond the limit."
+        "The length is exactly the limit here, so the spring must still pull with its full "
+        "stiffness. Apply share only to the part of the length beyond the limit."
     )
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)
@@ -93,11 +91,11 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         beyond = positive_number(rng, 0.5, 5.0)
         length = limit + beyond
         place = tuple(b + length * part for b, part in zip(base, d, strict=True))
-        about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, {limit}, "
-        about.call += f"{share}).update_force(p, 0.5)"
+        about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, stiffness={k}, "
+        about.call += f"rest_length={rest}, limit={limit:.6g}, share={share}).update_force(p, 0.5)"
         about.cause = (
-            "Up to the limit the spring pulls with its full stiffness, and beyond it with share * "
-            "stiffness. That adds up to k (limit - l0) + share k (l - limit)."
+            "Up to the limit the spring pulls with its full stiffness k, and beyond it with share "
+            "* k. The pull is k (limit - rest_length) + share k (length - limit)."
         )
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
@@ -106,34 +104,32 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "Your force stops growing at the limit. Beyond the limit it should still grow with "
-                "the length, just more slowly, at a rate of share * stiffness."
+                "Your force stays the same beyond the limit. It must keep growing with the "
+                "length there, but with share * stiffness instead of the full stiffness."
             ): limit - rest,
             (
-                "Your code multiplies the whole extension by share. Apply share only to the part "
-                "of the length beyond the limit."
+                "You multiply the whole extension by share. Apply share only to the part of "
+                "the length beyond the limit."
             ): share * (length - rest),
             "Your spring pulls with its full stiffness even beyond the limit. Multiply the "
-            "stiffness by share for that part of the length.": length - rest,
-            "You counted only the part of the length beyond the limit. Add the pull of the part "
-            "below it, which is k (limit - l0).": share * beyond,
-            "You compared the limit with the extension, as if it were measured from the rest "
-            "length. Compare it with the length of the spring.": (
-                min(length, late) - rest + share * max(length - late, 0.0)
-            ),
+            "stiffness by share for the part of the length beyond it.": length - rest,
+            "Your force counts only the part of the length beyond the limit. Add the pull of "
+            "the part up to the limit, which is k (limit - rest_length).": share * beyond,
+            "You compare the limit with the extension. Compare it with the length of the "
+            "spring instead.": (min(length, late) - rest + share * max(length - late, 0.0)),
         }
         got = xyz(p.force_accumulator)
         slips = {slip: [-k * size * part for part in d] for slip, size in sizes.items()}
         blame(got, slips)
-        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
+        expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
         about.cause = (
-            "The second call should add the same force again, because the spring has no memory of "
-            "being stretched. Don't store anything between calls."
+            "The second call must add the same force again, because the spring has no memory. "
+            "Don't store anything between calls."
         )
         spring.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         twice = tuple(2.0 * part for part in wanted)
-        expect_close(got, twice, then=", called twice; p.force_accumulator", tolerance=1e-11)
+        expect_close(got, twice, then=", called twice; p.force_accumulator, in N", tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.1")
@@ -144,22 +140,22 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     about.call += "1.0, 2.0, 0.5); s.update_force(p, 0.5)"
     about.cause = (
         "Both ends are at the same position, so the spring has no direction and adds no force. "
-        "Leave the other forces on the particle alone."
+        "Leave the other forces on p alone."
     )
     p, q = Particle(Vector3(*place)), Particle(Vector3(*place), mass=math.inf)
     p.add_force(Vector3(*f))
     s = ElasticLimitSpring(q, 5.0, 1.0, 2.0, 0.5)
     s.update_force(p, 0.5)
-    expect_close(xyz(p.force_accumulator), f, then="; p.force_accumulator")
+    expect_close(xyz(p.force_accumulator), f, then="; p.force_accumulator, in N")
     about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
     about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
     about.cause = (
-        "The check changed the attributes after it created the spring, so the pull is now 4 * 3 + "
-        "2 * 4 (4 - 3). Read the attributes in every call."
+        "The check changes the attributes of s and moves q before this call, so the pull is 4 * 3 "
+        "+ 2 * 4 (4 - 3). Read the attributes in every call."
     )
     p.clear_forces()
     q.position = q.position - Vector3(4.0, 0.0, 0.0)
     s.limit, s.share, s.stiffness, s.rest_length = 3.0, 2.0, 4.0, 0.0
     s.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, (-20.0, 0.0, 0.0), then="; p.force_accumulator", tolerance=1e-12)
+    expect_close(got, (-20.0, 0.0, 0.0), then="; p.force_accumulator, in N", tolerance=1e-12)

@@ -39,60 +39,62 @@ def true_spring(x0: float, v0: float, k: float, c: float, m: float, t: float) ->
 @pytest.mark.exercise("B6.11")
 def test_the_force_by_its_formula() -> None:
     about.read = READ
-    about.call = "p of 1 kg at (1, 0, 0), at rest, with acceleration (0, -10, 0) and damping 0.5; "
-    about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
+    about.call = "p of 1 kg at rest at (1, 0, 0), with acceleration (0, -10, 0) and damping 0.5; "
+    about.call += "FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=0).update_force(p, "
+    about.call += "1/60)"
     about.cause = (
-        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position after h, "
-        "which is cos(chi h) here. The particle's own acceleration and damping have no effect on "
-        "the force."
+        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position that a "
+        "real spring would reach in h seconds. The acceleration and the damping of p don't matter."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
     sizes = {
-        "The book's listing says 1 / h * h, which divides by h and then multiplies by it again "
-        "(E-6). Write / h / h or / (h * h) to divide by h^2.": wanted[0] / 3600.0,
-        "You used the force of a real spring, -k x, which is too strong for a step this long. Work "
-        "back from T, the position that a real spring would reach.": -400.0,
-        "The force is twice as large as it should be. It would be right if the step moved p by a "
-        "h^2 / 2, but semi-implicit Euler moves it by a h^2.": 2.0 * wanted[0],
+        "You divide by h and then multiply by h again, because the book's listing says 1 / h * "
+        "h (E-6). Divide by h * h instead.": wanted[0] / 3600.0,
+        "You use the force of a real spring, -k x, which is too strong for a step this long. "
+        "Compute the force that takes p to T, the position that a real spring would reach.": -400.0,
+        "Your force is twice as large as it should be, as if a step moved p by a h^2 / 2. "
+        "Semi-implicit Euler moves it by a h^2, where a is the acceleration.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
-    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-10)
-    about.call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0); "
-    about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
+    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-10)
+    about.call = "p of 1 kg at (0, 0, 0) with velocity (0, 2, 0); "
+    about.call += "FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=0).update_force(p, "
+    about.call += "1/60)"
     about.cause = (
-        "The particle is at the anchor and moving along y, so use (T - x) / h^2 - v / h with x = 0 "
-        "and v = 2. Here T = v sin(chi h) / chi."
+        "p moves along y, so the force is (T - x) / h^2 - v / h with x = 0 and v = 2. T is the "
+        "position that a real spring would reach in h seconds."
     )
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
-        "The force is (T - x) / h^2 - v, as printed in the book (E-6). The units don't match, "
-        "because v is a velocity rather than an acceleration. Subtract v / h "
-        "instead.": wanted[1] + 120.0 - 2.0,
-        "The force is (T - x) / h^2, which ignores the fact that the particle is already moving. "
-        "Subtract v / h as well.": wanted[1] + 120.0,
-        "There is no force, although p moves along y. At the anchor the offset of p is zero and "
-        "has no direction, so you can't work with the distance as a whole. Compute x, y and z "
-        "separately instead.": 0.0,
+        "Your force contains the term -v, as printed in the book (E-6), but v is a velocity "
+        "and not an acceleration. Subtract v / h instead, where h is the duration of the "
+        "step.": wanted[1] + 120.0 - 2.0,
+        "Your force ignores the velocity v, as if the particle were at rest. Subtract v / h as "
+        "well, where h is the duration of the step.": wanted[1] + 120.0,
+        "There is no force, although p moves along y. At the anchor the offset has no "
+        "direction, so compute the force for x, y and z separately, not for the distance.": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
-    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-10)
+    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-10)
 
 
 @pytest.mark.exercise("B6.11")
 def test_a_soft_spring_is_faked_too() -> None:
-    about("p of 1 kg at (0, 0, 1), at rest; FakeStiffSpring(Vector3(), 0.5, ", read=READ)
-    about.call += "0).update_force(p, 0.1)"
+    about(
+        "p of 1 kg at rest at (0, 0, 1); FakeStiffSpring(anchor=Vector3(), stiffness=0.5, ",
+        read=READ,
+    )
+    about.call += "damping=0).update_force(p, 0.1)"
     about.cause = (
-        "For a soft spring, (T - x) / h^2 is about half of a real spring's force, because "
-        "semi-implicit Euler moves the particle by a h^2 and not by a h^2 / 2. Use the same "
-        "formula for every stiffness."
+        "The force on a soft spring must follow the same formula. It is about half that of a real "
+        "spring, because semi-implicit Euler moves the particle by a h^2 and not by a h^2 / 2."
     )
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
@@ -101,7 +103,7 @@ def test_a_soft_spring_is_faked_too() -> None:
     only = "There is no force along z. Compute the force in the same way on all three axes."
     blame(got, [(ZERO, only)])
     # cos loses three digits, and is multiplied by 100.
-    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
+    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.11")
@@ -111,12 +113,14 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
     k, m, h = positive_number(rng, 50.0, 900.0), positive_number(rng), 1.0 / 30.0
     for share in (0.1, 0.6, 3.0):
         c = share * 2.0 * math.sqrt(k * m)
-        about.call = f"p of {m} kg at {place}, velocity {v}; s = FakeStiffSpring(Vector3{anchor}, "
-        about.call += f"{k}, {c}); s.update_force(p, {h}); a step of semi-implicit Euler; "
-        about.call += "p.position"
+        about.call = f"p of {m} kg at {place} with velocity {v}; s = "
+        about.call += f"FakeStiffSpring(anchor=Vector3{anchor}, stiffness={k}, damping={c:.6g}); "
+        about.call += f"s.update_force(p, {h:.6g}); one step of semi-implicit Euler; p.position, "
+        about.call += "in m"
         about.cause = (
-            "Compute T on each axis separately, from the position relative to the anchor, this "
-            "particle's mass and the spring's damping. The step should then end at T."
+            "The step must end at T, the position that a real spring would reach. Compute T on "
+            "each axis, from the position relative to the anchor, the particle's mass and the "
+            "spring's damping."
         )
         ends = faked(anchor, place, v, k, c, m, h, 1)
         wanted = tuple(
@@ -124,17 +128,20 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         )
         axes = list(zip(anchor, place, v, wanted, strict=True))
         slips = {
-            "This is an acceleration. Multiply it by particle.mass to get a force.": [
-                x + u * h + (end - x - u * h) / m for _, x, u, end in axes
-            ],
-            "You computed T for a mass of 1 kg. Pass the particle's mass to damped_spring_state.": [
+            "Your force does not depend on the mass, so it is really an acceleration. Multiply "
+            "it by particle.mass.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
+            "You computed T, the position that a real spring would reach, for a mass of 1 kg. "
+            "Pass the particle's mass to damped_spring_state.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
             ],
-            "You computed T without damping. Pass self.damping to damped_spring_state.": [
+            "You computed T, the position that a real spring would reach, without damping. "
+            "Pass self.damping to damped_spring_state.": [
                 a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
             ],
-            "You computed T as if the anchor were at (0, 0, 0). Subtract self.anchor from the "
-            "position first.": [true_spring(x, u, k, c, m, h) for _, x, u, _ in axes],
+            "You computed the position of a spring whose anchor is at (0, 0, 0). Subtract "
+            "self.anchor from the position first.": [
+                true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
+            ],
         }
         blame(ends[-1], slips)
         # Divided by h^2 and multiplied by it again: a few roundings of numbers up to 20.
@@ -145,21 +152,22 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
 def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     about.read = READ
     place = components(rng)
-    about.call = f"p at {place}; s = FakeStiffSpring(Vector3(), 1e6, 200); 300 frames of 1/60 s of "
-    about.call += "s.update_force(p, h), a step of semi-implicit Euler"
+    about.call = f"p at {place}; s = FakeStiffSpring(anchor=Vector3(), stiffness=1e6, "
+    about.call += "damping=200); 300 times s.update_force(p, 1/60) and a step of semi-implicit "
+    about.call += "Euler"
     about.cause = (
         "A real spring explodes if k h^2 / m is above 4, and here it is 278. The faked spring "
-        "should come to rest anyway, so check that you use its damping."
+        "must come to rest anyway, so check that you use its damping."
     )
     ends = faked(ZERO, place, ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 300)
     farthest = max(math.hypot(*end) for end in ends)
     left = math.hypot(*ends[-1])
     start = math.hypot(*place)
     # After a frame a true one has e^(-100/60) of its start: 19 %.
-    name = ": the largest distance from the anchor after a frame, in m"
+    name = "; the largest distance from the anchor after a step, in m"
     expect_between(farthest, 0.0, 0.2 * start, then=name)
-    expect_between(left, 0.0, 1e-9, then=": the distance from the anchor at the end, in m")
-    about.call = "the same from (1, 0, 0), after the first frame"
+    expect_between(left, 0.0, 1e-9, then="; the distance from the anchor at the end, in m")
+    about.call = "the same spring with p at rest at (1, 0, 0); p.position.x after one step, in m"
     wanted = true_spring(1.0, 0.0, 1e6, 200.0, 1.0, 1.0 / 60.0)
     got = faked(ZERO, (1.0, 0.0, 0.0), ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 1)[-1][0]
     expect_close(got, wanted, tolerance=1e-10)
@@ -169,11 +177,12 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
 def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
     f, place = components(rng), components(rng)
-    about.call = f"p of 2 kg at {place}; s = FakeStiffSpring(Vector3{place}, 400, 3); "
-    about.call += f"p.add_force(Vector3{f}); s.update_force(p, 0.5); p.force_accumulator"
+    about.call = f"p of 2 kg at rest at {place}; s = FakeStiffSpring(anchor=Vector3{place}, "
+    about.call += f"stiffness=400, damping=3); p.add_force(Vector3{f}); s.update_force(p, 0.5); "
+    about.call += "p.force_accumulator, in N"
     about.cause = (
-        "The particle is at rest at the anchor, so the spring adds no force. Keep the other forces "
-        "on the particle by calling add_force."
+        "The particle is at rest at the anchor, so the spring adds no force. Keep the other "
+        "forces on p by calling add_force."
     )
     p, s = Particle(Vector3(*place), mass=2.0), FakeStiffSpring(Vector3(*place), 400.0, 3.0)
     p.add_force(Vector3(*f))
@@ -181,11 +190,11 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     expect_close(xyz(p.force_accumulator), f, tolerance=1e-12)
     expect_unchanged("s.anchor", xyz(s.anchor), place, cause=UNCHANGED)
     expect_unchanged("p.position", xyz(p.position), place, cause=UNCHANGED)
-    about.call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place}, "
+    about.call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place} with "
     about.call += f"velocity {f}; s.update_force(p, 0.5)"
     about.cause = (
-        "The check has set the stiffness and the damping to 0, so the particle moves at constant "
-        "velocity and needs no force. Read the attributes on every call."
+        "The check has set the stiffness and the damping to 0, so p moves at constant velocity "
+        "and needs no force. Read the attributes in every call."
     )
     s.anchor, s.stiffness, s.damping = Vector3(), 0.0, 0.0
     p = Particle(Vector3(*place), Vector3(*f))
@@ -193,26 +202,26 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, tolerance=1e-12)
     s.stiffness = 100.0
-    about.call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator"
+    about.call = "an immovable particle p at (1, 0, 0); s = FakeStiffSpring(anchor=Vector3(), "
+    about.call += "stiffness=100, damping=0); s.update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = (
-        "The particle is immovable, and its infinite mass times 0 is NaN. Return before you "
-        "compute a force for it."
+        "The particle is immovable, and its infinite mass makes the force infinite or NaN. Return "
+        "before you compute a force for it."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
     s.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
-    about.call = "p of 2 kg at (1, 0, 0), at rest, FakeStiffSpring(Vector3(), 100, "
-    about.call += "0).update_force(p, 0.5)"
+    about.call = "p of 2 kg at rest at (1, 0, 0); FakeStiffSpring(anchor=Vector3(), "
+    about.call += "stiffness=100, damping=0).update_force(p, 0.5)"
     about.cause = (
-        "The force is 2 (cos(chi h) - 1) / h^2 here, where chi is the square root of 100 / 2. "
-        "Compute it from the spring's current attributes and the mass of the particle that is "
-        "passed in."
+        "The force is 2 (cos(chi h) - 1) / h^2 here, with chi = sqrt(100 / 2) and h = 0.5. Use "
+        "the spring's current attributes and the mass of the particle that is passed in."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=2.0)
     s.update_force(p, 0.5)
     wanted = (8.0 * (math.cos(0.5 * math.sqrt(50.0)) - 1.0), 0.0, 0.0)
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
+    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.11")
@@ -220,8 +229,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 def test_a_faked_spring_needs_a_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
     about.cause = (
-        "The duration must be positive and finite. Check it with positive() before anything else, "
-        "so that an immovable particle gets the ValueError too."
+        "The duration must be positive and finite. Check it first, with the function positive "
+        "from arguments.py, even for an immovable particle."
     )
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):
@@ -230,16 +239,18 @@ def test_a_faked_spring_needs_a_duration() -> None:
             expect_error(
                 lambda p=p, bad=bad: s.update_force(p, bad),
                 ValueError,
-                call=f"p of {mass} kg; s.update_force(p, {bad})",
+                call="s = FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=3); "
+                f"s.update_force(p, {bad}), where p has a mass of {mass}",
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
             )
-    about.call = "FakeStiffSpring(Vector3(), 400, 3).update_force(p, 1/60), p at (1, 0, 0)"
+    about.call = "p at (1, 0, 0); FakeStiffSpring(anchor=Vector3(), stiffness=400, "
+    about.call += "damping=3).update_force(p, 1/60)"
     about.cause = (
-        "A duration of 1/60 s is valid, so don't raise an error. Remember to include the spring's "
-        "damping in T."
+        "A duration of 1/60 s is valid, so don't raise an error. Use the spring's damping when "
+        "you compute the position that a real spring would reach."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0))
     s.update_force(p, 1.0 / 60.0)
     wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0
     got = xyz(p.force_accumulator)
-    expect_close(got, (wanted, 0.0, 0.0), then="; p.force_accumulator", tolerance=1e-9)
+    expect_close(got, (wanted, 0.0, 0.0), then="; p.force_accumulator, in N", tolerance=1e-9)

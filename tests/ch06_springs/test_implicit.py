@@ -14,11 +14,7 @@ from draw import positive_number
 from expect import about, expect_close, expect_finite_numbers, named
 
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
-RULES = {
-    "backward_euler": "x' = x + v' h and v' = v + a' h, both with the new values",
-    "trapezoidal": "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with the means of the "
-    "old and new values",
-}
+RULES = {"backward_euler": "x' = x + v' h", "trapezoidal": "x' = x + (v + v') h / 2"}
 
 
 def off(
@@ -38,49 +34,52 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
     x, v = draw_number(rng), draw_number(rng)
     k, c, m, h = (positive_number(rng) for _ in range(4))
     for stiffness, damping in ((k, 0.0), (0.0, c), (k, c)):
-        about.call = f"{method}({x}, {v}, {stiffness}, {damping}, {m}, {h}) = (x', v')"
+        about.call = f"x', v' = {method}(x={x}, v={v}, stiffness={stiffness}, damping={damping}, "
+        about.call += f"mass={m}, duration={h})"
         about.cause = (
-            f"The equations are {RULES[method]}, where m a = -k x - c v. Substitute the first one "
-            "into the second and solve for v'."
+            "Your results x' and v' don't satisfy the two equations in the docstring. Insert the "
+            "first one into the second, with a' = (-k x' - c v') / m, and solve for v'."
         )
         new = METHODS[method](x, v, stiffness, damping, m, h)
-        expect_close(len(new), 2, then=": the number of results")
+        expect_close(len(new), 2, then="; number of values returned")
         left = off(method, x, v, stiffness, damping, m, h, new)
         other = "trapezoidal" if method == "backward_euler" else "backward_euler"
         u = v + (-stiffness * x - damping * v) / m * h
         slips = {
-            "This is a step of explicit Euler, which uses only the old values. Solve the equations "
-            "of this method for the new velocity instead.": (x + v * h, u),
-            "This is a step of semi-implicit Euler, whose force still comes from the old state. "
-            "Solve the equations of this method for the new velocity instead.": (x + u * h, u),
+            "This is a step of explicit Euler, which uses only the old values. Solve the "
+            "equations in the docstring for the new velocity instead.": (x + v * h, u),
+            "This is a step of semi-implicit Euler, which uses the force at the old position. "
+            "Solve the equations in the docstring for the new velocity instead.": (x + u * h, u),
         }
         fits = {
-            "You swapped the two results. Return the position x' first and then the velocity "
-            "v'.": off(method, x, v, stiffness, damping, m, h, (new[1], new[0])),
-            f"The result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
-            "Your result ignores the damping. The acceleration comes from m a = -k x - c v, so "
-            "include the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),
-            "Your result ignores the stiffness. The acceleration comes from m a = -k x - c v, so "
-            "include the term with k.": off(method, x, v, 0.0, damping, m, h, new),
-            "You didn't divide the stiffness and the damping by the mass. The acceleration "
-            "contains k / m and c / m.": off(method, x, v, stiffness, damping, 1.0, h, new),
+            "You return the two results in the wrong order. Return the position x' first and "
+            "the velocity v' second.": off(
+                method, x, v, stiffness, damping, m, h, (new[1], new[0])
+            ),
+            f"Your result is that of {other}. Solve the equations in the docstring of {method} "
+            "instead.": off(other, x, v, stiffness, damping, m, h, new),
+            "Your result ignores the damping. The acceleration follows from m a = -k x - c v, "
+            "so include the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),
+            "Your result ignores the stiffness. The acceleration follows from m a = -k x - c "
+            "v, so include the term with k.": off(method, x, v, 0.0, damping, m, h, new),
+            "You didn't divide the stiffness and the damping by the mass m. The acceleration "
+            "is -(k x + c v) / m.": off(method, x, v, stiffness, damping, 1.0, h, new),
         }
         # If the new state solves the equations of a mistake, that mistake was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
         if not slip and abs(new[0] - x - v * h) < 1e-10:
-            slip = "Your position uses only the old velocity, x' = x + v h."
+            slip = "Your position moves with the old velocity alone, x' = x + v h. The equation "
+            slip += f"of this method is {RULES[method]}."
         if not slip and abs(new[0] - x - new[1] * h) < 1e-10 and left[0] != 0.0:
-            slip = "Your position uses only the new velocity, x' = x + v' h."
+            slip = "Your position moves with the new velocity alone, x' = x + v' h. The equation "
+            slip += f"of this method is {RULES[method]}."
         known = named(new, about.cause, slips)
-        if slip and known == about.cause:
-            about.cause = f"{slip} {about.cause}"
-        else:
-            about.cause = known
+        about.cause = slip if slip and known == about.cause else known
         # A few roundings of numbers up to 4000.
         expect_close(
             left,
             (0.0, 0.0),
-            then=": the errors of the two equations, for x' and for v'",
+            then="; by how much x' and v' miss the two equations of the method",
             tolerance=1e-10,
         )
 
@@ -89,9 +88,10 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
 @pytest.mark.parametrize(("method", "factor"), [("backward_euler", 2.0), ("trapezoidal", 4.0)])
 def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -> None:
     about.read = f"the docstring of {method}"
-    about.call = f"{method}(x, v, 4.0, 0.5, 1.0, h) from x = 1, v = 0 to 2 s: the error of x"
+    about.call = f"steps of {method} with stiffness=4, damping=0.5 and mass=1, from x = 1 at rest "
+    about.call += "to 2 s; the error of x"
     about.cause = (
-        "Given the order of this method, halving the time step should divide the error by "
+        "With half the time step, the error of this method must be smaller by a factor of "
         f"{factor:g}. Compare your two equations with those in the docstring."
     )
     # x(2) by the closed form: e^-0.5 (cos 2g + sin 2g / (4 g)), g the root of 3.9375
@@ -104,7 +104,7 @@ def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -
     expect_close(
         errors[0] / errors[1],
         factor,
-        then=", with h = 1/200, divided by that with h = 1/400",
+        then=" with h = 1/200, divided by the error with h = 1/400",
         tolerance=0.03 * factor,
     )
 
@@ -115,17 +115,21 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     v = draw_number(rng)
     causes = {
-        "trapezoidal": "The trapezoidal rule conserves the energy of an undamped spring, however "
-        "stiff the spring is. Check that the position and the velocity both use the "
-        "mean of the old and the new values.",
-        "backward_euler": "Without damping, each step of backward Euler divides the energy by 1 + "
-        "k h^2 / m, so even the stiffest spring settles down. Check that you use "
-        "the force of the new state.",
+        "trapezoidal": (
+            "The trapezoidal rule keeps the energy of an undamped spring, however "
+            "stiff it is. Use the mean of the old and the new values for both the position and "
+            "the velocity."
+        ),
+        "backward_euler": (
+            "Without damping, each step of backward Euler divides the energy by 1 + k "
+            "h^2 / m, so even the stiffest spring settles down. Use the force of the new state."
+        ),
     }
     about.cause = causes[method]
     for k, steps in ((1e3, 5), (1e3, 1000), (1e6, 1000), (1e12, 1000)):
-        about.call = f"{steps} times {method}(x, v, {k}, 0.0, 1.0, 1/60) from x = 1, v = {v}: "
-        about.call += "the fraction of the energy that is left"
+        about.call = f"{steps} steps of {method} with stiffness={k:g}, damping=0, mass=1 and "
+        about.call += f"duration=1/60, from x = 1 and v = {v}; the fraction of the energy that is "
+        about.call += "left"
         x, new = implicit_steps(method, 1.0, v, k, 0.0, 1.0, 1.0 / 60.0, steps)
         left = (k * x * x + new * new) / (k + v * v)
         wanted = 1.0 if method == "trapezoidal" else (1.0 + k / 3600.0) ** -steps
@@ -141,11 +145,12 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
     x, v = draw_number(rng), draw_number(rng)
     k, m, h = (positive_number(rng) for _ in range(3))
     about.call = (
-        f"backward_euler({x}, {v}, {k}, 0.0, {m}, {h}): the final energy / the initial energy"
+        f"backward_euler(x={x}, v={v}, stiffness={k}, damping=0.0, mass={m}, duration={h}); the "
+        "final energy divided by the initial energy"
     )
     about.cause = (
-        "Without damping, each step of backward Euler should divide the energy by exactly 1 + k "
-        "h^2 / m. Check that both equations use the new position and the new velocity."
+        "Without damping, a step of backward Euler must divide the energy by exactly 1 + k h^2 / "
+        "m. Use the new position and the new velocity in both equations."
     )
     new = backward_euler(x, v, k, 0.0, m, h)
     energy = 0.5 * k * new[0] ** 2 + 0.5 * m * new[1] ** 2
@@ -165,8 +170,8 @@ def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None
     about(
         f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
         cause=(
-            "A stiffness and a damping of 0 are valid. There is no force then, so the body keeps "
-            "its velocity and moves by v h."
+            "A stiffness and a damping of 0 are valid. Without a force the body must "
+            "keep its velocity v and move by v h."
         ),
     )
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)

@@ -32,12 +32,13 @@ def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
 
 @pytest.mark.exercise("6.5")
 def test_how_the_particle_is_released() -> None:
-    about("swings_wider(integrator, 7.0, 0.25, 0.125): what the integrator gets", read=WIDER)
+    about("swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125)", read=WIDER)
     seen = released()
-    name = "swings_wider(integrator, 7.0, 0.25, 0.125): is the integrator called"
+    name = "swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125); the integrator "
+    name += "was called"
     calls = (
-        "Let the integrator that is passed in make the steps. It can be any function, so there is "
-        "no formula for it: you have to try it out."
+        "You never called the integrator that was passed in. Let it make the steps, because no "
+        "formula covers every integrator."
     )
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
@@ -45,35 +46,48 @@ def test_how_the_particle_is_released() -> None:
         "Pass the integrator a list with exactly one particle. Don't add anything else, such as "
         "the anchor."
     )
-    expect_exactly(count, 1, then=": the number of particles")
+    expect_exactly(count, 1, then="; number of particles that the integrator gets")
     about.cause = (
-        "Give the particle a mass of 1 kg, because the limit is measured for that mass. A heavier "
-        "particle would tolerate a stiffer spring."
+        "Give the particle a mass of 1 kg. The limit is measured for this mass, and a heavier "
+        "particle tolerates a stiffer spring."
     )
-    expect_close(mass, 1.0, then=": its mass")
+    expect_close(mass, 1.0, then="; mass of the particle that the integrator gets, in kg")
     about.cause = (
-        "The particle should have the damping that is passed to swings_wider. Set it when you "
+        "The particle must have the damping that is passed to swings_wider. Set it when you "
         "create the particle."
     )
     if damping == 1.0:
         about.cause = (
-            "The particle has no damping. The damping belongs to the particle here, not to the "
-            "spring, so pass it to Particle."
+            "The particle has no damping. Pass the damping to Particle, because it belongs to the "
+            "particle here and not to the spring."
         )
-    expect_close(damping, 0.25, then=": its damping")
+    expect_close(damping, 0.25, then="; damping of the particle that the integrator gets")
     about.cause = (
-        "You called the integrator with the wrong duration. Pass the duration on to it unchanged."
+        "You called the integrator with the wrong duration. Pass it the duration that "
+        "swings_wider was called with."
     )
-    expect_close(h, 0.125, then=": the duration")
+    expect_close(h, 0.125, then="; duration that the integrator gets, in s")
     about.cause = "Release the particle at a distance of START, which is 10 m, from the anchor."
-    expect_close(math.hypot(*place), 10.0, then=": distance from the anchor")
-    about.cause = (
-        "This scene has no gravity. Leave the particle's own acceleration at 0, so that only the "
-        "spring acts."
+    expect_close(
+        math.hypot(*place),
+        10.0,
+        then="; distance of the particle from the anchor when the integrator is first called, in m",
     )
-    expect_close(drift, (0.0, 0.0, 0.0), then=": acceleration")
+    about.cause = (
+        "There must be no gravity here. Leave the particle's own acceleration at 0, so that only "
+        "the spring acts."
+    )
+    expect_close(
+        drift,
+        (0.0, 0.0, 0.0),
+        then="; acceleration of the particle that the integrator gets, in m/s^2",
+    )
     about.cause = "Release the particle at rest, with a velocity of 0."
-    expect_close(velocity, (0.0, 0.0, 0.0), then=": velocity")
+    expect_close(
+        velocity,
+        (0.0, 0.0, 0.0),
+        then="; velocity of the particle when the integrator is first called, in m/s",
+    )
     by_hand = (
         "You added a force to the particle before you called the integrator. Pass "
         "registry.update_forces as apply_forces, and let the integrator call it."
@@ -81,16 +95,18 @@ def test_how_the_particle_is_released() -> None:
     expect_close(
         before,
         (0.0, 0.0, 0.0),
-        call="swings_wider(integrator, 7.0, 0.25, 0.125): the force in the accumulator when the "
-        "integrator is called",
+        call="swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125); "
+        "force_accumulator of the particle when the integrator is first called, in N",
         cause=by_hand,
     )
     about.cause = (
-        "Pass the update_forces of a registry as apply_forces. The registry should contain one "
-        "AnchoredSpring of this stiffness, with a rest length of 0 and no damping."
+        "apply_forces does not add the force of the spring. Pass it update_forces of a registry "
+        "with one AnchoredSpring of this stiffness, with a rest length of 0 and no damping."
     )
     wanted = tuple(-7.0 * part for part in place)
-    expect_close(force, wanted, then=": the force that apply_forces adds", tolerance=1e-11)
+    expect_close(
+        force, wanted, then="; force that apply_forces adds to the particle, in N", tolerance=1e-11
+    )
 
 
 @pytest.mark.exercise("6.5")
@@ -104,41 +120,41 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.5,
             False,
-            "The stiffness is only half the limit, so the oscillation clearly dies out, and the "
-            "answer is False. Is your comparison the wrong way around?",
+            "The stiffness is only half the limit, so the oscillation dies out and the result "
+            "must be False. Is your comparison the wrong way around?",
         ),
         (
             0.98,
             False,
-            "The stiffness is 2 % below the limit, so the oscillation dies out. Perhaps you "
-            "compare swings too early in the run, or single positions instead of maxima.",
+            "The stiffness is 2 % below the limit, so the oscillation dies out and the result "
+            "must be False. Compare the largest distances in late swings with those in early "
+            "ones, not single positions.",
         ),
         (
             1.02,
             True,
-            (
-                "The stiffness is 2 % above the limit, so the oscillation grows, although only "
-                "slowly with the book's step. Take enough steps, and compare late swings with "
-                "early ones."
-            ),
+            "The stiffness is 2 % above the limit, so the oscillation grows slowly and the "
+            "result must be True. Make enough steps, and compare late swings with early "
+            "ones.",
         ),
         (
             4.0,
             True,
-            "The stiffness is far above the limit, so the oscillation grows without bound. Stop as "
-            "soon as it is huge, before a number overflows.",
+            "The stiffness is far above the limit, so the oscillation grows without bound. "
+            "Return True as soon as it is huge, before a number becomes too large for a "
+            "float.",
         ),
         (
             1e6,
             True,
-            "At this stiffness the position soon becomes too large for a float. Stop and return "
-            "True before that happens.",
+            "At this stiffness the position soon becomes too large for a float. Return True "
+            "before that happens.",
         ),
     ):
         about.cause = cause
         k = part * limit
-        about.call = f"swings_wider(integrator, {k!r}, {damping}, 1/60), a step that is "
-        about.call += f"stable up to {limit:.6g} N/m"
+        about.call = f"swings_wider(integrator, stiffness={k:.6g}, damping={damping}, "
+        about.call += f"duration=1/60) with an integrator that is stable up to {limit:.6g} N/m"
         got = wider(share, explicit, k, damping, h)
         expect_exactly(got, wanted)
 
@@ -147,25 +163,28 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
 def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     about.read = WIDER
     about.cause = (
-        "Without damping, semi-implicit Euler keeps the amplitude, but no step need fall exactly "
-        "on the peak of a swing. Compare the largest distance over many late swings with the "
-        "largest over many early ones."
+        "Without damping, semi-implicit Euler keeps the amplitude, so the result must be False. "
+        "Compare the largest distance in many late swings with that in many early ones, because a "
+        "step can miss the peak of a swing."
     )
     for share in (0.1, 0.9, 0.98):
         k = share * 14_400.0
-        about.call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step stable up to 14400 N/m"
+        about.call = f"swings_wider(integrator, stiffness={k:.6g}, damping=1.0, duration=1/60) "
+        about.call += "with an integrator that is stable up to 14400 N/m"
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
-    about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
+    about.call = "swings_wider(integrator, stiffness=14700, damping=1.0, duration=1/60) with an "
+    about.call += "integrator that is stable up to 14400 N/m"
     about.cause = (
-        "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows. Return True."
+        "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows. The result "
+        "must be True."
     )
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
-    about.call = "swings_wider(integrator, 1.0, 1.0, 1/60), the book's step"
+    about.call = "swings_wider(explicit_euler, stiffness=1.0, damping=1.0, duration=1/60)"
     about.cause = (
-        "Without damping the book's step is unstable for every spring, but this oscillation grows "
-        "slowly, by only 12 % in FRAMES steps. Take that many steps before you decide."
+        "Without damping, explicit Euler is unstable for every spring, but this oscillation grows "
+        "by only 12 % in FRAMES steps. Make that many steps before you decide."
     )
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
@@ -179,8 +198,8 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     h = 1.0 / 20.0
     if explicit:
         damping = 0.9  # with which it is stable up to about 1 N/m
-    about.call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), with an integrator that "
-    about.call += "the check provides"
+    about.call = f"largest_stable_stiffness(integrator, damping={damping}, duration={h!r}) in N/m, "
+    about.call += "with an integrator that the check provides"
     about.cause = (
         "Measure the limit with the integrator that is passed in, because no formula covers every "
         "integrator. Keep halving the interval between a stable and an unstable stiffness."
@@ -188,14 +207,14 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     slips = {
-        "The result is still SOFTEST / h^2, where the search began. If the stiffness in the middle "
-        "is stable, make it the new lower bound.": 1e-7 / h**2,
-        "The result is still STIFFEST / h^2, where the search began. If the stiffness in the "
-        "middle is unstable, make it the new upper bound.": 16.0 / h**2,
-        "You returned max_stable_stiffness, the formula for the book's step. This is a different "
-        "integrator, so measure its limit with swings_wider.": limit_of(1.0, True, damping, h),
-        "The result is STIFFEST / h. The bounds of the search go with the square of the duration, "
-        "so divide by h^2.": 16.0 / h,
+        "Your result is SOFTEST / h^2, where the search begins. If the stiffness in the middle "
+        "of the interval is stable, make it the new lower end.": 1e-7 / h**2,
+        "Your result is STIFFEST / h^2, where the search begins. If the stiffness in the "
+        "middle of the interval is unstable, make it the new upper end.": 16.0 / h**2,
+        "You returned max_stable_stiffness, the formula for explicit Euler. This integrator is "
+        "a different one, so measure its limit with swings_wider.": limit_of(1.0, True, damping, h),
+        "Your result is STIFFEST / h. The ends of the interval depend on the square of the "
+        "duration h, so divide by h^2.": 16.0 / h,
     }
     blame(got, slips)
     if isinstance(got, float) and 0.02 < abs(got / wanted - 1.0) < 0.3:
@@ -211,24 +230,25 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
 def test_the_ends_of_what_is_measured() -> None:
     about.read = LARGEST
     h = 1.0 / 60.0
-    about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), an integrator that makes every "
-    about.call += "swing wider"
+    about.call = "largest_stable_stiffness(integrator, damping=0.5, duration=1/60) with an "
+    about.call += "integrator that makes every swing wider"
     about.cause = (
         "With this integrator every oscillation grows, so no spring is stable. Return 0 or a "
-        "stiffness very close to it."
+        "stiffness very close to 0."
     )
     got = never_safe(h)
     # A spring of 0.36 N/m, with k h^2 / m = 1e-4, is softer than any that matters in a game.
     expect_between(got, -0.36, 0.36)
     about.cause = (
-        "The search ends at STIFFEST / h^2, so don't try anything stiffer. If even that is stable, "
-        "return it."
+        "The integrator is stable even at STIFFEST / h^2, where the search ends. Return that "
+        "stiffness, and don't try a stiffer spring."
     )
-    about.call = "largest_stable_stiffness(integrator, 0.5, 0.8), a step stable up to 400 / h^2"
+    about.call = "largest_stable_stiffness(integrator, damping=0.5, duration=0.8) with an "
+    about.call += "integrator that is stable up to 625 N/m"
     most = 16.0 / 0.8**2
     got = measured(0.01, False, 0.5, 0.8)
     expect_close(got, most, tolerance=0.01 * most)
-    about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), semi-implicit Euler"
+    about.call = "largest_stable_stiffness(semi_implicit_euler, damping=0.0, duration=1/60)"
     about.cause = (
         "A damping of 0 is valid. It stops the particle at the end of each step, so even a spring "
         "of STIFFEST / h^2 is stable. Return that stiffness."
@@ -243,8 +263,8 @@ def test_the_ends_of_what_is_measured() -> None:
 def test_measuring_needs_numbers_that_mean_something() -> None:
     about.read = WIDER
     about.cause = (
-        "This argument is invalid, so raise ValueError. Particle and AnchoredSpring check the "
-        "damping and the stiffness for you, but checking the duration is up to you."
+        "One of these arguments is not valid, so raise ValueError. Particle and AnchoredSpring "
+        "check the damping and the stiffness for you, but you must check the duration."
     )
 
     def step(particles: list, apply_forces: object, duration: float) -> None:
@@ -262,7 +282,7 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
         expect_error(
             lambda bad=bad: swings_wider(step, *bad),
             ValueError,
-            call="swings_wider(integrator, {}, {}, {})".format(*bad),
+            call="swings_wider(integrator, stiffness={}, damping={}, duration={})".format(*bad),
             allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
         )
     about.read = LARGEST
@@ -272,13 +292,13 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
                 step, damping, duration
             ),
             ValueError,
-            call=f"largest_stable_stiffness(integrator, {damping}, {duration})",
+            call=f"largest_stable_stiffness(integrator, damping={damping}, duration={duration})",
             allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
         )
-    about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
+    about.call = "swings_wider(explicit_euler, stiffness=10.0, damping=0.5, duration=1/60)"
     about.cause = (
-        "All arguments of this call are valid, so don't raise an error. A stiffness of 10 N/m is "
-        "below the limit of 41.8 N/m, so the oscillation dies out."
+        "All of these arguments are valid, so don't raise an error. A stiffness of 10 N/m is "
+        "below the limit of 41.8 N/m, so the result must be False."
     )
     got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
     expect_exactly(got, False)

@@ -81,11 +81,12 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     m, n = positive_number(rng, 1.0, 4.0), positive_number(rng, 1.0, 4.0)
     stiffness, along = positive_number(rng, 5.0, 20.0), direction(rng)
     v, a, middle = components(rng), components(rng), components(rng)
-    about.call = f"my_step with two particles of {m} and {n} kg on a spring of {stiffness} N/m"
+    about.call = f"my_step, {FRAMES} times, with two particles of {m} and {n} kg on a spring of "
+    about.call += f"{stiffness} N/m"
     about.cause = (
-        "A method of order 2 is off by at most 0.003 m here. Either your method is less accurate, "
-        "or some particle doesn't move with its own mass, velocity and acceleration, or you don't "
-        "clear the forces after you use them."
+        "Your error is larger than the 0.003 m of a method of order 2. Perhaps a particle does "
+        "not move with its own mass, velocity and acceleration, or you don't clear the forces "
+        "after using them."
     )
 
     def ends(swung: float, t: float) -> list[Components]:
@@ -113,7 +114,7 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
             expect_close(
                 got,
                 place,
-                then=f": particles[{which}].position after {frame} of {FRAMES} frames",
+                then=f"; particles[{which}].position after {frame} steps, in m",
                 tolerance=5e-3,
             )
     falling = [p + q * period for p, q in zip(v, a, strict=True)]
@@ -121,13 +122,13 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     expect_close(
         velocities[-1][0],
         falling,
-        then=f": particles[0].velocity after {FRAMES} frames",
+        then=f"; particles[0].velocity after {FRAMES} steps, in m/s",
         tolerance=5e-2,
     )
     expect_close(
         left[0],
         (0.0, 0.0, 0.0),
-        then=": particles[0].force_accumulator after the last frame",
+        then="; particles[0].force_accumulator after the last step, in N",
         tolerance=0.0,
     )
 
@@ -136,12 +137,12 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
 def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], None]) -> None:
     about.read = STEP
     about.call = (
-        f"my_step, {FRAMES} times in one revolution of an orbit of eccentricity {ECCENTRICITY}"
+        f"my_step, {FRAMES} times in one revolution on an orbit of eccentricity {ECCENTRICITY}"
     )
     about.cause = (
         "Explicit and semi-implicit Euler are not accurate enough here. Use a method of order 2 "
-        f"or more, and split the time step into as many parts as you like, up to {MOST} "
-        "evaluations in all."
+        "or more. You may split a step into parts, as long as you evaluate the forces at most "
+        f"{MOST} times in all."
     )
     count, error = turn_of_an_orbit(rng)
     on_chart(count, error)
@@ -150,7 +151,7 @@ def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], 
         error,
         -0.01,
         0.01,
-        then=": the largest distance from the true orbit, divided by the semi-major axis",
+        then="; the largest distance from the true orbit, divided by the semi-major axis",
     )
 
 
@@ -159,23 +160,23 @@ def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], 
 def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
     about.read = STEP
     about.call = (
-        f"my_step, {FRAMES} times in one revolution of an orbit of eccentricity {ECCENTRICITY}"
+        f"my_step, {FRAMES} times in one revolution on an orbit of eccentricity {ECCENTRICITY}"
     )
     about.cause = (
-        f"Only {FEW} evaluations of the forces are allowed in all. Split the time step into "
-        "fewer parts, or use a method that needs fewer evaluations per step."
+        f"You may evaluate the forces only {FEW} times in all. Split the time step into fewer "
+        "parts, or use a method that needs fewer evaluations per step."
     )
     count, error = turn_of_an_orbit(rng)
-    name = f": the number of force evaluations, with an error of {error:.1e}"
+    name = f"; number of times that the forces were evaluated, for an error of {error:.1e}"
     expect_between(count, 0, FEW, then=name)
     about.cause = (
-        f"The error is too large. You use {count} of the {FEW} evaluations that are allowed, so "
-        "take shorter steps where the particle is fast, or use a more accurate method."
+        f"Your error is too large. You evaluate the forces {count} times, and {FEW} times are "
+        "allowed. Make shorter steps where the particle is fast, or use a more accurate method."
     )
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
     expect_between(
         error,
         -most,
         most,
-        then=": the largest distance from the true orbit, divided by the semi-major axis",
+        then="; the largest distance from the true orbit, divided by the semi-major axis",
     )

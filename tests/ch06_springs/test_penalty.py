@@ -24,11 +24,12 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
     high, k, depth = positive_number(rng, 0.5, 9.5), positive_number(rng), positive_number(rng)
     f = components(rng)
     for height in (-high, high):
-        about.call = f"p at (3, {height - depth}, 5); p.add_force(Vector3{f}); "
-        about.call += f"PenaltyGround({height}, {k}).update_force(p, 0.5); p.force_accumulator"
+        about.call = f"p at (3, {height - depth:.6g}, 5); p.add_force(Vector3{f}); "
+        about.call += f"PenaltyGround(height={height}, stiffness={k}).update_force(p, 0.5); "
+        about.call += "p.force_accumulator, in N"
         about.cause = (
-            "The ground pushes up with k times the depth of the particle below its surface. Add "
-            "that push to the forces already on the particle."
+            "The ground must push up with the stiffness times the depth of p below its surface. "
+            "Add this push to the forces that are already on p."
         )
         p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
         p.add_force(Vector3(*f))
@@ -36,14 +37,14 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
         wanted = (f[0], f[1] + k * depth, f[2])
         got = xyz(p.force_accumulator)
         pushes = {
-            "Your force pushes the particle farther into the ground. It must push up, so check its "
-            "sign.": -k * depth,
-            "You measured the depth from a height of 0, but this ground is at a different height. "
+            "Your force pushes p farther into the ground. It must push up, so check its sign.": -k
+            * depth,
+            "You measured the depth from a height of 0, but this ground is at self.height. "
             "Subtract the particle's y from self.height.": k * (depth - height),
-            "You multiplied the push by the mass. It depends only on the stiffness and the depth, "
-            "so leave the mass out.": 2.0 * k * depth,
-            "There is no push, although p is below the surface. Check the sign of the depth, which "
-            "is self.height minus p's y.": 0.0,
+            "You multiplied the push by the mass. It depends only on the stiffness and the "
+            "depth, so leave the mass out.": 2.0 * k * depth,
+            "There is no push, although p is below the surface. Check the sign of the depth, "
+            "which is self.height minus the particle's y.": 0.0,
         }
         slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
         blame(got, slips)
@@ -58,48 +59,49 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         (
             0.5,
             0.0,
-            "The particle is above the ground, so there is no force. The ground can push but never "
-            "pull.",
+            "The particle is above the ground, so there must be no force. The ground can push, "
+            "but it never pulls.",
         ),
         (
             0.5,
             -9.0,
-            "The particle is still above the ground, so nothing damps its fall yet, however fast "
-            "it is. Check the depth before you compute any force.",
+            "The particle is still above the ground, so there must be no damping yet, however "
+            "fast it falls. Check the depth before you compute any force.",
         ),
         (
             0.0,
             -9.0,
-            "The particle just touches the ground, so its depth is 0 and there is no force. "
-            "Damping acts only below the surface.",
+            "The particle just touches the ground, so its depth is 0 and there must be no "
+            "force. The damping acts only below the surface.",
         ),
     ):
-        about(f"p at (0, {height + above}, 0), velocity (0, {speed}, 0); ", cause=cause)
-        about.call += f"PenaltyGround({height}, {k}, {c}).update_force(p, 0.5); p.force_accumulator"
+        about(f"p at (0, {height + above:.6g}, 0) with velocity (0, {speed}, 0); ", cause=cause)
+        about.call += f"PenaltyGround(height={height}, stiffness={k}, damping={c}).update_force(p, "
+        about.call += "0.5); p.force_accumulator, in N"
         p = Particle(Vector3(0.0, height + above, 0.0), Vector3(0.0, speed, 0.0))
         PenaltyGround(height, k, c).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         expect_close(got, ZERO)
-    about.call = f"p at (0, -1e-6, 0); PenaltyGround(0, {k}).update_force(p, 0.5); "
-    about.call += "p.force_accumulator"
+    about.call = f"p at (0, -1e-6, 0); PenaltyGround(height=0, stiffness={k}).update_force(p, "
+    about.call += "0.5); p.force_accumulator, in N"
     about.cause = (
-        "The particle is only slightly below the surface, but that is enough for a small upward "
-        "push. Any depth above 0 counts."
+        "The particle is only slightly below the surface, but the ground must push it up with a "
+        "small force. Any depth above 0 counts."
     )
     p = Particle(Vector3(0.0, -1e-6, 0.0))
     PenaltyGround(0.0, k).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, 1e-6 * k, 0.0))
-    about.call = f"p at (0, {height - 1}, 0); PenaltyGround({height}, {k}, {c}).update_force(p, "
-    about.call += "0.5)"
+    about.call = f"p at (0, {height - 1:.6g}, 0); PenaltyGround(height={height}, stiffness={k}, "
+    about.call += f"damping={c}).update_force(p, 0.5)"
     about.cause = (
-        "The particle is 1 m below the surface, so the ground pushes it up. The depth is the "
-        "height of the ground minus the particle's y."
+        "The particle is 1 m below the surface, so the ground must push it up. The depth is "
+        "self.height minus the particle's y."
     )
     p = Particle(Vector3(0.0, height - 1.0, 0.0))
     PenaltyGround(height, k, c).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, (0.0, k, 0.0), then="; p.force_accumulator", tolerance=1e-12)
+    expect_close(got, (0.0, k, 0.0), then="; p.force_accumulator, in N", tolerance=1e-12)
 
 
 @pytest.mark.exercise("G6.1")
@@ -111,49 +113,53 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
     for share, cause in (
         (
             -2.0,
-            "The body is still sinking in, so v_y is negative and the damping adds to the push. "
-            "The force is k depth - c v_y.",
+            "The particle is still sinking, so v_y is negative and the damping adds to the "
+            "push. The force is k depth - c v_y, where k is the stiffness and c the damping.",
         ),
         (
             0.5,
-            "The body is moving up out of the ground, so the damping reduces the push. The force "
-            "is k depth - c v_y.",
+            "The particle is already rising, so v_y is positive and the damping reduces the "
+            "push. The force is k depth - c v_y, where k is the stiffness and c the damping.",
         ),
         (
             2.0,
-            "The body leaves so fast that the damping outweighs the push. The ground can't pull it "
-            "back, so clamp the force to 0.",
+            "The particle rises so fast that the damping is larger than the push. The ground "
+            "can't pull it back, so the force must be 0.",
         ),
     ):
         about.cause = cause
         v = share * free
-        about.call = f"p at (0, {-depth}, 0), velocity (4, {v}, 4); PenaltyGround(0, {k}, "
-        about.call += f"{c}).update_force(p, 0.5); p.force_accumulator"
+        about.call = f"p at (0, {-depth}, 0) with velocity (4, {v:.6g}, 4); "
+        about.call += f"PenaltyGround(height=0, stiffness={k}, damping={c}).update_force(p, 0.5); "
+        about.call += "p.force_accumulator, in N"
         p = Particle(Vector3(0.0, -depth, 0.0), Vector3(4.0, v, 4.0), mass=2.0)
         ground.update_force(p, 0.5)
         push = k * depth
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "You left out the damping, so a body would bounce on this ground forever. Subtract c "
-            "v_y from the push.": (0.0, push, 0.0),
-            "Your force is k depth + c v_y, so the damping speeds the motion up. It has to oppose "
-            "the motion, so reverse its sign.": (
+            "You left out the damping, so a body bounces on this ground forever. Subtract c "
+            "v_y from the push, where c is the damping.": (0.0, push, 0.0),
+            "Your force is k depth + c v_y, so the damping speeds the motion up. It must "
+            "oppose the motion, so reverse its sign.": (
                 0.0,
                 max(push * (1.0 + share), 0.0),
                 0.0,
             ),
-            "The damping also acts along the ground, as friction would. It should depend only on "
-            "v_y, so leave the x and z components of the force at "
-            "0.": (-4.0 * c, wanted[1], -4.0 * c),
-            "Your force pulls the body down, but the ground can only push. If the push and the "
-            "damping add up to less than 0, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
+            "Your damping also acts along the ground, like friction. It must depend only on "
+            "v_y, so leave the x and z components of the force at 0.": (
+                -4.0 * c,
+                wanted[1],
+                -4.0 * c,
+            ),
+            "Your force pulls the particle down, but the ground can only push. If the push and "
+            "the damping add up to less than 0, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         if got[0] or got[2]:
             about.cause = (
-                "The damping also acts along the ground, as friction would. It should depend only "
-                "on v_y, so leave the x and z components of the force at 0."
+                "Your damping also acts along the ground, like friction. It must depend only on "
+                "v_y, so leave the x and z components of the force at 0."
             )
         expect_close(got, wanted, tolerance=1e-11)
 
@@ -161,27 +167,27 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
 @pytest.mark.exercise("G6.1")
 def test_a_body_comes_to_rest_in_the_sponge() -> None:
     about.read = "E-36, and the docstring of PenaltyGround"
-    about.call = "p of 2 kg falls 0.5 m, g = 10, on PenaltyGround(0, 400, 10); 20 s of "
-    about.call += "update_force(p, h), a step of semi-implicit Euler, h = 1/240: p.position.y"
+    about.call = "p of 2 kg that falls 0.5 m with g = 10 m/s^2 onto PenaltyGround(height=0, "
+    about.call += "stiffness=400, damping=10); 20 s in steps of 1/240 s; p.position.y, in m"
     about.cause = (
-        "A body that comes to rest on this ground has sunk in by m g / k, which is 5 cm here. At "
-        "that depth the push equals the weight."
+        "The particle comes to rest where the push equals its weight m g. Its depth there is m g "
+        "/ k, which is 5 cm, where k is the stiffness."
     )
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
     about.cause = (
-        "The body arrives at sqrt(10) m/s, and the spring should stop it within about 0.2 m. Check "
+        "The particle arrives at 3.2 m/s, and the ground must stop it within about 0.2 m. Check "
         "the stiffness and the sign of the damping."
     )
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     expect_between(lowest, deepest, 0.6 * deepest, then=", at its lowest")
-    about.call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and "
-    about.call += "0.5; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); "
-    about.call += "p.force_accumulator"
+    about.call = "ground = PenaltyGround(height=0, stiffness=400, damping=0), changed to "
+    about.call += "height=1, stiffness=3 and damping=0.5; p at (0, 0, 0) with velocity (0, 2, 0); "
+    about.call += "ground.update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = (
-        "The check changed the attributes after it created the ground, so read them on every call. "
-        "The force is now 3 N minus 0.5 times 2 m/s."
+        "The check changes the attributes after creating the ground, so read them in every call. "
+        "The force must now be 3 N minus 0.5 * 2 N, which is 2 N."
     )
     ground, p = PenaltyGround(0.0, 400.0), Particle(velocity=Vector3(0.0, 2.0, 0.0))
     ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5

@@ -45,33 +45,33 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     about.read = HANG
     places = draw_places(rng)
     numbers = positive_number(rng), positive_number(rng), positive_number(rng)
-    about.call = "hang_bridge(registry, planks, {}, {}, {}); registry.update_forces(0.5)".format(
-        *numbers
-    )
+    hang = "hang_bridge(registry, planks, height={}, stiffness={}, damping={})".format(*numbers)
+    about.call = f"{hang}; registry.update_forces(0.5)"
     about.cause = (
-        "In a new bridge no spring is under tension, so the rest length of each one is its current "
-        "length. For a hanger that is the height, and for the others it is the distance between "
-        "the two planks."
+        "In a new bridge no spring is stretched, so its rest length must be its current length. "
+        "For a hanger that is the height, and for a spring between two planks it is their "
+        "distance."
     )
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     height, k, _ = numbers
     for i, force in enumerate(forces):
         slack = (
-            "Your hangers have a rest length of 0, so they pull the new bridge up. Use the height, "
-            "which is their length at the start."
+            "Your hangers have a rest length of 0, so they pull the new bridge up. Use the height "
+            "as their rest length."
         )
         blame(force, [((0.0, k * height, 0.0), slack)])
-        expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
-    about.call += ", with a single plank that the check lowers by 0.5 m"
+        expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator, in N", tolerance=1e-12)
+    about.call = f"{hang} with a single plank; the check lowers it by 0.5 m; "
+    about.call += "registry.update_forces(0.5)"
     about.cause = (
-        "The check lowers the first plank by 0.5 m. Its hanger is then stretched by 0.5 m, so it "
-        "should pull the plank up with a force of 0.5 k."
+        "The check lowers the plank by 0.5 m. Its hanger is then stretched by 0.5 m, so it "
+        "must pull the plank up with 0.5 m times the stiffness."
     )
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
-    expect_close(got[0], wanted, then="; planks[0].force_accumulator", tolerance=1e-11)
+    expect_close(got[0], wanted, then="; planks[0].force_accumulator, in N", tolerance=1e-11)
 
 
 @pytest.mark.exercise("G6.2")
@@ -84,11 +84,12 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         ((p[0] + m[0], p[1] + m[1], p[2] + m[2]), components(rng))
         for p, m in zip(places, moved, strict=True)
     ]
-    about.call = f"hang_bridge(registry, planks, {height}, {k}, {c}); all planks moved a little, "
-    about.call += "with velocities; registry.update_forces(0.5)"
+    about.call = f"hang_bridge(registry, planks, height={height}, stiffness={k}, damping={c}); the "
+    about.call += "check moves all planks a little and gives them velocities; "
+    about.call += "registry.update_forces(0.5)"
     about.cause = (
-        "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then join each "
-        "plank to the next with a single call of connect, which acts on both ends."
+        "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then join "
+        "each plank to the next with one call of connect, which acts on both ends."
     )
     forces = hung_bridge(places, after, (height, k, c))
     for i, end in enumerate(after):
@@ -102,30 +103,34 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
         below = pull(end, ((x, y - height, z), ZERO), k, height, c)
         slips = {
-            "Your anchors are below the planks. Add the height to y, so that each plank hangs from "
-            "an anchor above it.": [
+            "Your anchors are below the planks. Add the height to y, so that each plank hangs "
+            "from an anchor above it.": [
                 total - hanger + part
                 for total, hanger, part in zip(wanted, parts[0], below, strict=True)
             ],
-            "Only the hangers act, but neighboring planks should pull on each other too. Call "
+            "Only your hangers act, but neighboring planks must pull on each other too. Call "
             "connect for each pair of neighbors.": parts[0],
-            "Your springs between the planks act twice. The spring that connect registers already "
-            "acts on both planks, so call connect only once per pair.": [
+            "Your springs between the planks act twice. The spring that connect registers "
+            "already acts on both planks, so call connect only once per pair.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
         }
         why = named(forces[i], about.cause, slips)
         expect_close(
-            forces[i], wanted, then=f"; planks[{i}].force_accumulator", cause=why, tolerance=1e-11
+            forces[i],
+            wanted,
+            then=f"; planks[{i}].force_accumulator, in N",
+            cause=why,
+            tolerance=1e-11,
         )
     about.cause = (
-        "The registry already held another spring before you hung the bridge, and that spring has "
-        "to keep acting. Add to the registry without clearing it."
+        "The registry already held another spring, which must keep acting. Add your springs "
+        "without clearing the registry."
     )
     expect_close(
         forces[-1],
         (0.0, -2.0, 0.0),
-        then="; the force of another spring that was in the registry before",
+        then="; the force in N of another spring that was in the registry before",
     )
 
 
@@ -138,83 +143,93 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             -1.25,
             (0.75, 0.25, 0.0),
-            "The planks before and after the walker carry the fractions 1 - s and s of the weight, "
-            "and the nearer one carries more. Check which plank gets which fraction.",
+            "The walker is between two planks, which carry the fractions 1 - s and s of the "
+            "weight. The nearer plank carries more, so check which plank gets which fraction.",
         ),
         (
             1.0,
             (0.0, 0.25, 0.75),
-            "The fraction s should go from 0 at one plank to 1 at the next. The gap is 2 m here "
-            "rather than 1 m, so divide the distance by the gap.",
+            "The fraction s must go from 0 at one plank to 1 at the next. Divide the walker's "
+            "distance from the plank by the gap between the planks, which is 2 m here.",
         ),
         (
             -0.5,
             (0.0, 1.0, 0.0),
-            "The walker is standing right on a plank here, so that plank carries the whole weight.",
+            "The walker is right on a plank, so this plank must carry the whole weight.",
         ),
         (
             -7.0,
             (1.0, 0.0, 0.0),
-            "The walker is before the first plank here, so the first plank carries the whole "
-            "weight. Clamp x to the ends of the bridge.",
+            "The walker is before the first plank, so the first plank must carry the whole "
+            "weight. Limit x to the ends of the bridge.",
         ),
         (
             9.0,
             (0.0, 0.0, 1.0),
-            "The walker is beyond the last plank here, so the last plank carries the whole weight. "
-            "Clamp x to the ends of the bridge.",
+            "The walker is beyond the last plank, so the last plank must carry the whole "
+            "weight. Limit x to the ends of the bridge.",
         ),
         (
             -1.5,
             (1.0, 0.0, 0.0),
-            "The walker is standing right on the first plank, which carries the whole weight. "
-            "There is no plank before it.",
+            "The walker is right on the first plank, which must carry the whole weight. There "
+            "is no plank before it.",
         ),
         (
             1.5,
             (0.0, 0.0, 1.0),
-            "The walker is standing right on the last plank, which carries the whole weight. There "
+            "The walker is right on the last plank, which must carry the whole weight. There "
             "is no plank after it.",
         ),
     ):
-        about(f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, {x}, {weight})", cause=cause)
+        about(
+            f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, x={x}, weight={weight})",
+            cause=cause,
+        )
         forces = loaded(places, x, weight)
         got = [force[1] - 2.0 for force in forces]
         wanted = [-weight * share for share in shares]
         beside = max(shares) < 1.0
         slips = {
-            "The fractions s and 1 - s are swapped. The plank nearer the walker must carry more.": [
+            "You swapped the fractions s and 1 - s of the weight. The plank nearer to the "
+            "walker must carry more.": [
                 -weight * (1.0 - share) if share else 0.0 for share in shares
             ],
-            "You gave each of the two planks half of the weight. The nearer one must carry more, "
-            "so use the fractions 1 - s and s.": [
+            "You gave each of the two planks half of the weight. The nearer plank must carry "
+            "more, so use the fractions 1 - s and s.": [
                 -0.5 * weight * (share > 0.0) for share in shares
             ],
-            "Your weight pushes the planks up. Weight is a downward force, so its y component is "
+            "Your weight pushes the planks up. Weight points down, so its y component must be "
             "negative.": [-part for part in wanted],
-            "You multiplied the weight by 9.81. It is already a force in N, not a mass in kg, so "
-            "use it as is.": [9.81 * part for part in wanted],
+            "You multiplied the weight by 9.81. It is already a force in N and not a mass in "
+            "kg, so use it unchanged.": [9.81 * part for part in wanted],
         }
         about.cause = named(got, about.cause, slips) if beside else about.cause
         expect_close(
             got,
             wanted,
-            then=": forces along y without the 2 N that were there before",
+            then="; the y components of the forces that load_bridge adds to the planks, in N",
             tolerance=1e-12 * weight,
         )
         got = [part for force in forces for part in (force[0], force[2])]
-        expect_close(got, [1.0, 3.0] * 3, then=": the forces along x and z, which must not change")
-    about.call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
+        expect_close(
+            got,
+            [1.0, 3.0] * 3,
+            then="; the x and z components of all forces in N, which must not change",
+        )
+    about.call = f"a single plank at x = -1.5; load_bridge([plank], x=4.0, weight={weight}); the y "
+    about.call += "component of the force that it adds, in N"
     about.cause = (
-        "There is only one plank here, so it carries the whole weight wherever the walker is. "
-        "Perhaps your code looks for a second plank."
+        "There is only one plank, so it must carry the whole weight, wherever the walker is. "
+        "Don't look for a second plank."
     )
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
-    about.call = "load_bridge(planks, 0.0, 4.0), both planks at x = 0; the sum of what they carry"
+    about.call = "load_bridge(planks, x=0.0, weight=4.0) with two planks at x = 0; the sum of the "
+    about.call += "y components of the forces that it adds, in N"
     about.cause = (
-        "Both planks are at the same x, so you can't divide by the gap between them, which is 0. "
-        "Together they still have to carry the whole weight."
+        "Both planks are at the same x, so don't divide by the gap between them, which is 0. "
+        "Together they must carry the whole weight."
     )
     got = math.fsum(force[1] - 2.0 for force in loaded([ZERO, ZERO], 0.0, 4.0))
     expect_close(got, -4.0)
@@ -224,11 +239,12 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
 def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.read = "the docstrings of hang_bridge and load_bridge"
     places = [(float(i), 0.0, 0.0) for i in range(7)]
-    about.call = "7 planks of 2 kg, hang_bridge(registry, planks, 3, 200, 20); load_bridge(planks, "
-    about.call += "3, 100) in every frame, 20 s: the pull of all hangers together"
+    about.call = "7 planks of 2 kg on hang_bridge(registry, planks, height=3, stiffness=200, "
+    about.call += "damping=20); load_bridge(planks, x=3, weight=100) in every step for 20 s; the "
+    about.call += "total pull of the hangers in N"
     about.cause = (
-        "By the end the bridge is at rest, so the total pull of the hangers should equal the "
-        "weight of the planks plus that of the walker."
+        "At the end the bridge is at rest. The total pull of the hangers must equal the weight of "
+        "the planks plus that of the walker."
     )
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 1200)
     up = math.fsum(
@@ -238,18 +254,19 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     # By then the swings have died out to e^-20 of some 100 N.
     expect_close(up, 7.0 * 2.0 * 10.0 + 100.0, tolerance=1e-4)
     about.call = (
-        "the same bridge: how far the first three planks sag, which must match the last three"
+        "the same bridge; how far planks[0], planks[1] and planks[2] sag in m, compared with the "
+        "last three planks"
     )
     about.cause = (
-        "The walker is on the middle plank, so the bridge should sag equally on both sides. Check "
-        "that all planks hang from the same kind of spring and that all neighbors are connected."
+        "The walker is on the middle plank, so the bridge must sag equally on both sides. Hang "
+        "all planks from the same kind of spring, and connect all neighbors."
     )
     sags = [-end[1] for end in ends]
     expect_close(sags[:3], sags[:3:-1], tolerance=1e-6)
-    about.call = "the same bridge: the sag of the middle plank minus that of the first plank"
+    about.call = "the same bridge; the sag of the middle plank minus that of the first plank, in m"
     about.cause = (
-        "The springs between the planks spread the load, but the planks near the walker should "
-        "still sag more than those at the ends. Check that neighboring planks are connected."
+        "The planks near the walker must sag more than those at the ends, although the springs "
+        "between the planks spread the load. Check that neighboring planks are connected."
     )
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
     expect_between(sags[3] - sags[0], 0.2, 0.499)
@@ -259,8 +276,8 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
 @pytest.mark.robust
 def test_a_bridge_needs_numbers_that_mean_something() -> None:
     about(
-        cause="The height, stiffness or damping is invalid here, so raise ValueError, even if "
-        "there are no planks. Check all arguments before you add anything to the registry.",
+        cause="The height, stiffness or damping is not valid, so raise ValueError, even "
+        "if there are no planks. Check all arguments before you add anything to the registry.",
         read=HANG,
     )
     planks = [Particle(), Particle()]
@@ -278,24 +295,25 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
             expect_error(
                 lambda bad=bad, some=some: hang_bridge(registry, some, *bad),
                 ValueError,
-                call="hang_bridge(registry, {}, {}, {}, {})".format(name, *bad),
+                call="hang_bridge(registry, {}, height={}, stiffness={}, damping={})".format(
+                    name, *bad
+                ),
                 allowed=lambda: hang_bridge(ForceRegistry(), planks, 1.0, 1.0, 1.0),
             )
-    about.call = "hang_bridge(registry, planks, ...) raised an error; planks[0] is moved; "
-    about.call += "registry.update_forces(0.5)"
+    about.call = "hang_bridge(registry, planks, ...) with an argument that is not valid; "
+    about.call += "planks[0] is moved; registry.update_forces(0.5)"
     about.cause = (
-        "The call raised an error but left some of its springs in the registry. Check all "
+        "hang_bridge raised an error but left some of its springs in the registry. Check all "
         "arguments before you add the first spring."
     )
     planks[0].position.y = -0.5
     registry.update_forces(0.5)
     got = xyz(planks[0].force_accumulator)
-    expect_close(got, ZERO, then="; its force_accumulator")
+    expect_close(got, ZERO, then="; planks[0].force_accumulator, in N")
     about.read = LOAD
     about.cause = (
-        "At least one of the arguments is not valid, so raise ValueError. There must be at least "
-        "one plank, x must be finite, and the weight must be finite and not negative. The "
-        "functions in arguments.py can check the numbers for you."
+        "One of these arguments is not valid, so raise ValueError. There must be at least one "
+        "plank, x must be finite, and the weight must be finite and not negative."
     )
     for count, x, weight in (
         (0, 1.0, 1.0),
@@ -309,6 +327,6 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
         expect_error(
             lambda count=count, x=x, weight=weight: load_bridge(planks[:count], x, weight),
             ValueError,
-            call=f"load_bridge({count} planks, {x}, {weight})",
+            call=f"load_bridge(planks, x={x}, weight={weight}) with {count} planks",
             allowed=lambda: load_bridge(planks, 1.0, 0.0),
         )

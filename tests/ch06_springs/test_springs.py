@@ -40,31 +40,35 @@ def spring_slips(
         return [size * part for part in d]
 
     return {
-        "Your extension is abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
-        "compressed spring pushes this end away, along the offset.": along(-abs(pull) - c * rate),
-        "Your damping pushes in the direction of the motion, so the spring would swing wider and "
-        "wider. It has to oppose the motion, so check its sign.": along(c * rate - pull),
-        "The force points along the offset, so a stretched spring would push its end even farther "
-        "away. Perhaps you left out the minus sign.": along(pull + c * rate),
-        "Your force is -k l d^, as if the rest length were 0. Only the extension counts, so "
+        "Your extension is abs(length - rest_length), so a compressed spring pulls. Remove abs "
+        "(E-3), because a compressed spring must push this end away, along the offset.": along(
+            -abs(pull) - c * rate
+        ),
+        "Your damping acts in the direction of the motion, so the swings get wider and wider. "
+        "It must oppose the motion, so check its sign.": along(c * rate - pull),
+        "Your force points along the offset, so a stretched spring pushes its end even farther "
+        "away. Perhaps the minus sign is missing.": along(pull + c * rate),
+        "Your force is the stiffness times the whole length. Only the extension counts, so "
         "subtract the rest length from the length.": along(-k * length - c * rate),
-        "You multiplied the force by the whole offset, so a long spring is too strong. The offset "
-        "only gives the direction, so normalize it first.": along(-(pull + c * rate) * length),
-        "You used the squared length of the offset. The extension needs the length itself, so take "
-        "the magnitude.": along(-k * (length**2 - rest) - c * rate),
-        "You left out the damping force. Add -c (v . d^) d^ along the spring.": along(-pull),
-        "There is no force, as if this were a slack rope. Unlike a rope, a spring pushes when it "
-        "is shorter than its rest length.": along(0.0 * pull),
-        "Your damping is -c v, which also slows down motion across the spring, although that "
-        "doesn't change its length. Use only the part of v along the spring.": [
+        "You multiply the force by the whole offset, so a long spring is too strong. The "
+        "offset only gives the direction, so normalize it first.": along(
+            -(pull + c * rate) * length
+        ),
+        "You use the squared length of the offset. The extension needs the length itself, so "
+        "use magnitude().": along(-k * (length**2 - rest) - c * rate),
+        "You left out the damping. Add a force along the spring: the damping times the rate at "
+        "which the length changes.": along(-pull),
+        "There is no force, as if the spring were a slack rope. Unlike a rope, a spring pushes "
+        "when it is shorter than its rest length.": along(0.0 * pull),
+        "Your damping is -c v, which also slows down motion across the spring. Use only the "
+        "component of the velocity v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
-        "Your damping uses the speed |v|, which is positive even while the spring gets shorter. "
-        "Use v . d^, the rate at which the length changes.": along(
-            -pull - c * math.hypot(*velocity)
-        ),
-        "Your damping uses v . offset, which grows with the length of the spring. Normalize the "
-        "offset first.": along(-pull - c * rate * length),
+        "Your damping uses the speed |v|, which is positive even while the spring gets "
+        "shorter. Use the component of v along the spring, the rate at which the length "
+        "changes.": along(-pull - c * math.hypot(*velocity)),
+        "Your damping uses the dot product of v and the whole offset, which grows with the "
+        "length of the spring. Normalize the offset first.": along(-pull - c * rate * length),
     }
 
 
@@ -72,26 +76,24 @@ def spring_slips(
 def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> None:
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
-    pulls = (
-        "A spring that is longer than its rest length pulls this end back, against the offset. "
-        "Check the sign and the size of the extension."
-    )
-    pushes = (
-        "A spring that is shorter than its rest length pushes this end away, along the offset. Its "
-        "extension is negative, so don't take the absolute value."
-    )
+    pulls = "The spring is longer than its rest length, so it must pull this end back, against "
+    pulls += "the offset. Check the sign and the size of the extension."
+    pushes = "The spring is shorter than its rest length, so it must push this end away, along "
+    pushes += "the offset. Its extension is negative, so don't take the absolute value."
     for share, cause in ((1.5, pulls), (0.5, pushes), (1e-3, pushes)):
         about.cause = cause
         offset = tuple(share * rest * part for part in d)
-        about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, {rest})"
+        about.call = f"spring_force(offset=Vector3{offset}, velocity=Vector3(), stiffness={k}, "
+        about.call += f"rest_length={rest}), in N"
         wanted = hooke(offset, ZERO, k, rest, 0.0)
         got = expect_vector(spring_force(Vector3(*offset), Vector3(), k, rest))
         blame(got, spring_slips(offset, ZERO, k, rest, 0.0))
         # A few roundings of numbers up to 60.
         expect_close(got, wanted, tolerance=1e-12)
-    about.call = "spring_force(Vector3(1, 0, 0), Vector3(), 10, 2)"
-    about.cause = "The length is 1 m and the rest length 2 m, so the spring pushes with 10 N. The "
-    about.cause += "printed formula gives a pull (E-3)."
+    about.call = "spring_force(offset=Vector3(1, 0, 0), velocity=Vector3(), stiffness=10, "
+    about.call += "rest_length=2), in N"
+    about.cause = "The spring is 1 m long and its rest length is 2 m, so it must push with 10 N. "
+    about.cause += "The formula in the book's listing pulls instead (E-3)."
     got = xyz(spring_force(Vector3(1.0, 0.0, 0.0), Vector3(), 10.0, 2.0))
     expect_close(got, (10.0, 0.0, 0.0))
 
@@ -101,38 +103,35 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 1.0, 5.0), positive_number(rng)
-    about.cause = (
-        "The damping force is -c (v . d^) d^, where d^ is the unit vector along the spring. It "
-        "depends only on the part of the velocity along the spring."
-    )
+    about.cause = "The damping must act along the spring, against the motion. Its size is the "
+    about.cause += "damping c times the component of the velocity along the spring."
     for v, stiffness in ((velocity, 0.0), (velocity, k)):
-        about.call = f"spring_force(Vector3{offset}, Vector3{v}, {stiffness}, {rest}, {c})"
+        about.call = f"spring_force(offset=Vector3{offset}, velocity=Vector3{v}, "
+        about.call += f"stiffness={stiffness}, rest_length={rest}, damping={c}), in N"
         got = xyz(spring_force(Vector3(*offset), Vector3(*v), stiffness, rest, c))
         wanted = hooke(offset, v, stiffness, rest, c)
         why = named(got, about.cause, spring_slips(offset, v, stiffness, rest, c))
         # A few roundings of numbers up to 300.
         expect_close(got, wanted, cause=why, tolerance=1e-11)
     across = (-offset[1], offset[0], 0.0)
-    about.call = f"spring_force(Vector3{offset}, Vector3{across}, 0.0, {rest}, {c})"
-    about.cause = (
-        "The end moves at a right angle to the spring here, so the length doesn't change and there "
-        "is nothing to damp. Use only the part of v along the spring."
-    )
+    about.call = f"spring_force(offset=Vector3{offset}, velocity=Vector3{across}, stiffness=0.0, "
+    about.call += f"rest_length={rest}, damping={c}), in N"
+    about.cause = "The end moves at right angles to the spring, so the length does not change and "
+    about.cause += "there must be no damping. Use only the component of the velocity along the "
+    about.cause += "spring."
     got = xyz(spring_force(Vector3(*offset), Vector3(*across), 0.0, rest, c))
     expect_close(got, ZERO, tolerance=1e-11)
-    about.call = "spring_force(Vector3(0, 2, 0), Vector3(0, 3, 0), 0.0, 2.0, 5.0)"
-    about.cause = (
-        "The end moves away along the spring at 3 m/s, so a damping of 5 N s/m pulls it back "
-        "with 15 N. Check the sign of the damping."
-    )
+    about.call = "spring_force(offset=Vector3(0, 2, 0), velocity=Vector3(0, 3, 0), stiffness=0.0, "
+    about.call += "rest_length=2.0, damping=5.0), in N"
+    about.cause = "The end moves away along the spring at 3 m/s, so a damping of 5 N s/m must "
+    about.cause += "pull it back with 15 N. Check the sign of the damping."
     got = xyz(spring_force(Vector3(0.0, 2.0, 0.0), Vector3(0.0, 3.0, 0.0), 0.0, 2.0, 5.0))
     expect_close(got, (0.0, -15.0, 0.0))
-    about.cause = (
-        "A compressed spring is damped like a stretched one, even if the damping outweighs the "
-        "push. Don't clamp the force in either direction."
-    )
+    about.cause = "A compressed spring is damped like a stretched one, even if the damping is "
+    about.cause += "larger than the push. Don't limit the force in either direction."
     for speed, wanted in ((-5.0, 25.0), (5.0, -5.0)):
-        about.call = f"spring_force(Vector3(0, 1, 0), Vector3(0, {speed}, 0), 10, 2, 3)"
+        about.call = f"spring_force(offset=Vector3(0, 1, 0), velocity=Vector3(0, {speed}, 0), "
+        about.call += "stiffness=10, rest_length=2, damping=3), in N"
         got = xyz(spring_force(Vector3(0.0, 1.0, 0.0), Vector3(0.0, speed, 0.0), 10.0, 2.0, 3.0))
         expect_close(got, (0.0, wanted, 0.0))
 
@@ -141,38 +140,42 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
 def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     about.read = READ
     v = components(rng)
-    about.call = f"spring_force(Vector3(), Vector3{v}, 100.0, 2.0, 3.0)"
+    about.call = f"spring_force(offset=Vector3(), velocity=Vector3{v}, stiffness=100.0, "
+    about.call += "rest_length=2.0, damping=3.0), in N"
     about.cause = (
         "Both ends are at the same position, so the spring has no direction and exerts no force. "
-        "normalized() returns a zero vector in that case, so the formula works as is."
+        "Use normalized(), which returns a zero vector in this case."
     )
     got = xyz(spring_force(Vector3(), Vector3(*v), 100.0, 2.0, 3.0))
     expect_close(got, ZERO)
-    about.call = "spring_force(Vector3(0, 1e-9, 0), Vector3(), 100.0, 2.0)"
+    about.call = "spring_force(offset=Vector3(0, 1e-9, 0), velocity=Vector3(), stiffness=100.0, "
+    about.call += "rest_length=2.0), in N"
     about.cause = (
         "The two ends are very close but not at the same position, so the spring still has a "
-        "direction. It pushes with almost k l0, which is 200 N here."
+        "direction. It pushes with almost 200 N, the stiffness times the rest length."
     )
     got = xyz(spring_force(Vector3(0.0, 1e-9, 0.0), Vector3(), 100.0, 2.0))
     expect_close(got, (0.0, 200.0 - 1e-7, 0.0), tolerance=1e-10)
-    about.call = f"p at the anchor with velocity {v}; AnchoredSpring(Vector3{v}, 100.0, 2.0, "
-    about.call += "3.0).update_force(p, 0.5); p.force_accumulator"
+    about.call = f"p at the anchor with velocity {v}; AnchoredSpring(anchor=Vector3{v}, "
+    about.call += "stiffness=100.0, rest_length=2.0, damping=3.0).update_force(p, 0.5); "
+    about.call += "p.force_accumulator, in N"
     p = Particle(Vector3(*v), Vector3(*v))
     AnchoredSpring(Vector3(*v), 100.0, 2.0, 3.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     about.cause = (
-        "The offset is p.position minus the anchor. It is zero here, so there is no direction "
-        "and no force."
+        "The offset is p.position minus the anchor. It is zero here, so there is no direction and "
+        "no force."
     )
     slips = {
-        "Your spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "Your spring acts as if its other end were at (0, 0, 0). Subtract self.anchor from the "
         "position to get the offset.": hooke(v, v, 100.0, 2.0, 3.0)
     }
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
-    about.call = "spring_force(Vector3(2, 0, 0), Vector3(), 100.0, 1.0)"
+    about.call = "spring_force(offset=Vector3(2, 0, 0), velocity=Vector3(), stiffness=100.0, "
+    about.call += "rest_length=1.0), in N"
     about.cause = (
-        "The ends are 2 m apart here, so the spring has a direction and pulls with 100 N. The "
-        "force vanishes only if both ends are at exactly the same position."
+        "The ends are 2 m apart here, so the spring has a direction and pulls with 100 N. There "
+        "is no force only if both ends are at exactly the same position."
     )
     got = xyz(spring_force(Vector3(2.0, 0.0, 0.0), Vector3(), 100.0, 1.0))
     expect_close(got, (-100.0, 0.0, 0.0))
@@ -182,10 +185,11 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
 def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
-    about.call = f"o, v = Vector3{offset}, Vector3{velocity}; spring_force(o, v, 3.0, 1.0, 2.0)"
+    about.call = f"o, v = Vector3{offset}, Vector3{velocity}; spring_force(o, v, stiffness=3.0, "
+    about.call += "rest_length=1.0, damping=2.0)"
     about.cause = (
-        "Don't change the two vectors that are passed in. normalize and *= work in place, so use "
-        "normalized and *, which return new vectors."
+        "spring_force has changed one of the vectors that it was called with. normalize and *= "
+        "work in place, so use normalized and *, which create new vectors."
     )
     o, v = Vector3(*offset), Vector3(*velocity)
     force = spring_force(o, v, 3.0, 1.0, 2.0)
@@ -193,15 +197,15 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     expect_unchanged("v", xyz(v), velocity)
     wanted = hooke(offset, velocity, 3.0, 1.0, 2.0)
     about.cause = (
-        "The vectors are unchanged, but the force is wrong. It must be -(k (l - l0) + c l') d^, "
-        "where l' is the rate at which the length grows."
+        "The force is wrong. It must be -(k (l - l0) + c l') along the offset, where l is the "
+        "length, l0 the rest length and l' the rate at which the length grows."
     )
     expect_close(xyz(force), wanted, tolerance=1e-11)
-    about.call = f"p at {offset}, velocity {velocity}; q at {velocity}, velocity {offset}; "
-    about.call += "Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)"
+    about.call = f"p at {offset} with velocity {velocity}; q at {velocity} with velocity {offset}; "
+    about.call += "Spring(q, stiffness=3.0, rest_length=1.0, damping=2.0).update_force(p, 0.5)"
     about.cause = (
-        "The spring must not change any position or velocity. -= and normalize work in place, so "
-        "use - and normalized, which return new vectors."
+        "update_force has changed a position or a velocity. -= and normalize work in place, so "
+        "use - and normalized, which create new vectors."
     )
     p = Particle(Vector3(*offset), Vector3(*velocity))
     q = Particle(Vector3(*velocity), Vector3(*offset))
@@ -214,16 +218,17 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     ):
         expect_unchanged(name, xyz(now), before)
     about.read = "the docstring of AnchoredSpring"
-    about.call = f"spring = AnchoredSpring(Vector3{offset}, 3.0, 1.0); p at {velocity}; "
-    about.call += "spring.update_force(p, 0.5)"
+    about.call = f"spring = AnchoredSpring(anchor=Vector3{offset}, stiffness=3.0, "
+    about.call += f"rest_length=1.0); p at {velocity}; spring.update_force(p, 0.5)"
     p, spring = Particle(Vector3(*velocity)), AnchoredSpring(Vector3(*offset), 3.0, 1.0)
     spring.update_force(p, 0.5)
     expect_unchanged("spring.anchor", xyz(spring.anchor), offset)
     expect_unchanged("p.position", xyz(p.position), velocity)
-    about.call = "o = Vector3(); f = spring_force(o, Vector3(), 3.0, 1.0); f.x = 99.0"
+    about.call = "o = Vector3(); f = spring_force(o, Vector3(), stiffness=3.0, rest_length=1.0); "
+    about.call += "f.x = 99.0"
     about.cause = (
-        "Perhaps you returned one of the vectors that were passed in, so changing the result also "
-        "changes the caller's vector. Return a new vector, even if the offset has no direction."
+        "You return one of the vectors that were passed in, so a change of the result changes the "
+        "caller's vector too. Return a new vector, even if the offset is zero."
     )
     o = Vector3()
     f = spring_force(o, Vector3(), 3.0, 1.0)
@@ -237,14 +242,15 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     here, there, v, w, f = (components(rng) for _ in range(5))
     k, c = positive_number(rng), positive_number(rng)
     rest = round(2.0 * math.dist(here, there), 3)  # compressed here, and stretched below
-    about.call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; p.add_force(Vector3{f}); "
-    about.call += f"p has 2 kg, q 3 kg; s = Spring(q, {k}, {rest}, {c}); s.update_force(p, 0.5)"
+    about.call = f"p of 2 kg at {here} with velocity {v}; q of 3 kg at {there} with velocity {w}; "
+    about.call += f"p.add_force(Vector3{f}); s = Spring(q, stiffness={k}, rest_length={rest}, "
+    about.call += f"damping={c}); s.update_force(p, 0.5)"
     p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
     q = Particle(Vector3(*there), Vector3(*w), mass=3.0)
     p.add_force(Vector3(*f))
     about.cause = (
-        "Subtract the other particle's position and velocity from p's, and add the force to p. The "
-        "force depends only on the spring's length and how fast it changes, not on any mass."
+        "Subtract the other particle's position and velocity from p's, compute the force without "
+        "any mass, and add it to p."
     )
     s = Spring(q, k, rest, c)
     s.update_force(p, 0.5)
@@ -255,51 +261,48 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     back = tuple(-part for part in offset)
     forces = {
-        "Your offset is q - p, so the force on p points the wrong way. Subtract the other "
-        "particle's position from p's instead.": hooke(back, relative, k, rest, c),
-        "Your velocity is q's minus p's, so the damping has the wrong sign. Subtract the other "
-        "particle's velocity from p's instead.": hooke(
-            offset, tuple(-part for part in relative), k, rest, c
-        ),
-        "Your damping uses p's velocity alone, but q's motion changes the length too. Subtract q's "
-        "position and velocity from p's.": hooke(offset, v, k, rest, c),
-        "You left out the damping force. Add -c (v . d^) d^ along the spring.": hooke(
-            offset, relative, k, rest, 0.0
-        ),
-        "The force points the wrong way. Check its sign and the order in which you subtract the "
-        "two positions.": tuple(-part for part in pull),
-        "You divided the force by p's mass. The integrator does that later, so add the force "
-        "itself.": tuple(part / 2.0 for part in pull),
-        "You divided the force by q's mass. A spring's force doesn't depend on any mass, so leave "
-        "the masses out.": tuple(part / 3.0 for part in pull),
-        "There is no force on p, although p is the particle that was passed in. Pass the spring's "
-        "force to particle.add_force.": ZERO,
+        "You subtract p's position from q's, so the force on p points the wrong way. Subtract "
+        "q's position from p's instead.": hooke(back, relative, k, rest, c),
+        "You subtract p's velocity from q's, so the damping has the wrong sign. Subtract q's "
+        "velocity from p's instead.": hooke(offset, tuple(-part for part in relative), k, rest, c),
+        "Your damping uses only the velocity of p, but the motion of q changes the length too. "
+        "Subtract q's velocity from p's.": hooke(offset, v, k, rest, c),
+        "You left out the damping. Pass it to spring_force, together with the velocity of p "
+        "relative to q.": hooke(offset, relative, k, rest, 0.0),
+        "Your force points the wrong way. Check its sign and the order in which you subtract "
+        "the two positions.": tuple(-part for part in pull),
+        "You divided the force by the mass of p. Add the force itself, because the step "
+        "divides it by the mass later.": tuple(part / 2.0 for part in pull),
+        "You divided the force by the mass of q. The force of a spring does not depend on any "
+        "mass, so leave the masses out.": tuple(part / 3.0 for part in pull),
+        "There is no force on p, the particle that was passed to update_force. Pass the "
+        "spring's force to particle.add_force.": ZERO,
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
     slips[
-        "The force that was already on p is gone. Call add_force, which adds to the existing force "
-        "instead of replacing it."
+        "The force that was added to p before is lost. Use add_force, which adds the spring's "
+        "force to it."
     ] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
-    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
+    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
     about.cause = (
-        "You added a force to q as well. A Spring acts only on the particle that is passed in; q "
-        "needs a Spring of its own."
+        "You added a force to q as well. A Spring acts only on the particle that is passed to "
+        "update_force, and q needs a Spring of its own."
     )
-    expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
-    about.call = "s = Spring(q, 1, 1, 1) has acted; s.stiffness, s.rest_length, s.damping = 5, 2, "
-    about.call += "3; p at (0, 3, 0), velocity (0, 1, 0), q at rest at (0, 0, 0); "
-    about.call += "s.update_force(p, 0.5)"
+    expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
+    about.call = "s = Spring(q, stiffness=1, rest_length=1, damping=1), used once; s.stiffness, "
+    about.call += "s.rest_length, s.damping = 5, 2, 3; p at (0, 3, 0) with velocity (0, 1, 0), q "
+    about.call += "at rest at (0, 0, 0); s.update_force(p, 0.5)"
     about.cause = (
-        "The check changed the attributes after it created the spring, so the force is now -(5 (3 "
-        "- 2) + 3 * 1). Read the attributes on every call."
+        "The check changes the attributes of s before this call, so the force is -(5 (3 - 2) + 3 "
+        "* 1). Read the attributes in every call."
     )
     s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()
     s.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, (0.0, -8.0, 0.0), then="; p.force_accumulator")
+    expect_close(got, (0.0, -8.0, 0.0), then="; p.force_accumulator, in N")
 
 
 @pytest.mark.exercise("B6.1")
@@ -310,39 +313,42 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     # The spring is stretched at the first anchor and compressed at the second.
     rest, longer = round(0.5 * math.dist(here, first), 3), round(2.0 * math.dist(here, second), 3)
     k, c = positive_number(rng), positive_number(rng)
-    about.call = f"p at {here}, velocity {v}; s = AnchoredSpring(Vector3{first}, {k}, {rest}, "
-    about.call += f"{c}); "
+    about.call = f"p at {here} with velocity {v}; s = AnchoredSpring(anchor=Vector3{first}, "
+    about.call += f"stiffness={k}, rest_length={rest}, damping={c}); "
     p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
     s = AnchoredSpring(Vector3(*first), k, rest, c)
-    about.call += "s.update_force(p, 0.5)"
+    about.call += "s.update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = (
-        "The offset is p.position minus the anchor, and because the anchor is at rest, the "
-        "relative velocity is simply p.velocity. The mass has no effect on a spring's force."
+        "The offset is p.position minus the anchor. The anchor is at rest, so the relative "
+        "velocity is p.velocity, and the mass has no effect on the force."
     )
     s.update_force(p, 0.5)
     offset = tuple(a - b for a, b in zip(here, first, strict=True))
     wanted = hooke(offset, v, k, rest, c)
     got = xyz(p.force_accumulator)
     slips = {
-        "Your offset is anchor - position, so the force points the wrong way. Use position - "
-        "anchor instead.": hooke(tuple(-part for part in offset), v, k, rest, c),
-        "You left out the damping force. Add -c (v . d^) d^ along the spring.": hooke(
+        "You subtract the position from the anchor, so the force points the wrong way. "
+        "Subtract the anchor from the position instead.": hooke(
+            tuple(-part for part in offset), v, k, rest, c
+        ),
+        "You left out the damping. Pass it to spring_force, with the velocity of p.": hooke(
             offset, v, k, rest, 0.0
         ),
-        "Your force uses a rest length of 0. Pass self.rest_length on, so that only the extension "
-        "counts.": hooke(offset, v, k, 0.0, c),
-        "Your spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "Your force uses a rest length of 0. Pass self.rest_length to spring_force, so that "
+        "only the extension counts.": hooke(offset, v, k, 0.0, c),
+        "Your spring acts as if its other end were at (0, 0, 0). Subtract self.anchor from the "
         "position to get the offset.": hooke(here, v, k, rest, c),
-        "The force points the wrong way. Check its sign and the order in which you subtract the "
-        "two positions.": tuple(-part for part in wanted),
+        "Your force points the wrong way. Check its sign and the order in which you subtract "
+        "the two positions.": tuple(-part for part in wanted),
     }
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)
     about.call += f"; p.clear_forces(); s.anchor = Vector3{second}; s.stiffness, s.rest_length, "
-    about.call += f"s.damping = {2 * k}, {longer}, {4 * c}; s.update_force(p, 0.5)"
+    about.call += f"s.damping = {2 * k:.6g}, {longer}, {4 * c:.6g}; s.update_force(p, 0.5); "
+    about.call += "p.force_accumulator, in N"
     about.cause = (
-        "The check changed the anchor and the other attributes after it created the spring. Read "
-        "them on every call instead of caching a result."
+        "The check changes the anchor and the other attributes of s before this call. Read them "
+        "in every call instead of storing a result."
     )
     p.clear_forces()
     s.anchor, s.stiffness, s.rest_length, s.damping = Vector3(*second), 2 * k, longer, 4 * c
@@ -356,12 +362,12 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
 @pytest.mark.exercise("B6.1")
 def test_a_particle_between_two_springs_swings_with_its_period() -> None:
     about.read = "book 6.3.2, Eq. 6.3"
-    about.call = "p of 2 kg, AnchoredSpring(Vector3(), 50, 0), released 0.5 m away; "
-    about.call += "spring.update_force(p, h), p.integrate(h) in steps of 1/1000 s, to the third "
-    about.call += "return"
+    about.call = "p of 2 kg, released 0.5 m from the anchor; AnchoredSpring(anchor=Vector3(), "
+    about.call += "stiffness=50, rest_length=0).update_force(p, h) in steps of 1/1000 s until its "
+    about.call += "third return"
     about.cause = (
-        "The period should be 2 pi sqrt(m / k), which is 2 pi / 5 s here, in every direction. "
-        "Check that the force is proportional to the distance from the anchor."
+        "The period must be 2 pi sqrt(m / k), which is 1.25664 s here, in every direction. Check "
+        "that the force is proportional to the distance from the anchor."
     )
     for axis in range(3):
         start = [0.0, 0.0, 0.0]
@@ -370,7 +376,7 @@ def test_a_particle_between_two_springs_swings_with_its_period() -> None:
         # Explicit Euler has a relative error of k h^2 / m / 3 in the period, about 8e-6, and a
         # crossing lies between two steps.
         wanted = 2.0 * math.pi / 5.0
-        expect_close(period, wanted, then=": period", tolerance=1e-4)
+        expect_close(period, wanted, then="; the period in s", tolerance=1e-4)
 
 
 @pytest.mark.exercise("B6.1")
@@ -378,16 +384,16 @@ def test_a_spring_of_its_length_at_rest_does_nothing(rng: Random) -> None:
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
     offset = tuple(rest * part for part in d)
-    about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, {rest})"
-    about.cause = (
-        "At its rest length the spring has no extension, so k (l - l0) is 0 and there is no force."
-    )
+    about.call = f"spring_force(offset=Vector3{offset}, velocity=Vector3(), stiffness={k}, "
+    about.call += f"rest_length={rest}), in N"
+    about.cause = "At its rest length the spring has no extension, so there must be no force."
     got = xyz(spring_force(Vector3(*offset), Vector3(), k, rest))
     expect_close(got, ZERO, tolerance=1e-13)
-    about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, 0.0)"
+    about.call = f"spring_force(offset=Vector3{offset}, velocity=Vector3(), stiffness={k}, "
+    about.call += "rest_length=0.0), in N"
     about.cause = (
-        "With a rest length of 0 the extension is the whole length, so the force is -k times the "
-        "offset."
+        "With a rest length of 0 the extension is the whole length. The force must be minus the "
+        "stiffness times the offset."
     )
     got = xyz(spring_force(Vector3(*offset), Vector3(), k, 0.0))
     wanted = tuple(-k * part for part in offset)

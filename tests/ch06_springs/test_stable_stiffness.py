@@ -26,42 +26,42 @@ def largest_eigenvalue(matrix: tuple[float, float, float, float]) -> float:
 @pytest.mark.exercise("6.6b")
 def test_the_largest_stiffness_by_known_values() -> None:
     about(
-        cause="The largest stable stiffness is m (d^-h - 1) / h^2, where d is the damping per "
-        "second and h is the duration of a step. Compare your formula with it, factor by "
-        "factor.",
+        cause="The largest stable stiffness is m (d^-h - 1) / h^2, where d is the "
+        "damping per second and h the duration of a step. Compare your formula with it.",
         read=READ,
     )
     for d, wanted in ((0.999, 0.060030520518), (0.9, 6.327184608887), (0.5, 41.829985086921)):
-        about.call = f"max_stable_stiffness({d}, 1/60)"
+        about.call = f"max_stable_stiffness(damping={d}, duration=1/60), in N/m"
         got = max_stable_stiffness(d, 1.0 / 60.0)
         keep = d ** (1.0 / 60.0)
         slips = {
-            "Your result is -m ln d / h, which is only an approximation for short steps. Use the "
-            "exact m (d^-h - 1) / h^2.": -math.log(d) * 60.0,
-            "Your result is m (d^-h - 1) / h. In the limit the duration is squared, so divide by "
-            "h^2.": wanted / 60.0,
-            "Your result is m (1 / d - 1) / h^2, which treats d as the damping per step. It is the "
+            "Your result is -m ln d / h, an approximation for short steps. Use the exact m "
+            "(d^-h - 1) / h^2, where d is the damping and h the duration.": -math.log(d) * 60.0,
+            "Your result is m (d^-h - 1) / h, where h is the duration of the step. Divide by "
+            "h^2 instead.": wanted / 60.0,
+            "Your result is m (1 / d - 1) / h^2, as if d were the damping per step. d is the "
             "damping per second, so use d^-h instead of 1 / d.": (1.0 / d - 1.0) * 3600.0,
             "Your result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for "
             "Particle.integrate (E-16). Use d^-h - 1 instead of 1 - d^h.": (1.0 - keep) * 3600.0,
-            "This is the limit of semi-implicit Euler. Particle.integrate is explicit Euler, whose "
-            "limit is lower: m (d^-h - 1) / h^2.": 2.0 * (1.0 + keep) / keep * 3600.0,
+            "This is the limit of semi-implicit Euler. Particle.integrate is explicit Euler, "
+            "whose limit is lower: m (d^-h - 1) / h^2, where d is the damping and h the "
+            "duration.": 2.0 * (1.0 + keep) / keep * 3600.0,
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-10 * wanted)
     for mass in (2.0, 0.25):
         about(
-            f"max_stable_stiffness(0.5, 1/60, {mass})",
-            cause="A heavier particle tolerates a stiffer spring: the limit is proportional to the "
-            "mass. Multiply the limit for 1 kg by the mass.",
+            f"max_stable_stiffness(damping=0.5, duration=1/60, mass={mass}), in N/m",
+            cause="A heavier particle tolerates a stiffer spring. Multiply the limit for "
+            "1 kg by the mass.",
         )
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
         slips = {
-            "This is the limit for a mass of 1 kg. The limit is proportional to the mass, so "
-            "multiply by it.": 41.829985086921,
-            "You divided by the mass. A heavier particle tolerates a stiffer spring, so multiply "
-            "by the mass instead.": 41.829985086921 / mass,
+            "This is the limit for a mass of 1 kg. It is proportional to the mass, so multiply "
+            "by the mass.": 41.829985086921,
+            "You divide by the mass. A heavier particle tolerates a stiffer spring, so "
+            "multiply by the mass instead.": 41.829985086921 / mass,
         }
         blame(got, slips)
         expect_close(got, wanted, tolerance=1e-10 * wanted)
@@ -73,12 +73,12 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
     for _ in range(5):
         d, h = round(rng.uniform(0.05, 0.99), 3), positive_number(rng, 0.005, 0.2)
         m = positive_number(rng)
-        about.call = f"k = max_stable_stiffness({d}, {h}, {m}); Particle.integrate with a spring "
-        about.call += "of "
+        about.call = f"k = max_stable_stiffness(damping={d}, duration={h}, mass={m}); "
+        about.call += "Particle.integrate with a spring of "
         about.cause = (
-            "At the largest stable stiffness the oscillation neither grows nor dies out, so the "
-            "largest eigenvalue of the step has magnitude 1. The square of that magnitude is d^h "
-            "(1 + k h^2 / m), so set it to 1 and solve for k."
+            "At the largest stable stiffness k the oscillation neither grows nor dies out. Then "
+            "d^h (1 + k h^2 / m) is 1, where d is the damping and h the duration, so solve this "
+            "for k."
         )
         limit = max_stable_stiffness(d, h, m)
         for share in (0.98, 1.0, 1.02):
@@ -87,7 +87,7 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
             expect_close(
                 size,
                 wanted,
-                then=f"{share} k N/m: the largest eigenvalue of the step",
+                then=f"{share} k N/m; the largest eigenvalue of the step",
                 tolerance=1e-12,
             )
 
@@ -99,39 +99,37 @@ def test_the_ends_of_the_damping() -> None:
         (
             1.0,
             0.0,
-            "Without damping every spring is unstable with this step, so return 0 (and not -0).",
+            "Without damping every spring is unstable with this step. Return 0, and not -0.",
         ),
         (
             1.5,
             0.0,
-            (
-                "With a damping above 1 the velocity grows on its own, so no spring is stable. "
-                "Return 0 instead of the negative number from the formula."
-            ),
+            "With a damping above 1 the velocity grows on its own, so no spring is stable. "
+            "Return 0 instead of a negative number.",
         ),
         (
             0.0,
             math.inf,
-            "A damping of 0 stops the particle in every step, so every spring is stable. Return "
-            "math.inf.",
+            "A damping of 0 stops the particle in every step, so every spring is stable. "
+            "Return math.inf.",
         ),
     ):
-        about(f"max_stable_stiffness({d}, 0.25)", cause=cause)
+        about(f"max_stable_stiffness(damping={d}, duration=0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)
-        expect_exactly(f"{got:.15g}", f"{wanted:.15g}", then=" as text")
-    about.call = "max_stable_stiffness(1 - 1e-12, 1e-3)"
+        expect_exactly(f"{got:.15g}", f"{wanted:.15g}", then=" in N/m, as text")
+    about.call = "max_stable_stiffness(damping=1 - 1e-12, duration=1e-3), in N/m"
     about.cause = (
-        "If d is close to 1, d^-h is close to 1 too, and the subtraction d^-h - 1 loses most of "
-        "its digits. Use math.expm1, which computes e^x - 1 without that loss."
+        "If the damping d is close to 1, so is d^-h, and the difference d^-h - 1 loses most of "
+        "its digits. Use math.expm1, which computes e^x - 1 accurately."
     )
     d = 1.0 - 1e-12
     got = max_stable_stiffness(d, 1e-3)
     wanted = -math.log(d) / 1e-3
     expect_close(got, wanted, tolerance=1e-9 * wanted)
     about(
-        "max_stable_stiffness(0.5, 2.0)",
-        cause="With d = 0.5, h = 2 and a mass of 1 kg the limit is (0.5^-2 - 1) / 2^2, which is "
-        "0.75. Compare your formula with that, part by part.",
+        "max_stable_stiffness(damping=0.5, duration=2.0), in N/m",
+        cause="With a damping of 0.5, a duration of 2 s and a mass of 1 kg the limit is "
+        "(0.5^-2 - 1) / 2^2, which is 0.75. Compare your formula with this, part by part.",
     )
     got = max_stable_stiffness(0.5, 2.0)
     expect_close(got, 0.75)
@@ -140,10 +138,10 @@ def test_the_ends_of_the_damping() -> None:
 @pytest.mark.exercise("6.6b")
 @pytest.mark.robust
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
-    about("max_stable_stiffness(1e-300, 1000.0)", read=READ)
+    about("max_stable_stiffness(damping=1e-300, duration=1000.0), in N/m", read=READ)
     about.cause = (
-        "The limit is too large for a float here, so d^-h raises OverflowError. Catch that "
-        "exception and return math.inf."
+        "The limit is too large for a float here, so Python raises OverflowError. Catch this "
+        "error and return math.inf."
     )
     got = max_stable_stiffness(1e-300, 1000.0)
     expect_exactly(got, math.inf)
@@ -154,8 +152,8 @@ def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
 def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
     about.read = READ
     about.cause = (
-        "One of the arguments is not valid, so raise ValueError, even if the damping is 0 and the "
-        "limit is infinite. Check each argument with one of the functions in arguments.py."
+        "One of these arguments is not valid, so raise ValueError, even if the damping is 0. "
+        "Check each argument with one of the functions in arguments.py."
     )
     for bad in (
         (-0.5, 0.25, 1.0),
@@ -174,13 +172,13 @@ def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
         expect_error(
             lambda bad=bad: max_stable_stiffness(*bad),
             ValueError,
-            call="max_stable_stiffness({}, {}, {})".format(*bad),
+            call="max_stable_stiffness(damping={}, duration={}, mass={})".format(*bad),
             allowed=lambda: max_stable_stiffness(0.5, 0.25, 1.0),
         )
-    about.call = "max_stable_stiffness(0.25, 1.0, 2.0)"
+    about.call = "max_stable_stiffness(damping=0.25, duration=1.0, mass=2.0), in N/m"
     about.cause = (
-        "All arguments of this call are valid, so don't raise an error. The result is 2 (0.25^-1 - "
-        "1) / 1^2, which is 6."
+        "All of these arguments are valid, so don't raise an error. The result is 2 (0.25^-1 - 1) "
+        "/ 1^2, which is 6."
     )
     got = max_stable_stiffness(0.25, 1.0, 2.0)
     expect_close(got, 6.0)

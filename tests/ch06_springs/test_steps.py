@@ -21,29 +21,29 @@ EXERCISES = {
     "runge_kutta_4": "B6.8",
 }
 RULES = {
-    "explicit_euler": "Explicit Euler first moves the particle with its old velocity, p' = p + v "
-    "h. Then it changes the velocity with the acceleration at the start and damps it once, v' = (v "
-    "+ a h) d^h.",
+    "explicit_euler": (
+        "Explicit Euler first moves the particle with the old velocity, p' = p + v h. Then it "
+        "sets the new velocity v' = (v + a h) d^h, with the acceleration a at the start."
+    ),
     "semi_implicit_euler": (
-        "Semi-implicit Euler first changes the velocity and damps it once, v' = (v + a h) d^h. "
-        "Then it moves the particle with the new velocity, p' = p + v' h. If you need a vector's "
-        "old value later, copy it first."
+        "Semi-implicit Euler first sets the new velocity v' = (v + a h) d^h. Then it moves the "
+        "particle with the new velocity, p' = p + v' h."
     ),
     "leapfrog": (
-        "Leapfrog first moves for half the step, p1 = p + v h / 2, and evaluates the forces "
-        "there. Then it sets v' = (v + a h) d^h, damped once, and moves for the other half, p' = "
-        "p1 + v' h / 2."
+        "Move for half the step, p1 = p + v h / 2, and evaluate the forces there. Then set v' "
+        "= (v + a h) d^h, and move for the other half, p' = p1 + v' h / 2."
     ),
     "velocity_verlet": (
-        "Velocity Verlet first moves the particle, p' = p + v h + a h^2 / 2. Then it evaluates the "
-        "acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / 2) d^h, "
-        "damped once."
+        "Move the particle first, p' = p + v h + a h^2 / 2. Then evaluate the acceleration b "
+        "at p' with the velocity v + a h, and set v' = (v + (a + b) h / 2) d^h."
     ),
     "runge_kutta_4": (
-        "Runge-Kutta takes a weighted mean of four rates, in which the second and the third count "
-        "double. Apply that mean to the starting state, and multiply the new velocity by d^h once."
+        "Runge-Kutta takes a weighted mean of four rates, in which the second and the third "
+        "count double. Apply this mean to the state at the start, and multiply the new "
+        "velocity by d^h once."
     ),
 }
+COUNTS = {1: "exactly one call", 2: "exactly two calls", 4: "exactly four calls"}
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
     "method",
@@ -69,40 +69,27 @@ def slips_of(
     """Return what walk would return after each likely mistake, keyed by its explanation."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "Your step leaves out p.acceleration, the constant part of the acceleration (such as "
-        "gravity). Add it to f / m.": (
-            p,
-            v,
-            ZERO,
-            mass,
-            d,
-            hand,
-        ),
-        "Your step leaves out the force that was added by hand beforehand. That force acts during "
-        "the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
-        "You didn't divide the forces by the mass. The full acceleration is p.acceleration + f / "
-        "m.": (p, v, a, 1.0, d, hand),
-        "The velocity is never damped. Multiply it by d^h once per step.": (
-            p,
-            v,
-            a,
-            mass,
-            1.0,
-            hand,
-        ),
-        "You multiplied the velocity by d, which is the damping for a whole second. The step lasts "
-        "only h seconds, so multiply by d^h instead.": (p, v, a, mass, d ** (1.0 / h), hand),
+        "Your step leaves out p.acceleration, the constant acceleration. Add it to f / m, the "
+        "acceleration that the forces cause.": (p, v, ZERO, mass, d, hand),
+        "Your step leaves out the force that was added to p before the step. This force acts "
+        "during the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
+        "You didn't divide the forces by the mass. The acceleration is p.acceleration + f / m, "
+        "where f is the sum of the forces.": (p, v, a, 1.0, d, hand),
+        "Your velocity is never damped. Multiply it by d^h once per step, where d is the "
+        "damping and h the duration.": (p, v, a, mass, 1.0, hand),
+        "You multiply the velocity by d, the damping for a whole second. The step lasts only h "
+        "seconds, so multiply by d^h instead.": (p, v, a, mass, d ** (1.0 / h), hand),
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
         (
-            "Your step ignores the forces of apply_forces. Call apply_forces with the duration of "
-            "the step, and read the accumulators afterward."
+            "Your step ignores the forces of apply_forces. Call apply_forces with the duration "
+            "of the step, and read the accumulators after that."
         )
     ] = walk(method, body, 0.0, 0.0, h, frames)
     slips |= {
-        f"This is {other}, not {method}. Compare the order of your operations with the "
-        "docstring.": walk(other, body, k, c, h, frames)
+        f"This is a step of {other}, not of {method}. Compare the order of your operations with "
+        "the docstring.": walk(other, body, k, c, h, frames)
         for other in EXERCISES
         if other != method
     }
@@ -129,10 +116,8 @@ def call_of(method: str, what: str) -> str:
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = (
-        "The check adds a force by hand before the step. It acts during the whole step, so it "
-        "counts in every evaluation of the forces."
-    )
+    by_hand = "The check adds a force to p before the step. It acts during the whole step, so "
+    by_hand += "include it in every evaluation of the forces."
     for what, body, frames, cause in (
         ("one step", draw_body(rng), 1, RULES[method]),
         ("one step", draw_body(rng, components(rng)), 1, by_hand),
@@ -140,37 +125,44 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three steps",
             draw_body(rng),
             3,
-            "A single step is right, but several in a row are not. Perhaps the forces of one step "
-            "are still in the accumulators at the start of the next. Clear them before the step "
-            "ends.",
+            "Your single step is right, but several steps in a row are not. Perhaps the forces "
+            "of one step are still in the accumulators in the next, so clear them before the "
+            "step ends.",
         ),
         (
             "one step",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
-            "With d = 0 the factor d^h is 0, so the particle should have no velocity left at the "
-            "end of the step.",
+            "With a damping d of 0 the factor d^h is 0, so the velocity must be 0 at the end "
+            "of the step.",
         ),
     ):
         about.cause = cause
         p, v, a, mass, d, hand = body
-        pushed = f" and by hand {hand}" if any(hand) else ""
-        about.call = call_of(method, f"p at {p}, velocity {v}, a = {a}, m = {mass}, d = {d}; ")
-        about.call += f"forces -{k} x - {c} v{pushed}; {what} of h = {h}"
+        pushed = f", and the check has added {hand} N to p" if any(hand) else ""
+        about.call = call_of(
+            method,
+            f"p at {p} with velocity {v}, acceleration {a}, mass {mass} and damping d = {d}; ",
+        )
+        about.call += f"apply_forces adds the force -{k} x - {c} v of a spring{pushed}; {what} of "
+        about.call += f"h = {h} s"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
         slips = slips_of(method, body, k, c, h, frames)
         slip = named((*ends["positions"][0], *ends["velocities"][0]), about.cause, slips)
-        expect_exactly(ends["dampings"], [d], then=": p.damping")
+        expect_exactly(ends["dampings"], [d], then="; p.damping")
         # A few roundings of numbers up to 10^4.
-        for name, got, numbers in (
-            ("p.position", ends["positions"][0], slice(3)),
-            ("p.velocity", ends["velocities"][0], slice(3, 6)),
+        for name, unit, got, numbers in (
+            ("p.position", "m", ends["positions"][0], slice(3)),
+            ("p.velocity", "m/s", ends["velocities"][0], slice(3, 6)),
         ):
-            parts = {f"In {name}: {one}": slips[one][numbers] for one in slips}
+            parts = {
+                one.replace("This is a step of", f"Your {name} is that of"): slips[one][numbers]
+                for one in slips
+            }
             why = named(got, about.cause, parts) if slip == about.cause else slip
             wanted = states[numbers]
-            expect_close(got, wanted, then=f": {name}", cause=why, tolerance=1e-10)
+            expect_close(got, wanted, then=f"; {name}, in {unit}", cause=why, tolerance=1e-10)
 
 
 @methods
@@ -180,11 +172,10 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     one, two = components(rng), components(rng)
     v, w = components(rng), components(rng)
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
-    about.call = call_of(method, f"two particles of {mass} kg on a spring of {s} N/m, h = {h}")
-    about.cause = (
-        "Each force depends on the positions of both particles, so move all of them before you "
-        "evaluate the forces again. Don't finish one particle at a time."
-    )
+    about.call = call_of(method, f"two particles of {mass} kg on a spring of {s} N/m, h = {h} s")
+    about.cause = "The force on each particle depends on the positions of both. Move all "
+    about.cause += "particles before you evaluate the forces again, not one particle after the "
+    about.cause += "other."
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
         one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
@@ -193,16 +184,24 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     got = tuple(ends["positions"][0][i] - ends["positions"][1][i] for i in range(3))
     wanted = tuple(state[0] for state in states)
     expect_close(
-        got, wanted, then=": the position of the first relative to the second", tolerance=1e-11
+        got,
+        wanted,
+        then="; the position of the first particle relative to the second, in m",
+        tolerance=1e-11,
     )
     got = tuple(ends["velocities"][0][i] - ends["velocities"][1][i] for i in range(3))
     wanted = tuple(state[1] for state in states)
     expect_close(
-        got, wanted, then=": the velocity of the first relative to the second", tolerance=1e-11
+        got,
+        wanted,
+        then="; the velocity of the first particle relative to the second, in m/s",
+        tolerance=1e-11,
     )
     got = tuple(0.5 * (ends["positions"][0][i] + ends["positions"][1][i]) for i in range(3))
     wanted = tuple(0.5 * (one[i] + two[i] + (v[i] + w[i]) * h) for i in range(3))
-    expect_close(got, wanted, then=": the midpoint between the two", tolerance=1e-11)
+    expect_close(
+        got, wanted, then="; the midpoint between the two particles, in m", tolerance=1e-11
+    )
 
 
 @methods
@@ -211,36 +210,31 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     h, hand = positive_number(rng, 0.05, 0.2), components(rng)
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
-    about.call = call_of(method, f"{frames} steps of h = {h}; before each, {hand} N by hand")
-    about.cause = (
-        f"{method} needs {EVALUATIONS[method]} force evaluations per step. Each one is a single "
-        "call of apply_forces for all particles together."
+    about.call = call_of(
+        method,
+        f"{frames} steps of h = {h} s, before each of which {hand} N is added to particles[0]",
     )
+    about.cause = f"{method} needs {COUNTS[EVALUATIONS[method]]} of apply_forces in each step. "
+    about.cause += "Each call evaluates the forces of all particles together."
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
     expect_exactly(
-        len(asked), frames * EVALUATIONS[method], then=": how often apply_forces is called"
+        len(asked), frames * EVALUATIONS[method], then="; number of calls of apply_forces"
     )
-    about.cause = (
-        "Always pass the duration of the whole step to apply_forces, even when you evaluate the "
-        "forces in the middle of it."
-    )
+    about.cause = "Pass the duration of the whole step to apply_forces, even when you evaluate "
+    about.cause += "the forces in the middle of the step."
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
-        then=": the durations that apply_forces is called with",
+        then="; the durations in s that apply_forces is called with",
     )
-    about.cause = (
-        "Perhaps the forces of an earlier evaluation are still in the accumulators. Clear the "
-        "accumulators before each evaluation, and then put back the forces that were there before "
-        "the step."
-    )
-    gone = (
-        "The force that was added by hand before the step is gone. Store it, and add it again "
-        "before each evaluation."
-    )
+    about.cause = "Perhaps the forces of an earlier evaluation are still in the accumulators. "
+    about.cause += "Clear them before each evaluation, and then add again the forces that were "
+    about.cause += "there before the step."
+    gone = "The force that was added to particles[0] before the step is lost. Store it, and add "
+    gone += "it again before each evaluation."
     for number, (_, sums, _) in enumerate(asked, 1):
         for i, wanted in enumerate((hand, ZERO)):
-            then = f": particles[{i}].force_accumulator at call {number} of apply_forces"
+            then = f"; particles[{i}].force_accumulator in N at call {number} of apply_forces"
             why = gone if i == 0 and sums[i] == ZERO else about.cause
             expect_close(sums[i], wanted, then=then, cause=why, tolerance=1e-12)
 
@@ -252,7 +246,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
     body = draw_body(rng)
     p, v, a, mass, _, _ = body
     about.call = call_of(
-        method, f"p at {p}, velocity {v}, a = {a}, m = {mass}; force -{k} x; h = {h}"
+        method,
+        f"p at {p} with velocity {v}, acceleration {a} and mass {mass}; apply_forces "
+        f"adds -{k} x; h = {h} s",
     )
     about.cause = RULES[method]
     asked = stepped(method, [body], (k, 0.0), h, 1)["asked"]
@@ -265,11 +261,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
         elif method == "velocity_verlet":
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
-            about.cause = (
-                "Runge-Kutta evaluates the rates in four states, the first of which is the start. "
-                "To reach each of the other three, go back to the start and follow the previous "
-                "rate: for half a step, half a step, and a whole step."
-            )
+            about.cause = "Runge-Kutta evaluates the rates in four states, and the first one is "
+            about.cause += "the start. For each of the other three, go back to the start and "
+            about.cause += "follow the previous rate for h / 2, h / 2 and h."
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
             places.append(p[i] + 0.5 * h * (v[i] + 0.5 * h * first))
@@ -280,7 +274,7 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
     expect_close(
         got,
         flat,
-        then=": the position of the particle at each call of apply_forces",
+        then="; the position of the particle at each call of apply_forces, in m",
         tolerance=1e-11,
     )
 
@@ -292,24 +286,23 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     body = draw_body(rng, components(rng))
     p, v, a, mass, d, hand = body
     about.call = call_of(
-        method, f"a = {a}, m = {mass}; by hand {hand}, forces -{k} x - {c} v; h = {h}"
+        method,
+        f"p with acceleration {a} and mass {mass}; the check adds {hand} N to p, and "
+        f"apply_forces adds -{k} x - {c} v; h = {h} s",
     )
-    about.cause = (
-        "Some forces are still in the accumulators at the end of the step, so they would act again "
-        "in the next one. Clear the accumulators first."
-    )
+    about.cause = "Some forces are still in the accumulators at the end of the step, so they act "
+    about.cause += "again in the next step. Clear the accumulators."
     ends = stepped(method, [body], (k, c), h, 1)
-    expect_close(ends["forces"][0], ZERO, then=": p.force_accumulator")
-    about.cause = (
-        "last_acceleration must be the mean acceleration of the step. Add the mean force to the "
-        "particle and call kick, which changes the velocity and sets this attribute."
-    )
+    expect_close(ends["forces"][0], ZERO, then="; p.force_accumulator, in N")
+    about.cause = "last_acceleration must be the mean acceleration of the step. Add the mean "
+    about.cause += "force to the particle and call kick, which changes the velocity and sets this "
+    about.cause += "attribute."
     wanted = tuple(
         one_step(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)[2]
         for i in range(3)
     )
     got = ends["accelerations"][0]
-    expect_close(got, wanted, then=": p.last_acceleration", tolerance=1e-9)
+    expect_close(got, wanted, then="; p.last_acceleration, in m/s^2", tolerance=1e-9)
 
 
 @methods
@@ -319,29 +312,39 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     still: Body = (place, velocity, a, math.inf, 0.5, components(rng))
     other: Body = ((1.0, 2.0, 3.0), ZERO, ZERO, 2.0, 1.0, ZERO)
     about.call = call_of(
-        method, f"an immovable particle at {place}, velocity {velocity}, beside another"
+        method, f"an immovable particle at {place} with velocity {velocity}, and a movable one"
     )
-    about.cause = (
-        "An immovable particle stays where it is and keeps its velocity, whatever its velocity and "
-        "acceleration are. Skip it, or use drift and kick, which leave it alone."
-    )
+    about.cause = "An immovable particle must stay where it is and keep its velocity. Skip it, or "
+    about.cause += "use drift and kick, which leave it alone."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
-    expect_close(ends["positions"][0], place, then=": its position", tolerance=0.0)
-    expect_close(ends["velocities"][0], velocity, then=": its velocity", tolerance=0.0)
-    about.cause = (
-        "Forces have no effect on an immovable particle, but they must not pile up. Clear its "
-        "accumulator at the end of the step too."
+    expect_close(
+        ends["positions"][0],
+        place,
+        then="; the position of the immovable particle, in m",
+        tolerance=0.0,
     )
-    expect_close(ends["forces"][0], ZERO, then=": its force_accumulator")
+    expect_close(
+        ends["velocities"][0],
+        velocity,
+        then="; the velocity of the immovable particle, in m/s",
+        tolerance=0.0,
+    )
+    about.cause = (
+        "Forces have no effect on an immovable particle, but they must not add up from step to "
+        "step. Clear its accumulator at the end of the step too."
+    )
+    expect_close(
+        ends["forces"][0], ZERO, then="; the force_accumulator of the immovable particle, in N"
+    )
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
     about.cause = (
-        "Perhaps your loop ends at the immovable particle. Skip only that one, so that the "
-        "particles after it still move."
+        "The movable particle after the immovable one has the wrong position. Perhaps your loop "
+        "ends at the immovable particle, so skip only that one."
     )
     got = ends["positions"][1][0]
-    expect_close(got, x, then=": the x of the other particle's position", tolerance=1e-12)
+    expect_close(got, x, then="; the x of the movable particle's position, in m", tolerance=1e-12)
 
 
 @methods
@@ -350,12 +353,12 @@ def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
     refuse = (
-        "The duration of a step must be positive and finite. Raise ValueError for anything else, "
-        "for example with positive()."
+        "The duration of a step must be positive and finite. Raise ValueError otherwise, with the "
+        "function positive from arguments.py."
     )
     late = (
-        "You rejected the duration, but only after you had changed the particle. Check the "
-        "duration before you change anything."
+        "You raised an error because of the duration, but only after changing the particle. Check "
+        "the duration before anything else."
     )
     for bad in (0.0, -1.0, math.inf, math.nan):
         about(f"{method}([p], apply_forces, {bad})", cause=refuse)
@@ -375,19 +378,19 @@ def test_a_step_needs_a_duration(method: str) -> None:
             tolerance=0.0,
         )
         about.cause = (
-            "You rejected the duration, but only after you had called apply_forces. Check the "
-            "duration before you do anything else."
+            "You raised an error because of the duration, but only after calling apply_forces. "
+            "Check the duration before anything else."
         )
         expect_exactly(
-            after["asked"], [0], then=(" raised an error; how often apply_forces was called")
+            after["asked"], [0], then=(" raised an error; number of calls of apply_forces")
         )
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = (
-        "An empty list of particles is not an error: there is simply nothing to do. And a single "
-        "particle moves like any other."
+        "An empty list of particles is not an error, because there is simply nothing to do. A "
+        "single particle moves like any other."
     )
     ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
-    expect_exactly(ends["positions"], [], then=": positions")
+    expect_exactly(ends["positions"], [], then="; the positions of the particles")
     ends = stepped(method, [body], (0.0, 0.0), 0.5, 1)
     got = ends["positions"][0]
-    expect_close(got, (1.0, 1.0, 0.0), then=": position")
+    expect_close(got, (1.0, 1.0, 0.0), then="; the position of the single particle, in m")

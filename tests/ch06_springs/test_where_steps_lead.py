@@ -15,12 +15,11 @@ ZERO = (0.0, 0.0, 0.0)
 @pytest.mark.exercise("B6.6")
 def test_explicit_euler_gains_energy_by_its_factor() -> None:
     about.read = "the docstring of explicit_euler, and E-17"
-    about.call = "explicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, "
-    about.call += "600 steps: the final energy / the initial energy"
+    about.call = "explicit_euler([p], apply_forces, h) 600 times, with p of 1 kg on a spring of "
+    about.call += "100 N/m and h = 1/60 s; the final energy divided by the initial energy"
     about.cause = (
-        "With explicit Euler, each step multiplies the energy of this spring by 1 + k h^2 / m, "
-        "because the particle moves with its old velocity. Check that you move the particle before "
-        "you change its velocity."
+        "With explicit Euler, each step multiplies the energy of this spring by 1 + k h^2 / m. "
+        "Move the particle with its old velocity, before you change the velocity."
     )
     wanted = (1.0 + 100.0 / 3600.0) ** 600
     got = energy_left("explicit_euler", 100.0, 1.0 / 60.0, 600)
@@ -32,24 +31,23 @@ def test_explicit_euler_gains_energy_by_its_factor() -> None:
 def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
     about.read = "the docstring of semi_implicit_euler"
     about.cause = (
-        "x^2 + v^2 / chi^2 - h x v should stay constant, so the energy may vary by at most a "
-        "fraction of about chi h / 2. Check that you change the velocity first and then move with "
-        "the new velocity."
+        "The energy may vary by a fraction of about chi h / 2 with chi = sqrt(k / m), but it must "
+        "not drift. Change the velocity first, and then move with the new velocity."
     )
     for frames in (600, 6000):
-        about.call = "semi_implicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h "
-        about.call += f"= 1/60, {frames} steps: the final energy / the initial energy"
+        about.call = f"semi_implicit_euler([p], apply_forces, h) {frames} times, with p of 1 kg on "
+        about.call += "a spring of 100 N/m and h = 1/60 s; the final energy divided by the "
+        about.call += "initial energy"
         got = energy_left("semi_implicit_euler", 100.0, 1.0 / 60.0, frames)
         # chi h / 2 is 1/12; its square comes on top.
         expect_close(got, 1.0, tolerance=0.1)
     about.call = (
-        "semi_implicit_euler([p], apply_forces, h) with the same spring, 1 step: the final "
-        "energy / the initial energy"
+        "semi_implicit_euler([p], apply_forces, h) once, with p of 1 kg on a spring of 100 N/m "
+        "and h = 1/60 s; the final energy divided by the initial energy"
     )
     about.cause = (
-        "The particle starts at rest at 1 m, so one step should lead to the velocity -k h / m and, "
-        "with that new velocity, to the position 1 - k h^2 / m. Compare your first step with these "
-        "values."
+        "The particle starts at rest at 1 m. One step must give it the velocity -k h / m and "
+        "then, with this new velocity, the position 1 - k h^2 / m."
     )
     kappa = 100.0 / 3600.0
     wanted = (1.0 - kappa) ** 2 + kappa
@@ -61,15 +59,15 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
 def test_leapfrog_swings_as_its_frequency_says() -> None:
     about.read = "the docstring of leapfrog"
     about.cause = (
-        "Leapfrog oscillates slightly too fast, at a frequency w with cos(w h) = 1 - k h^2 / (2 "
-        "m), but its energy keeps returning to the initial value. Check the order: half drift, "
-        "kick, half drift."
+        "Leapfrog oscillates slightly too fast, but its energy keeps returning to the initial "
+        "value. Check the order: drift for h / 2, kick for h, drift for h / 2."
     )
     h, k = 1.0 / 60.0, 100.0
     kappa = k * h * h
     for frames in (1, 600, 6000):
-        about.call = "leapfrog([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, "
-        about.call += f"from rest at 1 m, {frames} steps: the final energy / the initial energy"
+        about.call = f"leapfrog([p], apply_forces, h) {frames} times, with p of 1 kg on a spring "
+        about.call += "of 100 N/m, from rest at 1 m, and h = 1/60 s; the final energy divided by "
+        about.call += "the initial energy"
         angle = frames * 2.0 * math.asin(0.5 * math.sqrt(kappa))
         # From rest x is cos(n w h), and v / chi is -sin(n w h) / sqrt(1 - kappa / 4).
         wanted = math.cos(angle) ** 2 + math.sin(angle) ** 2 / (1.0 - kappa / 4.0)
@@ -86,13 +84,13 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
     limit = (1.0 / keep - 1.0) / h**2
     for share in (0.98, 1.02):
         k = share * limit
-        about.call = f"explicit_euler([p], apply_forces, h) with a spring of {k:.4f} N/m, 1 kg, d "
-        about.call += "= 0.5, h = 1/60: the largest distance in frames 1500 to 2000, divided by "
-        about.call += "that in frames 0 to 500"
+        about.call = "explicit_euler([p], apply_forces, h) with p of 1 kg and damping d = 0.5 on "
+        about.call += f"a spring of {k:.4f} N/m, and h = 1/60 s; the largest distance in steps "
+        about.call += "1500 to 2000, divided by that in steps 0 to 500"
         about.cause = (
-            "Each step multiplies the amplitude of the oscillation by the square root of d^h (1 "
-            "+ k h^2 / m). Check that you damp the velocity by d^h once per step, and that you "
-            "move the particle with the old velocity."
+            "Each step multiplies the amplitude of the oscillation by the square root of d^h (1 + "
+            "k h^2 / m). Damp the velocity by d^h once per step, and move the particle with the "
+            "old velocity."
         )
         wanted = (keep * (1.0 + k * h * h)) ** 750
         near = growth("explicit_euler", k, d, h, 500)
@@ -123,12 +121,12 @@ def test_the_order_of_a_step(method: str) -> None:
         if method == "leapfrog" and forces[1]:
             order = 1  # it asks with the old velocity for forces that depend on it
         about.cause = (
-            f"This method is of order {order}, so halving the step should reduce the error to "
-            f"{0.5**order:g} of what it was. Perhaps you evaluate a force at the wrong time, or "
-            "move the particle with the wrong velocity."
+            f"The error of this method must be smaller by a factor of {2**order} if the time step "
+            "is halved. Perhaps you evaluate a force at the wrong time, or move the particle with "
+            "the wrong velocity."
         )
-        about.call = f"{method}(particles, apply_forces, h); {what} for 1 s, in 80, 160 and "
-        about.call += "320 steps"
+        about.call = f"{method}(particles, apply_forces, h); {what} for 1 s, in 80, 160 and 320 "
+        about.call += "steps"
         ends = [stepped(method, [body], forces, 1.0 / n, n)["positions"][0] for n in (80, 160, 320)]
         long, short = math.dist(ends[0], ends[1]), math.dist(ends[1], ends[2])
         # The next order adds some h to it: 0.01 at most here.
@@ -136,7 +134,8 @@ def test_the_order_of_a_step(method: str) -> None:
         expect_close(
             got,
             float(order),
-            then=": log2 of the ratio of the differences between the final positions",
+            then="; log2 of the ratio of the differences between the final positions, "
+            "which is the order of the method",
             tolerance=0.1,
         )
 
@@ -156,13 +155,13 @@ def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: f
     frames = 500
     for share in (0.98, 1.02):
         k = share * limit / h**2
-        about.call = f"{method}(particles, apply_forces, h) with a spring of {k} N/m, 1 kg, h = "
-        about.call += f"1/60, from 1 m, {frames} steps"
+        about.call = f"{method}([p], apply_forces, h) {frames} times, with p of 1 kg on a spring "
+        about.call += f"of {k:.6g} N/m, released 1 m away, and h = 1/60 s"
         about.cause = (
-            f"The method is stable as long as k h^2 / m is below {limit:g}, and here it is "
-            f"{share * limit:g}. If your step behaves differently, compare it with the formulas in "
+            f"{method} is stable as long as k h^2 / m is below {limit:g}, and here it is "
+            f"{share * limit:g}. Your step behaves differently, so compare it with the formulas in "
             "the docstring."
         )
         far = growth(method, k, 1.0, h, frames)
-        expect_exactly(far < 100.0, share < 1.0, then=": the largest distance is below 100 m")
-        expect_exactly(far > 1e6, share > 1.0, then=": the largest distance is above 1e6 m")
+        expect_exactly(far < 100.0, share < 1.0, then="; the largest distance is below 100 m")
+        expect_exactly(far > 1e6, share > 1.0, then="; the largest distance is above 1e6 m")

@@ -70,20 +70,11 @@ def wrong_steps(
         new = (v + first * h) * keep
         return {
             "You move the position twice, once by v h and once by v' h. Move it only once, with "
-            "the new velocity v'.": (
-                x + (v + new) * h,
-                new,
-            ),
+            "the new velocity v'.": (x + (v + new) * h, new),
             "You move the position with the mean of v and v'. Semi-implicit Euler uses the new "
-            "velocity v' alone.": (
-                x + 0.5 * (v + new) * h,
-                new,
-            ),
+            "velocity v' alone.": (x + 0.5 * (v + new) * h, new),
             "You move the position with the undamped velocity. Apply the damping first, and "
-            "then move the position.": (
-                x + (v + first * h) * h,
-                new,
-            ),
+            "then move the position.": (x + (v + first * h) * h, new),
         }
     if method == "leapfrog":
         middle = x + 0.5 * h * v
@@ -94,25 +85,18 @@ def wrong_steps(
             "You evaluate the forces at the start of the step. Evaluate them after the first half "
             "drift instead.": (x + 0.5 * h * (v + early), early),
             "After the kick, you drift for the whole step h. The first drift already covered h "
-            "/ 2, so drift only for the other h / 2.": (
-                middle + h * new,
-                new,
-            ),
+            "/ 2, so drift only for the other h / 2.": (middle + h * new, new),
             "The second half drift is missing. After the kick, move the position by the new "
             "velocity times h / 2.": (middle, new),
             "You kick only for h / 2. Leapfrog has a single kick, so it must cover the whole "
-            "step h.": (
-                middle + 0.5 * h * halved,
-                halved,
-            ),
+            "step h.": (middle + 0.5 * h * halved, halved),
         }
     if method == "velocity_verlet":
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
         second, later = force(half, v + first * h), force(whole, v + first * h)
         return {
-            "You add a h^2 to the position. The velocity doesn't reach v + a h until the end of "
-            "the step, so on average only half of that change counts. The term must be a h^2 / "
-            "2.": (
+            "You add a h^2 to the position, as if the velocity were v + a h during the whole "
+            "step. It reaches that value only at the end, so the term must be a h^2 / 2.": (
                 whole,
                 (v + 0.5 * (first + later) * h) * keep,
             ),
@@ -126,9 +110,9 @@ def wrong_steps(
                 half,
                 (v + (first + second - a) * h) * keep,
             ),
-            "The forces of the first evaluation are still in the accumulators during the second "
-            "one. Clear the accumulators in between, and then add the forces that were applied "
-            "by hand again.": (
+            "The forces of the first evaluation are still in the accumulators during the "
+            "second one. Clear the accumulators in between, and then add again the forces "
+            "that were there before the step.": (
                 half,
                 (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
@@ -141,10 +125,11 @@ def wrong_steps(
     if method == "runge_kutta_4":
         parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "You give all four rates the same weight, but the two in the middle must count "
-            "double.": mean_of((1.0, 1.0, 1.0, 1.0), parts),
-            "You give the first and the last rate double weight. It is the two in the middle that "
-            "must count double.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
+            "You give all four rates the same weight. The middle two must count double.": mean_of(
+                (1.0, 1.0, 1.0, 1.0), parts
+            ),
+            "You give the first and the last rate double weight. The two in the middle must "
+            "count double instead.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
             "You evaluate the third rate at the end of the step. Evaluate it in the middle, with "
             "the second rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)),
             "You evaluate the last rate in the middle of the step. Evaluate it at the end, with "

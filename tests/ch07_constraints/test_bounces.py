@@ -100,10 +100,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     means = [row[2] for row in got]
     # Roots of the heights, a few roundings of 1.
     roots = tuple(math.sqrt(math.fsum(c * c for c in part) / len(part)) for part in (a, b, [0.5]))
-    name = (
-        "You took the mean before the square root, which gives a slightly different number. "
-        "Compute the restitution of each drop first, and then take the mean."
-    )
+    name = "You took the mean before the square root, which gives a slightly different number. "
+    name += "Compute the restitution of each drop first, and then take the mean."
     blame(means, [(roots, name)])
     expect_close(means, wanted, then=": means", tolerance=1e-14)
     about.cause = "The standard error of the mean is s / sqrt(n). Compute the standard deviation s "
@@ -126,10 +124,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     ]  # fmt: skip
     blame(seen, mistakes)
     expect_close(seen, errors, then=": standard errors", tolerance=1e-14)
-    about.cause = (
-        "A single drop says nothing about how much drops vary, so there is no standard error. "
-        "Return None in its place."
-    )
+    about.cause = "A single drop says nothing about how much drops vary, so there is no standard "
+    about.cause += "error. Return None in its place."
     expect_exactly(got[2][3], None, then=": the last error")
     about(
         "table_of_drops([])",
@@ -297,10 +293,8 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)
-            name = (
-                "Your ratio is upside down. The same impulse is now spread over a longer time, so "
-                "the force must get smaller: multiply it by contact_time / frame."
-            )
+            name = "Your ratio is upside down. The same impulse is now spread over a longer time, "
+            name += "so the force must get smaller: multiply it by contact_time / frame."
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
         expect_close(got, wanted, cause=why, tolerance=1e-14)
@@ -308,10 +302,8 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         kept += "Return force * number instead, which creates a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
-    about.cause = (
-        "You returned the vector that was passed in. Return a new vector, even if the force keeps "
-        "its size, so that changing one doesn't change the other."
-    )
+    about.cause = "You returned the vector that was passed in. Return a new vector, even if the "
+    about.cause += "force keeps its size, so that changing one doesn't change the other."
     force = Vector3(*f)
     force_for_frame(force, 1.0, 1.0).x += 1.0
     expect_unchanged("f", xyz(force), f)

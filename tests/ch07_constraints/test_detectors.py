@@ -127,10 +127,8 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     about.cause += "immovable particles."
     expect_exactly(second, [0, 2, 3, 4, 5, 6])
     about.call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): the indices"
-    about.cause = (
-        "The check changed height and radius, but nothing happened. Read both on every call "
-        "instead of caching anything computed from them."
-    )
+    about.cause = "The check changed height and radius, but nothing happened. Read both on every "
+    about.cause += "call instead of caching anything computed from them."
     expect_exactly(third, [])
 
 
@@ -318,16 +316,12 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [])
     about.call += "; the last one moved next to the first, and one more put between the two others"
-    about.cause = (
-        "You missed particles that have moved or joined the list since the first call. Read the "
-        "list and the positions again on every call."
-    )
+    about.cause = "You missed particles that have moved or joined the list since the first call. "
+    about.cause += "Read the list and the positions again on every call."
     expect_exactly(second, [0, 3, 1, 4, 2, 4])
     about.call += "; p.radius doubled"
-    about.cause = (
-        "The check has changed the detector's radius since the first call. Read it again on every "
-        "call."
-    )
+    about.cause = "The check has changed the detector's radius since the first call. Read it again "
+    about.cause += "on every call."
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
 
 

@@ -136,10 +136,8 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
     about.call += "c.contacts()"
-    about.cause = (
-        "This cable is shorter than its maximum length, so it is slack and exerts no force. Return "
-        "no contact."
-    )
+    about.cause = "This cable is shorter than its maximum length, so it is slack and exerts no "
+    about.cause += "force. Return no contact."
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):

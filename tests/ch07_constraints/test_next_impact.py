@@ -82,10 +82,8 @@ def test_the_first_on_the_ground(rng: Random) -> None:
             break
     name = f"{about.call}: index of particle and other (-1 is None), normal, restitution, depth"
     expect_close(seen, wanted, call=name)
-    about.cause = (
-        "The first impact happens only after the end of the duration, so there is none to "
-        "report. Return None."
-    )
+    about.cause = "The first impact happens only after the end of the duration, so there is none "
+    about.cause += "to report. Return None."
     name = f"{about.call}; g.next_impact({0.999 * first}) is None"
     got = ground.next_impact(0.999 * first)
     expect_exactly(got is None, True, call=name)

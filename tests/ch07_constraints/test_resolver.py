@@ -104,19 +104,15 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, (-2.0, -1.0, 3.0), then=": upward velocities")
-    why = (
-        "You resolved exactly one contact here, so return 1. Count the resolutions and return the "
-        "total."
-    )
+    why = "You resolved exactly one contact here, so return 1. Count the resolutions and return "
+    why += "the total."
     expect_exactly(used, 1, then="; returned", cause=why)
     about.cause = "The contacts are in a different order now. The list belongs to the caller, so "
     about.cause += "don't sort or reorder it."
     expect_close(depths, (0.5, 0.75, -0.25), then="; penetrations of the contacts")
     about.call = "resolve_velocities([], 9, 0.5)"
-    about.cause = (
-        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number "
-        "of resolutions."
-    )
+    about.cause = "The list of contacts is empty, so there is nothing to resolve. Return 0 as the "
+    about.cause += "number of resolutions."
     used, _, _ = resolved([], [], "resolve_velocities", 9)
     expect_exactly(used, 0)
 
@@ -136,10 +132,8 @@ def test_of_equal_ones_the_first_is_taken() -> None:
         used, bodies, _ = resolved(row(2.0, 0.0, -2.0), contacts, "resolve_velocities", 1)
         got = tuple(velocity[0] for _, velocity in bodies)
         expect_close(got, wanted)
-        why = (
-            "You resolved exactly one contact here, so return 1. Count the resolutions and return "
-            "the total."
-        )
+        why = "You resolved exactly one contact here, so return 1. Count the resolutions and "
+        why += "return the total."
         expect_exactly(used, 1, then="; returned", cause=why)
 
 

@@ -75,10 +75,8 @@ def test_what_is_deepest_is_first() -> None:
         ]  # fmt: skip
         blame(got_depths, mistakes)
         expect_close(got_depths, depths, then=f" {limit}: penetrations")
-        about.cause = (
-            "You returned the wrong number. Count how many times you resolve a contact, and return "
-            "that count."
-        )
+        about.cause = "You returned the wrong number. Count how many times you resolve a contact, "
+        about.cause += "and return that count."
         expect_exactly(used, limit, then=f" {limit}: returned")
         got = tuple(velocity[0] for _, velocity in after)
         about.cause = "A velocity has changed. Leave the velocities to resolve_velocities: "
@@ -120,10 +118,8 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         left = 0.0 if wanted else deep
         expect_close(depths[0], left, then=": penetration")
     about.call = "resolve_penetrations([], 9)"
-    about.cause = (
-        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number "
-        "of resolutions."
-    )
+    about.cause = "The list of contacts is empty, so there is nothing to resolve. Return 0 as the "
+    about.cause += "number of resolutions."
     used, _, _ = resolved([], [], "resolve_penetrations", 9)
     expect_exactly(used, 0)
 

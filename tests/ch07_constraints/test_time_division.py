@@ -88,10 +88,9 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
             about.cause += "time that is left in the step, and resolve each velocity with a "
             about.cause += "duration of 0."
         if h > 1.0 and len(found) == 1:
-            about.cause = (
-                "You resolved only the first impact, but there is a second one before the step "
-                "ends. After each impact, call next_impact again for the rest of the step."
-            )
+            about.cause = "You resolved only the first impact, but there is a second one before "
+            about.cause += "the step ends. After each impact, call next_impact again for the rest "
+            about.cause += "of the step."
         expect_exactly(len(found), len(times), then="number of impacts")
         expect_exactly(len(found), len(times), then="impacts")
         last, bounces = times[-1], len(times)

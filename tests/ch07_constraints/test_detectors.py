@@ -27,6 +27,7 @@ from impacts import expect_particles
 UP = (0.0, 1.0, 0.0)
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
 PAIRS = "the docstring of ParticlePairs.contacts"
+INDICES = "; the indices of the particles in all of these contacts"
 
 
 @pytest.mark.exercise("7.5")
@@ -91,16 +92,16 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 ]  # fmt: skip
                 why = cause_of(depth, mistakes, about.cause)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14, unit="m")
-                why = "The contact is between the wrong two bodies. Create it with the particle "
-                why += "p, and pass None as its other, because the ground is not a particle."
+                why = "The contact is between the wrong two bodies. Create it with the particle p, "
+                why += "and pass None as its other, because the ground is not a particle."
                 expect_particles((a, b), (0, -1), ["p"], call=name, cause=why)
                 why = "Your normal points down, so the contact pushes the sphere farther into the "
                 why += "ground. Use the normal (0, 1, 0), which points out of the ground."
                 why = cause_of(normal, [((0, -1, 0), why)], "Use (0, 1, 0) as the normal.")
                 shown = f"{name}; the normal of the contact"
                 expect_close(normal, UP, call=shown, cause=why)
-                why = "The contact has the wrong restitution. Pass the detector's restitution "
-                why += "when you create the contact."
+                why = "The contact has the wrong restitution. Pass the detector's restitution when "
+                why += "you create the contact."
                 shown = f"{name}; the restitution of the contact"
                 expect_close(restitution, c, call=shown, cause=why, tolerance=1e-13)
 
@@ -110,23 +111,22 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     about.read = GROUND
     heights = [number(rng) for _ in range(6)]
     about.call = f"six particles at the heights {heights}; ground = GroundPlane(particles); "
-    about.call += "ground.contacts(); the indices of the particles in the contacts"
+    about.call += "ground.contacts()"
     about.cause = "Return one contact for each particle at or below a height of 0, in the order of "
     about.cause += "the list."
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
-    expect_exactly(first, wanted)
+    expect_exactly(first, wanted, then=INDICES)
     about.call += "; all particles moved to a height of -1, particle 1 made immovable, particle 6 "
-    about.call += "added to the list; ground.contacts(); the indices of the particles in the "
-    about.call += "contacts"
+    about.call += "added to the list; ground.contacts()"
     about.cause = "The particles and the list have changed since the first call, and particle 1 is "
     about.cause += "immovable now. Read the list again on every call, and skip immovable particles."
-    expect_exactly(second, [0, 2, 3, 4, 5, 6])
+    expect_exactly(second, [0, 2, 3, 4, 5, 6], then=INDICES)
     about.call += "; ground.height = -2; ground.radius = 0.5; ground.contacts(); the indices of "
     about.call += "the particles in the contacts"
     about.cause = "The height of the ground has changed, so no particle touches it now. Read "
     about.cause += "height and radius again on every call, and store nothing that depends on them."
-    expect_exactly(third, [])
+    expect_exactly(third, [], then=INDICES)
 
 
 @pytest.mark.exercise("7.5")
@@ -221,12 +221,14 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         about.cause = "You returned a contact twice for the same pair, perhaps once for each of "
         about.cause += "its particles or cells. Return each pair only once."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
-        about.cause = f"A contact is missing, between particles {missing[0][0]} and "
-        about.cause += f"{missing[0][1]} of the list. {about.cause}"
+        one, other = missing[0]
+        missed = f"You returned no contact between particles {one} and {other} of the list. "
+        about.cause = missed + about.cause
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
-        about.cause = f"There should be no contact between particles {extra[0][0]} and "
-        about.cause += f"{extra[0][1]} of the list. {about.cause}"
+        one, other = extra[0]
+        unwanted = f"You returned a contact between particles {one} and {other} of the list, but "
+        about.cause = f"{unwanted}there should be none. {about.cause}"
     else:
         about.cause = "You found the right pairs but returned them in the wrong order. Sort them "
         about.cause += "by the indices of their particles, with the smaller index first in each "
@@ -309,23 +311,20 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.5, 1.5)
     about.call = "four particles in a row, three radii apart; pairs = ParticlePairs(particles, "
-    about.call += f"radius={radius}); pairs.contacts(); the indices of the particles in all "
-    about.call += "contacts"
+    about.call += f"radius={radius}); pairs.contacts()"
     about.cause = "The spheres are more than two radii apart, so they don't touch. Return no "
     about.cause += "contact."
     first, second, third = pairs_of_a_list(radius)
-    expect_exactly(first, [])
+    expect_exactly(first, [], then=INDICES)
     about.call += "; then particle 3 moved next to particle 0, and particle 4 added between "
-    about.call += "particles 1 and 2; pairs.contacts(); the indices of the particles in all "
-    about.call += "contacts"
+    about.call += "particles 1 and 2; pairs.contacts()"
     about.cause = "Particles have moved or joined the list since the first call. Read the list and "
     about.cause += "the positions again on every call."
-    expect_exactly(second, [0, 3, 1, 4, 2, 4])
-    about.call += "; pairs.radius *= 2; pairs.contacts(); the indices of the particles in all "
-    about.call += "contacts"
+    expect_exactly(second, [0, 3, 1, 4, 2, 4], then=INDICES)
+    about.call += "; pairs.radius *= 2; pairs.contacts()"
     about.cause = "The detector's radius has changed since the first call. Read it again on every "
     about.cause += "call."
-    expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
+    expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4], then=INDICES)
 
 
 @pytest.mark.exercise("B7.9")
@@ -340,13 +339,12 @@ def test_a_grid_has_no_seams(rng: Random) -> None:
         step = tuple(1.8 * radius * part / length for part in way)
         places = [tuple((i - 10) * part for part in step) for i in range(21)]
         about.call = f"21 particles in a straight row through (0, 0, 0), each {step} after the "
-        about.call += f"previous one; ParticlePairs(particles, radius={radius}).contacts(); the "
-        about.call += "indices of the particles in all contacts"
+        about.call += f"previous one; ParticlePairs(particles, radius={radius}).contacts()"
         particles = [Particle(Vector3(*place)) for place in places]
         got = told(ParticlePairs(particles, radius).contacts(), particles)
         seen = [number for a, b, *_ in got for number in (a, b)]
         wanted = [number for i in range(20) for number in (i, i + 1)]
-        expect_exactly(seen, wanted)
+        expect_exactly(seen, wanted, then=INDICES)
 
 
 @pytest.mark.exercise("B7.9")

@@ -20,7 +20,7 @@ def expect_impact(impact: Any) -> Any:
     """Expect an impact, as time and contact, and return it."""
     __tracebackhide__ = True
     pair = isinstance(impact, (tuple, list)) and len(impact) == 2
-    got = "something else than a tuple of two"
+    got = f"{impact:.6g}" if type(impact) is float else "not a tuple of two values"
     why = "next_impact must return both the time and the contact, as a tuple (time, contact). "
     why += "Return None only if there is no impact."
     if impact is None:

@@ -88,8 +88,8 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
             [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames
         )
         if len(found) > 1000:
-            about.cause = "Your step keeps finding impacts forever. Pass next_impact only the time "
-            about.cause += "that is left in the step, and pass resolve_velocity 0."
+            about.cause = "Your step keeps finding impacts forever. Pass the time left in "
+            about.cause += "the step to next_impact, and a duration of 0 to resolve_velocity."
         if h > 1.0 and len(found) == 1:
             about.cause = "You resolved only the first impact, but this step has a second one. "
             about.cause += "After each impact, call next_impact again for the rest of the step."

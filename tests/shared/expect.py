@@ -25,9 +25,9 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "The NaN was accepted. Every comparison with NaN is False, so a test such as x <= 0 doesn't "
-    "catch it. Test for the valid range instead, as in 0.0 < x < math.inf, or use the functions in "
-    "arguments.py."
+    "Your code accepted NaN. Every comparison with NaN is False, so a test such as x <= 0 doesn't "
+    "detect it. Test for the valid range instead, as in 0.0 < x < math.inf, or use the functions "
+    "in arguments.py."
 )
 UNCHANGED = (
     "The call changed a value that it should only read. Work on a copy, or on plain numbers."
@@ -202,14 +202,13 @@ def expect_finite_numbers(
     pairs of an argument's index and a number.
     """
     __tracebackhide__ = True
-    cause = (
-        "This value is not valid, so raise ValueError. The functions in arguments.py check an "
-        "argument and raise the error for you."
-    )
+    valid = "is not a valid value for this argument, so raise ValueError. The functions in "
+    valid += "arguments.py check an argument and raise the error for you."
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
+        cause = f"{value!r} {valid}"
         if error is TypeError:
             cause = "A string is not a number, even if it looks like one, so raise TypeError."
         arguments = [*good]

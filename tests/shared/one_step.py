@@ -69,18 +69,18 @@ def wrong_steps(
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
         return {
-            "You move the position twice, once by v h and once by v' h. Move it only once, with "
-            "the new velocity v'.": (
+            "You move the position twice, once with the old and once with the new velocity. "
+            "Move it only once, with the new velocity.": (
                 x + (v + new) * h,
                 new,
             ),
-            "You move the position with the mean of v and v'. Semi-implicit Euler uses the new "
-            "velocity v' alone.": (
+            "You move the position with the mean of the old and the new velocity. Semi-implicit "
+            "Euler uses only the new velocity.": (
                 x + 0.5 * (v + new) * h,
                 new,
             ),
-            "You move the position with the undamped velocity. Apply the damping first, and "
-            "then move the position.": (
+            "You move the position with the undamped velocity. Apply the damping to the "
+            "velocity before you move the position.": (
                 x + (v + first * h) * h,
                 new,
             ),
@@ -93,8 +93,8 @@ def wrong_steps(
         return {
             "You evaluate the forces at the start of the step. Evaluate them after the first half "
             "drift instead.": (x + 0.5 * h * (v + early), early),
-            "After the kick, you drift for the whole step h. The first drift already covered h "
-            "/ 2, so drift only for the other h / 2.": (
+            "You drift for the whole step h after the kick. The drift before the kick covers h "
+            "/ 2, so drift only for the other h / 2 after it.": (
                 middle + h * new,
                 new,
             ),
@@ -110,14 +110,13 @@ def wrong_steps(
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
         second, later = force(half, v + first * h), force(whole, v + first * h)
         return {
-            "You add a h^2 to the position. The velocity doesn't reach v + a h until the end of "
-            "the step, so on average only half of that change counts. The term must be a h^2 / "
-            "2.": (
+            "You add a h^2 to the position, which is twice the correct term. Add a h^2 / 2 "
+            "instead.": (
                 whole,
                 (v + 0.5 * (first + later) * h) * keep,
             ),
-            "Your new velocity is v + b h, which uses only b, the acceleration at the end of "
-            "the step. Use the mean of the two accelerations a and b instead.": (
+            "Your new velocity uses only the acceleration at the end of the step. Use the mean "
+            "of the accelerations at its start and at its end.": (
                 half,
                 (v + second * h) * keep,
             ),
@@ -127,13 +126,13 @@ def wrong_steps(
                 (v + (first + second - a) * h) * keep,
             ),
             "The forces of the first evaluation are still in the accumulators during the second "
-            "one. Clear the accumulators in between, and then add the forces that were applied "
-            "by hand again.": (
+            "one. Clear the accumulators before the second evaluation, and add the forces that "
+            "were applied by hand again.": (
                 half,
                 (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
-            "You evaluate b with the old velocity. Set the velocity to v + a h before you "
-            "evaluate the forces again.": (
+            "You evaluate the forces at the end of the step with the old velocity. Set the "
+            "velocity to v + a h before this second evaluation.": (
                 half,
                 (v + 0.5 * (first + force(half, v)) * h) * keep,
             ),
@@ -141,13 +140,13 @@ def wrong_steps(
     if method == "runge_kutta_4":
         parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "You give all four rates the same weight, but the two in the middle must count "
-            "double.": mean_of((1.0, 1.0, 1.0, 1.0), parts),
-            "You give the first and the last rate double weight. It is the two in the middle that "
-            "must count double.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
-            "You evaluate the third rate at the end of the step. Evaluate it in the middle, with "
-            "the second rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)),
-            "You evaluate the last rate in the middle of the step. Evaluate it at the end, with "
-            "the third rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)),
+            "You give all four rates the same weight. Give double weight to the second and the "
+            "third rate.": mean_of((1.0, 1.0, 1.0, 1.0), parts),
+            "You give double weight to the first and the last rate. Give it to the second and "
+            "the third rate instead.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
+            "You evaluate the third rate at the end of the step. Evaluate it in the middle of "
+            "the step, with the second rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)),
+            "You evaluate the last rate in the middle of the step. Evaluate it at the end of "
+            "the step, with the third rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)),
         }
     return {}

@@ -222,12 +222,12 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         about.cause += "its particles or cells. Return each pair only once."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
         one, other = missing[0]
-        missed = f"You returned no contact between particles {one} and {other} of the list. "
+        missed = f"You returned no contact between particles {one} and {other}. "
         about.cause = missed + about.cause
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
         one, other = extra[0]
-        unwanted = f"You returned a contact between particles {one} and {other} of the list, but "
+        unwanted = f"You returned a contact between particles {one} and {other}, but "
         about.cause = f"{unwanted}there should be none. {about.cause}"
     else:
         about.cause = "You found the right pairs but returned them in the wrong order. Sort them "

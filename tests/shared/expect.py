@@ -25,9 +25,8 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "Your code accepted NaN. Every comparison with NaN is False, so a test such as x <= 0 doesn't "
-    "detect it. Test for the valid range instead, as in 0.0 < x < math.inf, or use the functions "
-    "in arguments.py."
+    "Your code accepted NaN. Every comparison with NaN is False, so x <= 0 doesn't detect it. Test "
+    "for the valid range instead, as in 0.0 < x < math.inf, or use the functions in arguments.py."
 )
 UNCHANGED = (
     "The call changed a value that it should only read. Work on a copy, or on plain numbers."

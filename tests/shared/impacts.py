@@ -23,10 +23,11 @@ def expect_impact(impact: Any) -> Any:
     got = f"{impact:.6g}" if type(impact) is float else "not a tuple of two values"
     why = "next_impact must return both the time and the contact, as a tuple (time, contact). "
     why += "Return None only if there is no impact."
+    wanted = "a tuple (time, contact)"
     if impact is None:
-        got = "None, as if there were no impact within the duration"
-        why = f"There is an impact, so the result must be a tuple (time, contact). {about.cause}"
-    expect_that(pair, got, "a tuple (time, contact)", cause=why)
+        got, why = "None, as if there were no impact within the duration", about.cause
+        wanted += ", because there is an impact"
+    expect_that(pair, got, wanted, cause=why)
     return impact
 
 

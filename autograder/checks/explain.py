@@ -7,19 +7,21 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from autograder.checks.asked import about
+from autograder.checks.asked import about, short_numbers
 from autograder.checks.faults import Fault, fault_of, is_inside, short, text_of
 from autograder.checks.missing import file_of
 from autograder.checks.nearest import explain_unknown
 from autograder.message import ExpectationError, Kind, Message, Place
 
 NOT_IMPLEMENTED = (
-    "The code returned NotImplemented. Only a binary operator such as __add__ should do that: "
-    "Python then raises the TypeError for it. Any other method must raise the error itself."
+    "Your code returned NotImplemented instead of raising an error. Only an operator such as "
+    "__add__ should do that, because Python then raises the TypeError. Any other method must raise "
+    "the error itself."
 )
 NOT_HANDED_IN = (
-    "Only the files named in the exercises are handed in. Move this code into one of them, or "
-    "correct the name. Imports must include the folder: from ch02_vectors.vector import Vector3"
+    "Your code imports a file that does not exist or is not handed in. Correct the name, or move "
+    "the code of that file into a file that an exercise names. An import must include the folder: "
+    "from ch02_vectors.vector import Vector3"
 )
 ONLY_COMPUTES = (
     "Your engine should only compute. Remove any code that writes files, reads files outside the "
@@ -50,13 +52,13 @@ SLIPS = (
     ("(unknown location)", NOT_HANDED_IN),
     (
         "No module named",
-        "Your engine may import only Python's standard library and the chapters. Imports of a "
-        "chapter must include its folder: from ch02_vectors.vector import Vector3",
+        "Your engine may import only Python's standard library and the files of the chapters. An "
+        "import of such a file must include its folder: from ch02_vectors.vector import Vector3",
     ),
     (
         "No such file or directory",
-        "Your code runs in a different folder, so a relative path won't find the file. Use "
-        "Path(__file__).with_name(...) for a file next to your code, and use only files that an "
+        "Your code runs in a different folder, so a relative path doesn't find the file. Use "
+        "Path(__file__).with_name(...) for a file next to your code, and read only files that an "
         "exercise names.",
     ),
     ("Permission denied", ONLY_COMPUTES),
@@ -64,15 +66,18 @@ SLIPS = (
     ("start new thread", ONLY_COMPUTES),
     (
         "must be a Vector3, got None",
-        "A method that works in place changes its vector and returns None. Call it on its own "
-        "line, and don't assign the result.",
+        "You used the result of a method that works in place. Such a method changes its vector "
+        "and returns None, so call it on its own line and don't use its result.",
     ),
-    ("has no setter", "This property has no setter, so it can be read but not assigned."),
-    ("for ^", "Python writes powers with **. The operator ^ is bitwise exclusive or."),
+    (
+        "has no setter",
+        "Your code assigns to a property that has no setter, so it can only be read.",
+    ),
+    ("for ^", "In Python, powers are written with **. The operator ^ is bitwise exclusive or."),
     (
         "is not defined",
-        "Python doesn't know this name. Check the spelling, and make sure that the file "
-        "imports it at the top.",
+        "Python doesn't know this name. Check its spelling, and make sure that the file imports "
+        "it at the top.",
     ),
     (
         "local variable",
@@ -81,8 +86,8 @@ SLIPS = (
     ),
     (
         "unexpected keyword",
-        "A parameter in the def line has a different name than in the docstring. Use the names "
-        "in the docstring, because callers pass arguments by name.",
+        "A parameter in your def line has a different name than in the docstring. Use the name in "
+        "the docstring, because callers pass this argument by name.",
     ),
     (
         "and 'method'",
@@ -97,10 +102,14 @@ SLIPS = (
 PERHAPS = (
     (
         "'tuple'",
-        "A function with several results returns them as a tuple. Unpack it into separate names "
-        "before you use any of them.",
+        "A value on this line is a tuple, because a function with several results returns them "
+        "as a tuple. Unpack the tuple into separate names before you use the results.",
     ),
-    ("NoneType", "A value on this line is None. Is a return statement missing?"),
+    (
+        "NoneType",
+        "A value on this line is None. Perhaps a function that should return it has no return "
+        "statement.",
+    ),
     (
         "maximum recursion",
         "A function calls itself forever. Check whether an operator or method uses itself, or a "
@@ -108,27 +117,28 @@ PERHAPS = (
     ),
     (
         "positional argument",
-        "The number of arguments doesn't match the def line. Perhaps self is missing there, or "
-        "the call passes one argument too many.",
+        "The number of arguments in the call doesn't match the def line. Perhaps the def line "
+        "lacks self, or the call passes an argument too many.",
     ),
     (
         "is not callable",
-        "Your code calls a value that isn't a function. Perhaps it's a property, which needs no "
-        "parentheses, or you've used the same name for two things.",
+        "Your code calls a value that isn't a function. Perhaps this value is a property, which "
+        "needs no parentheses, or you used the same name for two things.",
     ),
     (
         "values to unpack",
-        "The number of values returned doesn't match the number of names on the left of the =. "
-        "Check in the docstring what the function returns.",
+        "The function returned more or fewer values than there are names on the left of the =. "
+        "Check in its docstring what it returns.",
     ),
     (
         "cannot unpack",
-        "The number of values returned doesn't match the number of names on the left of the =. "
-        "Check in the docstring what the function returns.",
+        "The function returned more or fewer values than there are names on the left of the =. "
+        "Check in its docstring what it returns.",
     ),
     (
         "has no attribute",
-        "Perhaps the name is misspelled, or the object has a different type than you expect.",
+        "Perhaps you misspelled the name of the attribute, or the object has a different type than "
+        "you expect.",
     ),
     ("unterminated", "A quotation mark is missing here or further up. A docstring needs three."),
     ("TabError", "The indentation mixes tabs and spaces. Use four spaces for each level."),
@@ -139,8 +149,8 @@ PERHAPS = (
     ("is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z instead."),
     (
         "TypeError",
-        "A value on this line isn't of the type that the code expects. Check the type of each name "
-        "on it. Perhaps a method is missing its parentheses, so it's never called.",
+        "A value on this line has the wrong type. Check the type of each value on the line. "
+        "Perhaps you forgot the parentheses after a method's name, so the method is never called.",
     ),
 )
 ESCAPED = re.compile(
@@ -182,7 +192,7 @@ def explain_exception(
     cause, read = (about.cause, about.read) if about.call else ("", "")
     likely, other = _likely(fault.first_line, cause, fault)
     return Message(
-        called=about.call,
+        called=short_numbers(about.call),
         got=fault.first_line,
         where=where and _with_source(where, engine_folders),
         likely=likely,

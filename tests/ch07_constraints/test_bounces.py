@@ -41,23 +41,22 @@ def test_restitution_is_a_root(rng: Random) -> None:
     about.read = DROP
     h, c = positive_number(rng), rng.uniform(0.1, 0.9)
     for initial, bounce, wanted in ((1.0, 0.64, 0.8), (h, c * c * h, c), (2.0, 2.0, 1.0)):
-        about.call = f"restitution_of_drop({initial}, {bounce})"
-        about.cause = "The restitution is a ratio of speeds, and speed grows with the square root "
-        about.cause += "of height. Return sqrt(bounce_height / initial_height)."
+        about.call = f"restitution_of_drop(initial_height={initial}, bounce_height={bounce})"
+        about.cause = "The restitution is a ratio of speeds, and the speed of a fall grows with "
+        about.cause += "the square root of the height. Return sqrt(bounce_height / initial_height)."
         got = restitution_of_drop(initial, bounce)
         mistakes = [
             (wanted * wanted,
-             "This is the ratio of the heights. Height grows with the square of the speed, so take "
-             "the square root of the ratio."),
-            (1.0 / wanted, "Your ratio is upside down, so the restitution is above 1, as if the "
-                           "ball bounced above its starting height. Divide bounce_height by "
-                           "initial_height."),
+             "You returned the ratio of the heights, but the restitution is the ratio of the "
+             "speeds. Take the square root of the ratio of the heights."),
+            (1.0 / wanted, "Your ratio is upside down: a restitution above 1 means that the ball "
+                           "bounces higher than it fell. Divide bounce_height by initial_height."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
-    cause = "This ball doesn't bounce at all, so its bounce height is 0. That is a valid "
-    cause += "measurement, and the restitution is 0."
-    about("restitution_of_drop(2.0, 0.0)", cause=cause)
+    cause = "The ball doesn't bounce at all, so its bounce height is 0. This is a valid "
+    cause += "measurement, so return a restitution of 0."
+    about("restitution_of_drop(initial_height=2.0, bounce_height=0.0)", cause=cause)
     got = restitution_of_drop(2.0, 0.0)
     expect_close(got, 0.0)
 
@@ -71,10 +70,10 @@ def test_a_drop_needs_heights_that_mean_something() -> None:
     expect_error(
         lambda: restitution_of_drop(2, 2.5),
         ValueError,
-        call="restitution_of_drop(2, 2.5)",
+        call="restitution_of_drop(initial_height=2, bounce_height=2.5)",
         allowed=lambda: restitution_of_drop(2, 2),
-        cause="A ball can't bounce above the height it was dropped from, so one of the two heights "
-        "must be wrong. Raise ValueError.",
+        cause="A ball can't bounce above the height it was dropped from, so one of the heights "
+        "must be wrong. Raise ValueError if bounce_height is larger than initial_height.",
     )
 
 
@@ -88,55 +87,54 @@ def test_each_material_has_its_row(rng: Random) -> None:
     heights = [1.0, 2.0, 0.5, 1.0, 4.0, 0.25, 2.0]
     drops = [(name, h, h * c * c) for (name, c), h in zip(order, heights, strict=True)]
     about.call = f"table_of_drops({drops})"
-    about.cause = "Return one row per material, in the order in which the materials first appear."
+    about.cause = "The rows are wrong. Return one row per material, in the order in which the "
+    about.cause += "materials first appear in the list of drops."
     got = table_of_drops(drops)
     names = [row[0] for row in got]
-    expect_exactly(names, ["Clay", "oak", "ash"], then=": materials")
+    expect_exactly(names, ["Clay", "oak", "ash"], then="; the materials of the rows")
     counts = [row[1] for row in got]
-    expect_exactly(counts, [4, 2, 1], then=": drops")
-    about.cause = "Compute the restitution of each drop with restitution_of_drop, and then take "
-    about.cause += "the mean."
+    about.cause = "Count the drops of each material, and return this number as the second entry of "
+    about.cause += "its row."
+    expect_exactly(counts, [4, 2, 1], then="; the number of drops in each row")
+    about.cause = "The mean restitution of a material is wrong. Compute the restitution of each "
+    about.cause += "drop with restitution_of_drop, and then take the mean."
     wanted = (math.fsum(a) / 4.0, math.fsum(b) / 2.0, 0.5)
     means = [row[2] for row in got]
     # Roots of the heights, a few roundings of 1.
     roots = tuple(math.sqrt(math.fsum(c * c for c in part) / len(part)) for part in (a, b, [0.5]))
-    name = (
-        "You took the mean before the square root, which gives a slightly different number. "
-        "Compute the restitution of each drop first, and then take the mean."
-    )
+    name = "You took the mean before the square root, which gives a different number. "
+    name += "Compute the restitution of each drop first, and then take the mean."
     blame(means, [(roots, name)])
-    expect_close(means, wanted, then=": means", tolerance=1e-14)
-    about.cause = "The standard error of the mean is s / sqrt(n). Compute the standard deviation s "
-    about.cause += "with statistics.stdev, which divides by n - 1."
+    expect_close(means, wanted, then="; the mean restitution in each row", tolerance=1e-14)
+    about.cause = "The standard error of the mean of n restitutions is s / sqrt(n). Compute their "
+    about.cause += "standard deviation s with statistics.stdev, which divides by n - 1."
     spread = math.fsum((c - wanted[0]) ** 2 for c in a)
     errors = (math.sqrt(spread / 3.0 / 4.0), abs(b[0] - b[1]) / 2.0)
     seen = [row[3] for row in got[:2]]
     mistakes = [
         ((2.0 * errors[0], math.sqrt(2.0) * errors[1]),
-         "This is the standard deviation s of single drops. The mean of n drops is more certain "
-         "than any one of them, so divide s by sqrt(n)."),
+         "You returned the standard deviation s of the single restitutions. The mean of n "
+         "restitutions is more certain than a single one, so divide s by sqrt(n)."),
         ((math.sqrt(0.75) * errors[0], errors[1] / math.sqrt(2.0)), "Your standard deviation "
-                                                                    "divides by n, which makes it "
-                                                                    "a little too small for a "
-                                                                    "sample. Divide by n - 1, as "
-                                                                    "statistics.stdev does."),
+                                                                    "divides by n, so it is a "
+                                                                    "little too small. Divide by n "
+                                                                    "- 1, as statistics.stdev "
+                                                                    "does."),
         ((0.5 * errors[0], errors[1] / math.sqrt(2.0)),
-         "Your result is s / n, but the standard error falls only with the square root of n. "
-         "Divide s by sqrt(n)."),
+         "You divided the standard deviation s by n. Divide it by sqrt(n) instead."),
     ]  # fmt: skip
     blame(seen, mistakes)
-    expect_close(seen, errors, then=": standard errors", tolerance=1e-14)
-    about.cause = (
-        "A single drop says nothing about how much drops vary, so there is no standard error. "
-        "Return None in its place."
-    )
-    expect_exactly(got[2][3], None, then=": the last error")
+    name = "; the standard errors of Clay and oak"
+    expect_close(seen, errors, then=name, tolerance=1e-14)
+    about.cause = "A single drop says nothing about how much drops vary, so there is no standard "
+    about.cause += "error. Return None in its place."
+    expect_exactly(got[2][3], None, then="; the standard error of ash, with a single drop")
     about(
         "table_of_drops([])",
         cause="The list of drops is empty, so there are no rows to return. Return an empty list.",
     )
     got = table_of_drops([])
-    expect_exactly(len(got), 0)
+    expect_exactly(len(got), 0, then="; the number of rows")
 
 
 @pytest.mark.exercise("7.1")
@@ -146,8 +144,8 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
     good = ("oak", 2.0, 1.0)
     for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
         about.call = f"table_of_drops([{good}, {bad}])"
-        about.cause = "One of these drops is impossible. Call restitution_of_drop for every drop, "
-        about.cause += "and let its error through, so that the mistake gets noticed."
+        about.cause = "The second drop has an impossible height. Call restitution_of_drop for "
+        about.cause += "every drop, and let its error through instead of catching it."
         expect_error(
             lambda bad=bad: table_of_drops([good, bad]),
             error,
@@ -157,65 +155,69 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
 
 @pytest.mark.exercise("7.1", weight=2)
 def test_bounces_were_measured() -> None:
-    about("table_of_drops(the drops of your drops.csv): the drops in all rows", read=DATA)
-    about.cause = "Enter your own drops in drops.csv, one drop per line, as in drops_sample.csv. "
-    about.cause += "A line is material,initial_height,bounce_height, with heights in m, and a "
-    about.cause += "bounce is never higher than its drop."
+    about("table_of_drops(the drops in your drops.csv); the sum of all counts", read=DATA)
+    about.cause = "Enter your own drops in drops.csv, one drop per line, as in drops_sample.csv: "
+    about.cause += "material,initial_height,bounce_height. The heights are in m, and no bounce is "
+    about.cause += "higher than its drop."
     drops = entered_drops()
     got = sum(row[1] for row in table_of_drops(drops))
-    expect_exactly(got, len(drops))
-    about.call = "your drops.csv: how many materials with three or more drops are missing (three "
-    about.call += "are needed)"
+    expect_exactly(got, len(drops), unit="drops")
+    about.call = "your drops.csv should have three or more drops for each of three materials; the "
+    about.call += "number of such materials that are still missing"
     materials = {name for name, _, _ in drops}
     got = sum(sum(name == other for other, _, _ in drops) >= 3 for name in materials)
-    expect_exactly(max(0, 3 - got), 0)
-    about.call = "your drops.csv: the number of bounces with a height of 0"
+    expect_exactly(max(0, 3 - got), 0, unit="materials")
+    about.call = "the number of drops in your drops.csv with a bounce height of 0"
     got = sum(bounce == 0.0 for _, _, bounce in drops)
-    expect_exactly(got, 0)
+    expect_exactly(got, 0, unit="drops")
 
 
 @pytest.mark.exercise("7.3")
 def test_the_upper_ball_flies_off(rng: Random) -> None:
-    about("top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)", read=TWO)
-    about.cause = "Both balls arrive at v = sqrt(20) m/s. The lower ball leaves the ground at 0.5 "
-    about.cause += "v, and after the two balls collide, the upper one should rise at 1.3625 v = "
-    about.cause += "6.0933 m/s."
+    about.read = TWO
+    about.call = "top_ball_speed(height=1.0, lower_mass=9.0, upper_mass=1.0, "
+    about.call += "ground_restitution=0.5, pair_restitution=0.75)"
+    about.cause = "Both balls reach the ground at v = sqrt(20) m/s, and the lower ball bounces at "
+    about.cause += "0.5 v. Then the balls collide, so compute the upper ball's velocity after that "
+    about.cause += "collision."
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
     v = math.sqrt(20.0)
     mistakes = [
         (0.575 * v,
-         "You treated the lower ball as being at rest. It has already bounced and is rising at 0.5 "
-         "v when the upper ball hits it."),
-        (-0.7375 * v, "The masses are swapped. The heavier the lower ball, the more it changes the "
-                      "upper one's velocity, so multiply by lower_mass / total."),
+         "You treated the lower ball as being at rest. It has already bounced off the ground, so "
+         "it rises at half the speed of the fall when the upper ball hits it."),
+        (-0.7375 * v, "The masses are swapped. The upper ball takes the fraction lower_mass / "
+                      "total of the change in the relative velocity."),
         (2.3625 * v,
-         "This is the change in the upper ball's velocity. Before the impact that ball was falling "
-         "at v, so subtract v."),
-        (2.625 * v - v, "You gave the upper ball the whole change in the relative velocity, but "
-                        "the lower ball takes part of it. The upper ball's fraction is lower_mass "
-                        "/ total, which is 0.9 here."),
+         "You returned the change in the upper ball's velocity. Before the collision "
+         "the upper ball was falling at v = sqrt(2 g h), so subtract v."),
+        (2.625 * v - v, "You gave the upper ball the whole change in the relative velocity. Its "
+                        "fraction is lower_mass / total, which is 0.9 here, and the lower ball "
+                        "takes the rest."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, 1.3625 * v)
+    expect_close(got, 1.3625 * v, unit="m/s")
     h, g, m = positive_number(rng), positive_number(rng), positive_number(rng)
     v = math.sqrt(2.0 * g * h)
     for lower, ground, pair, wanted, cause in (
-        (m, 1.0, 1.0, v, "The masses are equal and no energy is lost, so the two balls swap "
-                         "velocities. The upper ball should rise at the speed at which the lower "
-                         "one was rising."),
-        (m, 0.0, 1.0, 0.0, "The ground has a restitution of 0, so the lower ball stays on it. The "
-                           "upper ball has the same mass, so it passes all of its motion on to the "
-                           "lower one and stops."),
+        (m, 1.0, 1.0, v, "The masses are equal and both restitutions are 1, so the balls swap "
+                         "their velocities. The upper ball should rise at the speed v of the lower "
+                         "one."),
+        (m, 0.0, 1.0, 0.0, "The lower ball stays on the ground, which has a restitution of 0. The "
+                           "upper ball has the same mass, so it passes its whole velocity on and "
+                           "stops."),
         (3.0 * m, 1.0, 1.0, 2.0 * v,
-         "The lower ball has three times the mass and no energy is lost, so the upper ball should "
-         "leave at twice the speed at which it arrived."),
-        (m, 1.0, 0.0, 0.0, "The momenta of the two balls cancel, and with a restitution of 0 they "
-                           "stick together, so both should stop."),
-        (3.0 * m, 0.0, 0.0, -0.25 * v, "With a restitution of 0 the balls stick together. They "
-                                       "share the momentum of the upper ball, which was moving "
-                                       "down, so the result is negative."),
+         "The lower ball has three times the mass of the upper one, and both restitutions are 1. "
+         "The upper ball should rise at twice the speed of its fall."),
+        (m, 1.0, 0.0, 0.0, "The balls move together after the collision, because the pair's "
+                           "restitution is 0. Their momenta cancel, so both should stop."),
+        (3.0 * m, 0.0, 0.0, -0.25 * v, "The balls move together after the collision, because the "
+                                       "pair's restitution is 0. Their total momentum points down, "
+                                       "so return a negative speed."),
     ):  # fmt: skip
-        about(f"top_ball_speed({h}, {lower}, {m}, {ground}, {pair}, {g})", cause=cause)
+        about(cause=cause)
+        about.call = f"top_ball_speed(height={h}, lower_mass={lower:g}, upper_mass={m}, "
+        about.call += f"ground_restitution={ground}, pair_restitution={pair}, gravity={g})"
         got = top_ball_speed(h, lower, m, ground, pair, g)
         ten = wanted * math.sqrt(10.0 / g)
         if wanted:
@@ -225,11 +227,11 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
                     (
                         ten,
                         "Your result is right only where gravity is 10 m/s^2. Use the argument "
-                        "gravity instead.",
+                        "gravity instead of the number 10.",
                     )
                 ],
             )
-        expect_close(got, wanted, tolerance=1e-13)
+        expect_close(got, wanted, tolerance=1e-13, unit="m/s")
 
 
 @pytest.mark.exercise("7.3")
@@ -238,36 +240,41 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
     h, g = positive_number(rng), positive_number(rng)
     lower, upper = positive_number(rng), positive_number(rng)
     ground, pair = (round(rng.uniform(0.1, 0.9), 3) for _ in range(2))
-    about.call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair}, {g})"
+    about.call = f"top_ball_speed(height={h}, lower_mass={lower}, upper_mass={upper}, "
+    about.call += f"ground_restitution={ground}, pair_restitution={pair}, gravity={g})"
     about.cause = "The collision conserves momentum. The balls approach each other at "
-    about.cause += "ground_restitution * v + v, and separate at the pair's restitution times that "
+    about.cause += "ground_restitution * v + v, and they separate at pair_restitution times that "
     about.cause += "speed."
     got = top_ball_speed(h, lower, upper, ground, pair, g)
     v = math.sqrt(2.0 * g * h)
     momentum = (lower * ground - upper) * v
     parting = pair * (1.0 + ground) * v
     wanted = (momentum + lower * parting) / (lower + upper)
-    expect_close(got, wanted, tolerance=1e-13)
-    about.call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair})"
-    about.cause = "The check passes no gravity here, so use the default value of 10 m/s^2."
+    expect_close(got, wanted, tolerance=1e-13, unit="m/s")
+    about.call = f"top_ball_speed(height={h}, lower_mass={lower}, upper_mass={upper}, "
+    about.call += f"ground_restitution={ground}, pair_restitution={pair})"
+    about.cause = "This call passes no gravity, so use the default value of 10 m/s^2."
     got = top_ball_speed(h, lower, upper, ground, pair)
     wanted *= math.sqrt(10.0 / g)
-    expect_close(got, wanted, tolerance=1e-13)
+    expect_close(got, wanted, tolerance=1e-13, unit="m/s")
 
 
 @pytest.mark.exercise("7.3")
 def test_without_height_or_gravity_no_ball_flies_off() -> None:
-    about("top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)", read=TWO)
+    about.read = TWO
+    about.call = "top_ball_speed(height=0.0, lower_mass=2.0, upper_mass=3.0, "
+    about.call += "ground_restitution=0.5, pair_restitution=0.5, gravity=10.0)"
     about.cause = (
-        "The balls are dropped from a height of 0, so they never pick up any speed. Return 0."
+        "The balls are dropped from a height of 0, so they never gain any speed. Return 0."
     )
     got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
-    expect_close(got, 0.0)
-    about.call = "top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)"
+    expect_close(got, 0.0, unit="m/s")
+    about.call = "top_ball_speed(height=1.0, lower_mass=2.0, upper_mass=3.0, "
+    about.call += "ground_restitution=0.5, pair_restitution=0.5, gravity=0.0)"
     about.cause = "Without gravity the balls don't fall, so their speed is 0. Return 0 instead of "
     about.cause += "raising an error."
     got = top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)
-    expect_close(got, 0.0)
+    expect_close(got, 0.0, unit="m/s")
 
 
 @pytest.mark.exercise("7.3")
@@ -285,33 +292,31 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
     about.read = PUSH
     f, frame = components(rng), positive_number(rng, 0.1, 0.9)
     for share in (0.25, 1.0, 0.0):
-        about.call = f"f = Vector3{f}; force_for_frame(f, {share * frame}, {frame})"
-        about.cause = "The impulse is the force times its duration. To give the same impulse over "
-        about.cause += "a longer time, it must be smaller, so multiply it by contact_time / frame."
+        about.call = f"f = Vector3{f}; force_for_frame(f, contact_time={share * frame}, "
+        about.call += f"frame={frame})"
+        about.cause = "The impulse is the force times its duration. A force that gives the same "
+        about.cause += "impulse over the whole frame is smaller, so multiply the force by "
+        about.cause += "contact_time / frame."
         force = Vector3(*f)
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
         impulse = tuple(share * frame * part for part in f)
-        why = "This is the impulse in N s, but you should return a force. The force acts for the "
-        why += "whole frame, so divide the impulse by the duration of the frame."
+        why = "You returned the impulse in N s, but the function should return a force. The force "
+        why += "acts for the whole frame, so divide the impulse by the duration of the frame."
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)
-            name = (
-                "Your ratio is upside down. The same impulse is now spread over a longer time, so "
-                "the force must get smaller: multiply it by contact_time / frame."
-            )
+            name = "Your ratio is upside down. The same impulse is now spread over a longer time, "
+            name += "so the force must get smaller: multiply it by contact_time / frame."
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
-        expect_close(got, wanted, cause=why, tolerance=1e-14)
+        expect_close(got, wanted, cause=why, tolerance=1e-14, unit="N")
         kept = "You changed the vector that was passed in, perhaps with *=, which works in place. "
         kept += "Return force * number instead, which creates a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
-    about.call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
-    about.cause = (
-        "You returned the vector that was passed in. Return a new vector, even if the force keeps "
-        "its size, so that changing one doesn't change the other."
-    )
+    about.call = f"f = Vector3{f}; g = force_for_frame(f, contact_time=1.0, frame=1.0); g.x += 1.0"
+    about.cause = "You returned the vector that was passed in. Return a new vector, even if the "
+    about.cause += "force keeps its size, so that changing one doesn't change the other."
     force = Vector3(*f)
     force_for_frame(force, 1.0, 1.0).x += 1.0
     expect_unchanged("f", xyz(force), f)
@@ -335,17 +340,18 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
     ):
         contact, frame = numbers
         about.cause = "The contact time must be at least 0 and at most the duration of the frame. "
-        about.cause += "Raise an error for any other value."
+        about.cause += "Raise ValueError for any other contact time."
         if isinstance(contact, str) or isinstance(frame, str):
-            about.cause = "One of the two times is a string rather than a number, so raise "
-            about.cause += "TypeError. The functions in arguments.py do that for you."
+            about.cause = "One of the two times is a string and not a number, so raise TypeError. "
+            about.cause += "The functions in arguments.py check an argument and raise the error "
+            about.cause += "for you."
         elif not 0.0 < frame < math.inf:
             about.cause = "The duration of the frame must be positive and finite. Call positive "
-            about.cause += "from arguments.py to check it."
+            about.cause += "from arguments.py to check frame."
         expect_error(
             lambda numbers=numbers: force_for_frame(Vector3(1.0, 2.0, 3.0), *numbers),
             error,
-            call=f"force_for_frame(Vector3(1, 2, 3), {numbers[0]!r}, {numbers[1]!r})",
+            call=f"force_for_frame(Vector3(1, 2, 3), contact_time={contact!r}, frame={frame!r})",
             allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1, 2),
         )
     for bad, error in (
@@ -353,12 +359,12 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         (Vector3(0.0, 0.0, math.nan), ValueError),
         (3.0, TypeError),
     ):
-        name = "3.0" if error is TypeError else "a Vector3 that is not finite"
+        name = repr(bad) if error is TypeError else f"Vector3({bad.x:g}, {bad.y:g}, {bad.z:g})"
         expect_error(
             lambda bad=bad: force_for_frame(bad, 1.0, 2.0),
             error,
-            call=f"force_for_frame({name}, 1.0, 2.0)",
+            call=f"force_for_frame({name}, contact_time=1.0, frame=2.0)",
             allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1.0, 2.0),
-            cause="The force must be a Vector3 with finite components, but this argument is not. "
-            "Check it with finite_vector from arguments.py, which raises the error for you.",
+            cause="The first argument is not a Vector3 with finite components, so it is no valid "
+            "force. Check it with finite_vector from arguments.py, which raises the error for you.",
         )

@@ -18,43 +18,44 @@ CLOSE = "the docstring of time_to_close"
 def test_when_a_gap_closes(rng: Random) -> None:
     about.read = CLOSE
     t, pull = positive_number(rng), positive_number(rng)
-    rest = "The body starts from rest, so it has crossed the gap once -a t^2 / 2 equals the gap. "
-    rest += "Solve this for t."
+    rest = "The body starts from rest, and its acceleration closes the gap. Solve gap + a t^2 / 2 "
+    rest += "= 0 for t."
     for gap, v, a, wanted, cause in (
         (12.0, -4.0, 0.0, 3.0, "There is no acceleration, so the body crosses the gap at constant "
-                               "speed. Return gap / -v instead of solving the quadratic equation."),
+                               "speed. Return gap / -v, without dividing by the acceleration."),
         (5.0, 0.0, -10.0, 1.0, rest),
-        (15.0, 10.0, -10.0, 3.0, "The body first rises and then falls back, so it passes this "
-                                 "height twice. The gap closes only on the way down, so return the "
-                                 "later time."),
+        (15.0, 10.0, -10.0, 3.0, "The body first moves away and then falls back to the ground. "
+                                 "The equation has one negative and one positive solution, so "
+                                 "return the positive one."),
         (40.0, -10.0, -10.0, 2.0,
-         "The equation has two solutions. The negative one lies in the past, so take the positive "
-         "one."),
-        (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives. The second solution is when "
-                              "it would come back, so take the first."),
+         "The equation has a negative and a positive solution. The negative time is in the past, "
+         "so return the positive one."),
+        (6.0, -5.0, 2.0, 2.0, "The body slows down but still reaches the ground. The equation has "
+                              "two positive solutions, so return the smaller one."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
-        (1e-6, -1e-6, 0.0, 1.0, "The body approaches slowly, but it does arrive. Return the time "
-                                "of its arrival instead of math.inf."),
-        (5e-7, 0.0, -1e-6, 1.0, "The acceleration is small, but it does bring the body to the "
-                                "ground. Don't treat it as 0."),
+        (1e-6, -1e-6, 0.0, 1.0, "The body is slow, but it reaches the ground after 1 s. Don't "
+                                "treat its speed as 0."),
+        (5e-7, 0.0, -1e-6, 1.0, "The acceleration is small, but it brings the body to the ground "
+                                "after 1 s. Don't treat the acceleration as 0."),
         (0.0, 10.0, -10.0, 2.0,
-         "The body is just leaving the ground, which is not an impact. Return the time when it "
-         "comes back."),
+         "At t = 0 the body is just leaving the ground, which is not an impact. Return the time "
+         "when it comes back."),
         (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998),
-         "The body starts slightly inside the ground and is moving out of it. Return the later "
-         "time, when it comes back."),
+         "The body starts slightly inside the ground and moves out of it, which is not an impact. "
+         "Return the time when it comes back."),
         (-5.0, 3.0, -10.0, 0.3,
-         "The body moves outward but turns around before it is out of the ground. From that moment "
-         "on the gap is closing, so return the time when it turns around."),
+         "The body turns around before it is out of the ground, and from then on it moves farther "
+         "in. Return the time when it turns around."),
     ):  # fmt: skip
-        about(f"time_to_close({gap}, {v}, {a})", cause=cause)
+        about(f"time_to_close(gap={gap}, velocity={v}, acceleration={a})", cause=cause)
         got = time_to_close(gap, v, a)
-        mistakes = [(-wanted, "This time is negative, so it lies in the past. Check the signs of v "
-                              "and a: both are positive when they widen the gap.")]  # fmt: skip
+        mistakes = [(-wanted, "Your time is negative. Check the signs of velocity and acceleration "
+                              "in your formula: both are positive when they widen the gap."),
+                   ]  # fmt: skip
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
             mistakes.append(
-                (other, f"This is the other solution of the quadratic equation. {cause}")
+                (other, f"You returned the other solution of the quadratic equation. {cause}")
             )
         if not v:
             half = wanted / math.sqrt(2.0)
@@ -62,11 +63,11 @@ def test_when_a_gap_closes(rng: Random) -> None:
                 (
                     half,
                     "The acceleration changes the gap by a t^2 / 2, but you left out the factor "
-                    "1/2. Solve gap + v t + a t^2 / 2 = 0.",
+                    "1/2. Solve gap + v t + a t^2 / 2 = 0 for t.",
                 )
             )
         blame(got, mistakes)
-        expect_close(got, wanted)
+        expect_close(got, wanted, unit="s")
 
 
 @pytest.mark.exercise("B7.10")
@@ -79,15 +80,15 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     slow = "The speed is below VELOCITY_TOLERANCE, so treat it as a rounding error that never "
     slow += "closes the gap. Return math.inf."
     for gap, v, a, wanted, cause in (
-        (0.0, -x, 0.0, 0.0, "The body touches the ground and is moving into it, so the gap closes "
-                            "at once. Return 0."),
+        (0.0, -x, 0.0, 0.0, "The body touches the ground and moves into it, so the gap closes at "
+                            "once. Return 0."),
         (-x, -x, 3.0, 0.0, "The body is inside the ground and moving farther in, so the gap is "
                            "already closed. Return 0."),
         (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is moving into it, however slowly, "
                                "so the gap closes at once. Return 0."),
-        (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body turns around exactly "
-                                   "when it touches the ground. It arrives with no speed, so there "
-                                   "is no impact. Return math.inf."),
+        (2.0, -2.0, 1.0, math.inf, "The root is 0: the body turns around exactly at the ground. It "
+                                   "arrives with no speed, so there is no impact. Return "
+                                   "math.inf."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
         (x, 1.0, 0.0, math.inf, "The body is moving away, and no acceleration brings it back. "
@@ -98,9 +99,9 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
                                 "never arrives. Return math.inf."),
         (x, 2.0, 3.0, math.inf, "The body moves away and accelerates away, so it never arrives. "
                                 "Return math.inf."),
-        (x, -1.0, 1.0 / x, math.inf, "The body turns around before it arrives. The number under "
-                                     "the root is then negative, so return math.inf instead of "
-                                     "taking the root."),
+        (x, -1.0, 1.0 / x, math.inf, "The body turns around before it reaches the ground. The "
+                                     "number under the root is negative, so return math.inf "
+                                     "before you take the root."),
         (0.0, 0.0, 0.0, math.inf, "The body lies on the ground and has neither velocity nor "
                                   "acceleration, so there is no impact. Return math.inf."),
         (0.0, x, 0.0, math.inf, "The body leaves the ground, and no acceleration brings it back. "
@@ -114,19 +115,19 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
                                "impact. Return math.inf."),
         (0.0, -1e-13, 0.0, math.inf, slow),
     ):  # fmt: skip
-        about(f"time_to_close({gap}, {v}, {a})", cause=cause)
+        about(f"time_to_close(gap={gap}, velocity={v}, acceleration={a})", cause=cause)
         got = time_to_close(gap, v, a)
-        expect_exactly(float(got), wanted)
+        expect_exactly(float(got), wanted, unit="s")
 
 
 @pytest.mark.exercise("B7.10")
 def test_the_digits_of_a_time_are_kept() -> None:
     about.read = CLOSE
     for a in (-10.0, 10.0):
-        about.cause = "Your result has lost most of its digits, perhaps because you used (-v - "
-        about.cause += "sqrt(...)) / a, which subtracts two nearly equal numbers. Use 2 gap / "
-        about.cause += "(sqrt(v v - 2 a gap) - v) instead."
-        about.call = f"time_to_close(1e-10, -1000.0, {a})"
+        about.cause = "Your result has lost most of its digits, perhaps because you subtracted two "
+        about.cause += "nearly equal numbers in (-v - sqrt(...)) / a. Use 2 gap / (sqrt(v v - 2 a "
+        about.cause += "gap) - v) instead."
+        about.call = f"time_to_close(gap=1e-10, velocity=-1000.0, acceleration={a})"
         got = time_to_close(1e-10, -1000.0, a)
         # The acceleration changes it by 1e-15 of it.
-        expect_close(got, 1e-13, tolerance=1e-22)
+        expect_close(got, 1e-13, tolerance=1e-22, unit="s")

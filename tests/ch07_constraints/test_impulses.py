@@ -20,6 +20,7 @@ from expect import (
     expect_unchanged,
     xyz,
 )
+from impacts import of_mass
 
 ZERO = (0.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
@@ -51,8 +52,8 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         (v, w, n, positive_number(rng), positive_number(rng), round(rng.uniform(0.1, 0.9), 3)),
     ]
     for v, w, n, ma, mb, c in samples:
-        about.call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; Contact(a, b, "
-        about.call += f"Vector3{n}, {c}).resolve_velocity()"
+        about.call = f"particle a ({ma} kg) with velocity {v}; particle b ({mb} kg) with velocity "
+        about.call += f"{w}; Contact(a, b, normal=Vector3{n}, restitution={c}).resolve_velocity()"
         a = Particle(velocity=Vector3(*v), mass=ma)
         b = Particle(velocity=Vector3(*w), mass=mb)
         about.cause = "The separating velocity must change from v_s to -c v_s. The impulse g is "
@@ -65,36 +66,35 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         wanted_b = tuple(p - ma / (ma + mb) * change * q for p, q in zip(w, n, strict=True))
         got = xyz(a.velocity)
         impulse = change * ma * mb / (ma + mb)
-        momentum = "You added the impulse to the velocity, but an impulse is a change in momentum "
-        momentum += "(E-24). Divide it by the mass first"
+        momentum = "You added the impulse g to the velocity, but an impulse is a change in "
+        momentum += "momentum (E-24). Divide g by the particle's mass first"
         unlike = -c * closing * impulse / change  # as if it had been at rest before
         mistakes = [
-            (change / ma, "You used the change in the separating velocity as the impulse. An "
-                          "impulse is a change in momentum, so divide by 1 / ma + 1 / mb first."),
-            (impulse / mb, "The masses are swapped. The impulse on a changes its velocity by n g "
-                           "/ ma, so divide by the mass of a."),
-            (-impulse / ma, "The impulse has the wrong sign, so it makes the contact close even "
-                            "faster. It should push a along +n, away from b."),
-            (unlike / ma, "You took the change to be -c v_s, as if the separating velocity had "
-                          "been 0 before. It changes from v_s to -c v_s, so the change is -c v_s - "
-                          "v_s."),
+            (change / ma, "You used the change in the separating velocity as the impulse. Divide "
+                          "that change by 1 / ma + 1 / mb to get the impulse."),
+            (impulse / mb, "The masses are swapped: you divided the impulse on a by the mass of b. "
+                           "Divide it by the mass of a."),
+            (-impulse / ma, "Your impulse has the wrong sign: it pushes a toward b. Push a away "
+                            "from b, along +n."),
+            (unlike / ma, "You computed the impulse as if the separating velocity had been 0 "
+                          "before. It changes from v_s to -c v_s, so the change is -c v_s - v_s."),
             (impulse, f"{momentum}, and add n g / ma."),
         ]  # fmt: skip
         seen = cause_of(got, along(v, n, mistakes), about.cause)
         # A few roundings of numbers up to 40.
-        expect_close(got, wanted_a, then="; a.velocity", cause=seen, tolerance=1e-12)
+        expect_close(got, wanted_a, then="; a.velocity", cause=seen, tolerance=1e-12, unit="m/s")
         got = xyz(b.velocity)
         mistakes = [
-            (0.0, "The velocity of b didn't change. The impulse acts on both particles in opposite "
-                  "directions, so add -n g / mb to the velocity of b."),
-            (impulse / mb, "Your impulse pushes b in the same direction as a. The two impulses are "
-                           "opposite, so add -n g / mb to the velocity of b."),
+            (0.0, "The velocity of b didn't change. The impulse g acts on both particles in "
+                  "opposite directions, so add -n g / mb to the velocity of b."),
+            (impulse / mb, "You pushed b in the same direction as a. The impulse on b is opposite "
+                           "to the impulse on a, so add -n g / mb to the velocity of b."),
             (-impulse, f"{momentum}, and add -n g / mb."),
         ]  # fmt: skip
-        otherwise = "The impulse on b is opposite to the impulse on a, so it changes the velocity "
-        otherwise += "of b by -n g / mb, with b's own mass."
+        otherwise = "The velocity of a is right, but that of b is wrong. The impulse on b is "
+        otherwise += "opposite to the impulse g on a, so add -n g / mb to the velocity of b."
         about.cause = cause_of(got, along(w, n, mistakes), otherwise)
-        expect_close(got, wanted_b, then="; b.velocity", tolerance=1e-12)
+        expect_close(got, wanted_b, then="; b.velocity", tolerance=1e-12, unit="m/s")
 
 
 @pytest.mark.exercise("B7.3")
@@ -103,26 +103,27 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
     n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
     for c in (0.0, 0.5, 1.0):
         v, w = closing_velocities(rng, n)
-        about.call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; Contact(a, b, "
-        about.call += f"Vector3{n}, {c}).resolve_velocity()"
-        about.cause = "A collision conserves the total momentum whatever the restitution is, so b "
-        about.cause += "must lose exactly the momentum that a gains."
+        about.call = f"particle a ({ma} kg) with velocity {v}; particle b ({mb} kg) with velocity "
+        about.call += f"{w}; Contact(a, b, normal=Vector3{n}, restitution={c}).resolve_velocity()"
+        about.cause = "The total momentum has changed, but a collision conserves it. Give b the "
+        about.cause += "opposite of the impulse that you give a."
         a = Particle(velocity=Vector3(*v), mass=ma)
         b = Particle(velocity=Vector3(*w), mass=mb)
         Contact(a, b, Vector3(*n), c).resolve_velocity()
         va, vb = xyz(a.velocity), xyz(b.velocity)
         got = tuple(ma * p + mb * q for p, q in zip(va, vb, strict=True))
         wanted = tuple(ma * p + mb * q for p, q in zip(v, w, strict=True))
-        name = f"{about.call}; the momentum of both"
+        name = f"{about.call}; the total momentum of a and b"
         # Some roundings of numbers up to 200.
-        expect_close(got, wanted, call=name, tolerance=1e-11)
+        expect_close(got, wanted, call=name, tolerance=1e-11, unit="kg m/s")
         lost = 0.5 * ma * (dot(v, v) - dot(va, va)) + 0.5 * mb * (dot(w, w) - dot(vb, vb))
         closing = dot(w, n) - dot(v, n)
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
-        name = f"{about.call}; the loss of kinetic energy"
-        about.cause = "A bounce loses the kinetic energy mu (1 - c^2) v_s^2 / 2, where mu = ma mb "
-        about.cause += "/ (ma + mb). For an elastic bounce, with c = 1, that is 0 (E-7)."
-        expect_close(lost, wanted, call=name, tolerance=1e-10)
+        name = f"{about.call}; the kinetic energy that was lost"
+        about.cause = "The separating velocity after the bounce is wrong. It must be -c v_s, and "
+        about.cause += "then the bounce loses the energy mu (1 - c^2) v_s^2 / 2, with mu = ma mb / "
+        about.cause += "(ma + mb) (E-7)."
+        expect_close(lost, wanted, call=name, tolerance=1e-10, unit="J")
 
 
 @pytest.mark.exercise("B7.3")
@@ -135,19 +136,21 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
     wanted = tuple(p - (1.0 + c) * dot(v, n) * q for p, q in zip(v, n, strict=True))
     turned = tuple(-part for part in n)
     for told, normal in (("Contact(a, None", n), ("Contact(a, w", n), ("Contact(w, a", turned)):
-        about.call = f"a of {mass} kg, velocity {v}; w immovable; {told}, Vector3{normal}, "
-        about.call += f"{c}).resolve_velocity()"
-        about.cause = "The inverse mass of the wall is 0, so only the velocity of a changes. It "
-        about.cause += "takes the whole change in the separating velocity, whatever its mass is."
+        wall = "" if "None" in told else "particle w (immovable) at rest; "
+        about.call = f"particle a ({mass} kg) with velocity {v}; {wall}{told}, "
+        about.call += f"normal=Vector3{normal}, restitution={c}).resolve_velocity()"
+        about.cause = "Only a can move here, so it takes the whole change in the separating "
+        about.cause += "velocity, whatever its mass is. Use 0 as the inverse mass of None and of "
+        about.cause += "an immovable particle."
         a, w = Particle(velocity=Vector3(*v), mass=mass), Particle(mass=math.inf)
         ends = {"Contact(a, None": (a, None), "Contact(a, w": (a, w), "Contact(w, a": (w, a)}[told]
         Contact(*ends, Vector3(*normal), c).resolve_velocity()
         got = xyz(a.velocity)
-        expect_close(got, wanted, then="; a.velocity", tolerance=1e-12)
-        about.cause = "You changed the velocity of the immovable particle. Its inverse mass is 0, "
-        about.cause += "so the impulse leaves it alone."
+        expect_close(got, wanted, then="; a.velocity", tolerance=1e-12, unit="m/s")
+        about.cause = "You changed the velocity of the immovable particle w. Its inverse mass is "
+        about.cause += "0, so the impulse must not change its velocity."
         got = xyz(w.velocity)
-        expect_close(got, ZERO, then="; w.velocity")
+        expect_close(got, ZERO, then="; w.velocity", unit="m/s")
 
 
 @pytest.mark.exercise("B7.3")
@@ -157,36 +160,40 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
     if dot(v, n) < dot(w, n):
         v, w = w, v
     for mass, first, second, cause in (
-        (2.0, v, w, "The two particles are already separating, so they need no impulse. Leave both "
-                    "velocities as they are."),
+        (2.0, v, w, "The two particles are already separating, so they need no impulse. Don't "
+                    "change their velocities."),
         (math.inf, w, v, "Both particles are immovable, so the sum of their inverse masses is 0. "
-                         "Return early instead of dividing by it."),
+                         "Return before you divide by this sum."),
     ):  # fmt: skip
-        about(f"a and b of {mass} kg, velocities {first} and {second}; Contact(a, b, ", cause=cause)
-        about.call += f"Vector3{n}, 0.5, 1.0).resolve_velocity(0.5)"
+        about(cause=cause)
+        about.call = f"particle a ({of_mass(mass)}) with velocity {first}; particle b "
+        about.call += f"({of_mass(mass)}) with velocity {second}; Contact(a, b, normal=Vector3{n}, "
+        about.call += "restitution=0.5, penetration=1.0).resolve_velocity(0.5)"
         a, b = (Particle(velocity=Vector3(*u), mass=mass) for u in (first, second))
         Contact(a, b, Vector3(*n), 0.5, 1.0).resolve_velocity(0.5)
         got = xyz(a.velocity)
         expect_unchanged("a.velocity", got, first)
         got = xyz(b.velocity)
         expect_unchanged("b.velocity", got, second)
-    about.call = f"a with velocity {w}, b with {v}; c = Contact(a, b, Vector3{n}, 0.0, -1.0); "
-    about.call += "a.add_force(Vector3(1, 2, 3)); c.resolve_velocity(0.5)"
+    about.call = f"particle a with velocity {w}; particle b with velocity {v}; c = Contact(a, b, "
+    about.call += f"normal=Vector3{n}, restitution=0.0, penetration=-1.0); a.add_force(Vector3(1, "
+    about.call += "2, 3)); c.resolve_velocity(0.5)"
     about.cause = "With a restitution of 0, the separating velocity of a closing contact should "
-    about.cause += "become 0. The penetration makes no difference, so don't check it."
+    about.cause += "become 0. Don't check the penetration: it doesn't matter here that it is "
+    about.cause += "negative."
     a, b = (Particle(velocity=Vector3(*u)) for u in (w, v))
     a.add_force(Vector3(1.0, 2.0, 3.0))
     c = Contact(a, b, Vector3(*n), 0.0, -1.0)
     c.resolve_velocity(0.5)
     got = dot(xyz(a.velocity), n) - dot(xyz(b.velocity), n)
-    expect_close(got, 0.0, tolerance=1e-13)
+    expect_close(got, 0.0, tolerance=1e-13, then="; the separating velocity", unit="m/s")
     for name, now, before in (
         ("c.normal", xyz(c.normal), n),
         ("c.restitution and c.penetration", (c.restitution, c.penetration), (0.0, -1.0)),
         ("a.force_accumulator", xyz(a.force_accumulator), (1.0, 2.0, 3.0)),
     ):
-        about.cause = "resolve_velocity has changed something other than a velocity. Leave "
-        about.cause += "everything else alone."
+        about.cause = f"resolve_velocity has changed something other than a velocity: {name}. "
+        about.cause += "Change only the velocities of the two particles."
         expect_unchanged(name, now, before)
 
 
@@ -194,18 +201,20 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
 def test_an_impulse_leaves_rest_at_rest(rng: Random) -> None:
     about.read = "book 7.2.3, and the docstring of Contact.resolve_velocity"
     h, c, side = 0.02, round(rng.uniform(0.3, 0.9), 3), number(rng)
-    about.call = f"a with velocity ({side}, {-9.0 * h}, 0), acceleration (0, -9, 0); Contact(a, "
-    about.call += f"None, Vector3(0, 1, 0), {c}, 0.125).resolve_velocity({h})"
-    about.cause = "This body is at rest, so it should not bounce. Pass the duration on to "
-    about.cause += "velocity_after, which leaves out the velocity that this time step has added."
+    about.call = f"particle a with velocity ({side}, {-9.0 * h}, 0) and acceleration (0, -9, 0); "
+    about.call += f"Contact(a, None, normal=Vector3(0, 1, 0), restitution={c}, "
+    about.call += f"penetration=0.125).resolve_velocity({h})"
+    about.cause = "The particle bounces, although its closing speed is only what gravity has added "
+    about.cause += "in this time step. Pass the duration on to velocity_after, which leaves out "
+    about.cause += "this part of the speed."
     a = Particle(None, Vector3(side, -9.0 * h, 0.0), Vector3(0.0, -9.0, 0.0), mass=3.0)
     Contact(a, None, Vector3(*UP), c, 0.125).resolve_velocity(h)
     got = xyz(a.velocity)
-    expect_close(got, (side, 0.0, 0.0), then="; a.velocity")
-    about.cause = "The call has moved a particle. Leave that to resolve_penetration: "
-    about.cause += "resolve_velocity changes only velocities."
+    expect_close(got, (side, 0.0, 0.0), then="; a.velocity", unit="m/s")
+    about.cause = "resolve_velocity has moved the particle. It should change only velocities, "
+    about.cause += "because resolve_penetration moves the particles."
     got = xyz(a.position)
-    expect_close(got, ZERO, then="; a.position")
+    expect_close(got, ZERO, then="; a.position", unit="m")
 
 
 @pytest.mark.exercise("B7.3")
@@ -214,10 +223,11 @@ def test_an_impulse_needs_a_duration_that_means_something() -> None:
     about.read = IMPULSE
     for velocity, mass in ((-1.0, 2.0), (1.0, 2.0), (-1.0, math.inf)):
         for duration in (-0.5, math.nan, math.inf):
-            about.call = f"Contact(a, None, Vector3(0, 1, 0)).resolve_velocity({duration}), a of "
-            about.call += f"{mass} kg with velocity (0, {velocity}, 0)"
-            about.cause = "Reject a duration that is negative or not finite, even if no impulse "
-            about.cause += "is needed. Call velocity_after first, because it checks the duration."
+            about.call = f"particle a ({of_mass(mass)}) with velocity (0, {velocity:g}, 0); "
+            about.call += f"Contact(a, None, normal=Vector3(0, 1, 0)).resolve_velocity({duration})"
+            about.cause = "resolve_velocity must reject a duration that is negative or not finite, "
+            about.cause += "even if no impulse is needed. Call velocity_after before you return, "
+            about.cause += "because it checks the duration."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0), mass=mass)
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

@@ -15,6 +15,7 @@ from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Ro
 from ch07_constraints.probes import swung, told
 from draw import Components, components, positive_number
 from expect import about, cause_of, expect_close, expect_exactly, expect_unchanged, scoped, xyz
+from impacts import expect_particles
 
 UP = (0.0, 1.0, 0.0)
 CABLE = "book 7.4.1, and the docstring of Cable.contacts"
@@ -38,7 +39,9 @@ def ends(rng: Random, anchored: bool) -> tuple[list[Any], Components, float, str
     a = Particle(Vector3(*p), Vector3(1.0, 2.0, 3.0), mass=2.0)
     b = Vector3(*q) if anchored else Particle(Vector3(*q), Vector3(3.0, 2.0, 1.0), mass=3.0)
     x, y, z = (part / 7.0 for part in way)
-    return [a, b], (x, y, z), 7.0 * size, f"a at {p}, {'the anchor' if anchored else 'b'} at {q}"
+    told_ends = f"particle a at {p}; {'anchor = Vector3' if anchored else 'particle b at '}{q}, "
+    told_ends += f"{7.0 * size:g} m from a"
+    return [a, b], (x, y, z), 7.0 * size, told_ends
 
 
 @scoped
@@ -58,30 +61,30 @@ def expect_contacts(
     about.call = call
     got = told(link.contacts(), particles)
     why = cause_of(len(got), counts, about.cause)
-    expect_exactly(len(got), len(wanted), then=": number of contacts", cause=why)
-    for seen, right in zip(got, wanted, strict=True):
+    expect_exactly(len(got), len(wanted), cause=why, unit="contacts")
+    for i, (seen, right) in enumerate(zip(got, wanted, strict=True)):
+        which = f"the {('first', 'second')[i]} contact" if len(wanted) > 1 else "the contact"
         a, b, normal, restitution, depth = seen
-        name = f"{about.call}: index of particle and other, -1 is None"
         why = "The contact has the wrong ends. Its particle should be a, and its other should be "
         why += "b, or None if the link ends at an anchor."
-        expect_close((a, b), right[:2], call=name, cause=why)
+        expect_particles((a, b), right[:2], cause=why)
         back = tuple(-part for part in right[2])
         why = f"The normal has the wrong sign. {about.cause}"
         why = cause_of(normal, [(back, why)], about.cause)
-        expect_close(normal, right[2], then=": normal", cause=why, tolerance=1e-15)
-        why = "The contact has the wrong restitution. Pass the restitution of the link, or 0 for a "
-        why += "rod."
-        expect_close(restitution, right[3], then=": restitution", cause=why)
+        expect_close(normal, right[2], then=f"; the normal of {which}", cause=why, tolerance=1e-15)
+        why = "The contact has the wrong restitution. Pass the restitution of the link to the "
+        why += "contact, or 0 for a rod."
+        expect_close(restitution, right[3], then=f"; the restitution of {which}", cause=why)
         depths = [
-            (-right[4], "The penetration has the wrong sign. It is positive beyond the limit and "
-                        "negative while there is still room."),
-            (far, "Your penetration is the whole distance between the ends. Only the part beyond "
-                  "the limit needs to go, so subtract the limit."),
+            (-right[4], "The penetration has the wrong sign. It must be positive if the distance "
+                        "between the ends violates the limit, and negative if it does not."),
+            (far, "You used the whole distance between the ends as the penetration. Use only the "
+                  "part of the distance beyond the limit."),
         ]  # fmt: skip
         why = cause_of(depth, depths, about.cause)
         # Lengths of up to 20 m, rounded a few times.
-        name = f"{about.call}: penetration"
-        expect_close(depth, right[4], call=name, cause=why, tolerance=1e-14)
+        name = f"; the penetration of {which}"
+        expect_close(depth, right[4], then=name, cause=why, tolerance=1e-14, unit="m")
 
 
 def places(pair: list[Any]) -> Components:
@@ -92,8 +95,8 @@ def places(pair: list[Any]) -> Components:
 
 @scoped
 def expect_ends(pair: list[Any], before: Components) -> None:
-    about.cause = "contacts() has moved an end of the link, perhaps because you used -=, which "
-    about.cause += "works in place. Compute b - a instead, which creates a new vector."
+    about.cause = "contacts() has moved an end of the link, perhaps with -=, which works in place. "
+    about.cause += "Subtract the positions with - instead, which creates a new vector."
     expect_unchanged("the pair of positions", places(pair), before)
 
 
@@ -107,22 +110,18 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     other = -1 if anchored else 1
     if not anchored:
         pair[0].mass = math.inf
-        told_ends = told_ends.replace("a at", "a, immovable, at")
-    to_the_end = "This cable is stretched beyond its maximum length, so it pulls its ends "
-    to_the_end += "together. The normal is the unit vector from a to the other end."
+        told_ends = told_ends.replace("a at", "a (immovable) at")
+    to_the_end = "The cable is longer than its maximum length, so it pulls its ends together. Use "
+    to_the_end += "the unit vector from a to the other end as the normal."
     before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),
         (1023.0 / 1024.0 * length, to_the_end),
-        (
-            length,
-            "A cable at exactly its maximum length is taut. Return a contact with a penetration "
-            "of 0.",
-        ),
+        (length, "A cable at exactly its maximum length is taut. Return a contact of depth 0."),
     ):
         about.cause = cause
-        about.call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, {max_length}, "
-        about.call += f"{c}).contacts()"
+        about.call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, "
+        about.call += f"max_length={max_length}, restitution={c}).contacts()"
         wanted = [(0, other, n, c, length - max_length)]
         expect_contacts(about.call, make(*pair, max_length, c), pair, wanted, far=length)
         expect_ends(pair, before)
@@ -134,26 +133,25 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     about.read = CABLE
     pair, n, length, told_ends = ends(rng, anchored)
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
-    about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
-    about.call += "c.contacts()"
-    about.cause = (
-        "This cable is shorter than its maximum length, so it is slack and exerts no force. Return "
-        "no contact."
-    )
+    about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, "
+    about.call += f"max_length={1.25 * length}); c.contacts()"
+    about.cause = "The distance between the ends is less than max_length, so the cable is slack "
+    about.cause += "and exerts no force. Return no contact."
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):
         cable.max_length = max_length
-        expect_contacts(f"{about.call}, max_length {max_length}", cable, pair, [])
+        shown = about.call.replace(f"max_length={1.25 * length}", f"max_length={max_length}")
+        expect_contacts(shown, cable, pair, [])
         now = [pair[0], cable.anchor] if anchored else pair
         expect_ends(now, before)
     about.call += "; c.max_length /= 4; c.restitution = 0.5; c.contacts()"
-    about.cause = "The check has changed max_length and restitution since the first call, as a "
-    about.cause += "winch might. Read both again on every call."
+    about.cause = "The cable's max_length and restitution have changed since the first call. Read "
+    about.cause += "both again on every call."
     cable.max_length, cable.restitution = 0.3125 * length, 0.5
     wanted = [(0, -1 if anchored else 1, n, 0.5, 0.6875 * length)]
     expect_contacts(about.call, cable, pair, wanted)
-    about.call += "; the other end moved to the opposite side of a; c.contacts()"
+    about.call += f"; {'anchor' if anchored else 'b'} moved to the opposite side of a; c.contacts()"
     about.cause = (
         "The ends have moved since the first call. Read both positions again on every call."
     )
@@ -167,13 +165,13 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     wanted = [(0, -1 if anchored else 1, back, 0.5, 0.6875 * length)]
     expect_contacts(about.call, cable, pair, wanted)
     n = back
-    about.cause = "contacts() has changed a position or a velocity. Finding contacts must not "
-    about.cause += "move anything, so work with new vectors."
+    about.cause = "contacts() has changed a position or a velocity. It must not move anything, so "
+    about.cause += "compute with new vectors."
     got = xyz(pair[0].position)
     there = cable.anchor if anchored else pair[1].position
     way = tuple(p - q for p, q in zip(xyz(there), got, strict=True))
     wanted_way = tuple(length * part for part in n)
-    expect_close(way, wanted_way, then="; the offset from a to the other end")
+    expect_close(way, wanted_way, then="; the vector from a to the other end", unit="m")
     got = xyz(pair[0].velocity)
     expect_unchanged("a.velocity", got, (1.0, 2.0, 3.0))
 
@@ -186,55 +184,51 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredRod, "AnchoredRod") if anchored else (Rod, "Rod")
     other = -1 if anchored else 1
     back = (-n[0], -n[1], -n[2])
-    both = "You returned two contacts, as the book's text suggests, but one of them would do "
-    both += "nothing (E-9). Return only the contact that pulls or pushes, or no contact if the "
-    both += "length is right."
+    both = "You returned two contacts, as the book's text suggests, but one of them does nothing "
+    both += "(E-9). Return only the contact that pulls or pushes."
     two = [
         (2, both),
         (
             1,
-            "This rod has exactly the right length, so it needs no contact. Return "
-            "an empty list instead of a contact with a penetration of 0.",
+            "The rod has exactly the right length, so it needs no contact. Return an empty list "
+            "instead of a contact with a penetration of 0.",
         ),
     ]
     for rod, wanted, cause in (
         (
             0.75 * length,
             [(0, other, n, 0.0, 0.25 * length)],
-            "This rod is stretched, so it pulls like a cable. The normal should point from a to "
-            "the other end.",
+            "The rod is stretched, so it pulls like a cable. Return a contact whose normal points "
+            "from a to the other end.",
         ),
         (
             1.25 * length,
             [(0, other, back, 0.0, 0.25 * length)],
-            "This rod is compressed, so it pushes. The normal should point away from the other "
-            "end, and the penetration should be positive.",
+            "The rod is compressed, so it pushes. Return a contact whose normal points away from "
+            "the other end, with a positive penetration.",
         ),
         (
             1023.0 / 1024.0 * length,
             [(0, other, n, 0.0, length / 1024.0)],
-            "This rod is slightly stretched, so it pulls. The normal should point from a to the "
-            "other end.",
+            "The rod is slightly stretched, so it pulls. Return a contact whose normal points "
+            "from a to the other end.",
         ),
         (
             1025.0 / 1024.0 * length,
             [(0, other, back, 0.0, length / 1024.0)],
-            "This rod is slightly compressed, so it pushes. The normal should point away from the "
-            "other end.",
+            "The rod is slightly compressed, so it pushes. Return a contact whose normal points "
+            "away from the other end.",
         ),
-        (
-            length,
-            [],
-            "This rod has exactly the right length, so it should not have a contact.",
-        ),
+        (length, [], "The rod has exactly the right length, so it should not have a contact."),
     ):
-        about(f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, {rod}); ", cause=cause)
+        about(cause=cause)
+        about.call = f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, length={rod}); "
         about.call += "r.contacts()"
         link = make(*pair, rod)
         expect_contacts(about.call, link, pair, wanted, two, length)
         about.call += f"; r.length = {0.5 * length}; r.contacts()"
-        about.cause = "The check has changed the rod's length since the first call. Read it again "
-        about.cause += "on every call."
+        about.cause = "The rod's length has changed since the first call. Read it again on every "
+        about.cause += "call."
         link.length = 0.5 * length
         wanted = [(0, other, n, 0.0, 0.5 * length)]
         expect_contacts(about.call, link, pair, wanted)
@@ -245,19 +239,17 @@ def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
     about.read = ROD
     p, length = components(rng), positive_number(rng)
     down = (0.0, -1.0, 0.0)
-    about.cause = "Both ends are at the same position, so take +Y as the direction from a to b "
-    about.cause += "and push a down. direction_of returns +Y here, whereas normalized() would "
-    about.cause += "return zero."
-    about.call = f"a and b at {p}; Rod(a, b, {length}).contacts()"
+    about.cause = "Both ends are at the same position, so take +Y as the direction from a to the "
+    about.cause += "other end and push a down. Call direction_of, which returns +Y here, instead "
+    about.cause += "of normalized()."
+    about.call = f"particles a and b, both at {p}; Rod(a, b, length={length}).contacts()"
     pair = [Particle(Vector3(*p)), Particle(Vector3(*p))]
     expect_contacts(about.call, Rod(*pair, length), pair, [(0, 1, down, 0.0, length)])
-    about.call = f"a at {p}; r = AnchoredRod(a, Vector3{p}, {length}); r.contacts()"
+    about.call = f"particle a at {p}; r = AnchoredRod(a, Vector3{p}, length={length}); r.contacts()"
     rod = AnchoredRod(pair[0], Vector3(*p), length)
     expect_contacts(about.call, rod, pair, [(0, -1, down, 0.0, length)])
-    about.call += "; r.anchor moved up by twice the length; r.contacts()"
-    about.cause = (
-        "The check has moved the anchor since the first call. Read it again on every call."
-    )
+    about.call += f"; r.anchor.y += {2.0 * length:g}; r.contacts()"
+    about.cause = "The anchor has moved since the first call. Read it again on every call."
     rod.anchor = Vector3(p[0], p[1] + 2.0 * length, p[2])
     expect_contacts(about.call, rod, pair, [(0, -1, UP, 0.0, length)])
 
@@ -267,11 +259,12 @@ def test_a_pendulum_swings_in_its_period() -> None:
     about.read = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
     for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
         angle = math.radians(degrees)
-        about.call = f"1 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), released at {degrees:g} "
-        about.call += "degrees, g = 10; semi-implicit steps of 1/1000 s and contact.resolve: the "
-        about.call += "period, s"
-        about.cause = "The rod's contact should remove only the velocity along the rod, with a "
-        about.cause += "restitution of 0. Otherwise the pendulum doesn't swing in its period."
+        about.call = "a bob of 1 kg on rod = AnchoredRod(bob, Vector3(0, 0, 0), length=1.0), "
+        about.call += f"released at {degrees:g} degrees from the vertical, with gravity of 10 "
+        about.call += "m/s^2; semi-implicit steps of 1/1000 s, each followed by contact.resolve "
+        about.call += "for rod.contacts()"
+        about.cause = "The pendulum swings with the wrong period. The rod's contact should remove "
+        about.cause += "only the velocity along the rod, with a restitution of 0."
         bob = Particle(
             Vector3(math.sin(angle), -math.cos(angle), 0.0), acceleration=Vector3(0.0, -10.0, 0.0)
         )
@@ -280,28 +273,30 @@ def test_a_pendulum_swings_in_its_period() -> None:
         turn = next((i for i in range(1, 1300) if sides[i - 1] > 0.0 >= sides[i]), 0)
         # A quarter of the period. The error is of order h: 0.001 s of 0.5 s, with a margin of 5.
         got = 4.0 * turn * 0.001
-        expect_close(got, period, tolerance=0.01 * period)
-        name = f"{about.call}; the distance from the anchor at the end, m"
-        about.cause = "The rod has changed its length. Return a contact with the right "
-        about.cause += "penetration, which brings the rod back to its length in every step."
+        expect_close(got, period, tolerance=0.01 * period, then="; the period", unit="s")
+        name = "; the final distance from the anchor"
+        about.cause = "The rod has changed its length. Return a contact whose penetration is the "
+        about.cause += "difference from the rod's length, so that each step restores the length."
         got = math.hypot(*seen[-1][0])
-        expect_close(got, 1.0, call=name, tolerance=1e-12)
+        expect_close(got, 1.0, then=name, tolerance=1e-12, unit="m")
 
 
 @pytest.mark.exercise("B7.8")
 def test_a_string_bears_three_times_the_weight() -> None:
     about.read = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
     mass = 2.0
-    about.call = "2 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), released at 90 degrees, g = 10; "
-    about.call += "semi-implicit steps of 1/2000 s and contact.resolve: the largest pull on the "
-    about.call += "way down, N"
-    about.cause = "At the bottom, the rod carries the weight m g and also keeps the bob on its "
-    about.cause += "circle, which takes another 2 m g. The pull should be 3 m g."
+    about.call = "a bob of 2 kg on rod = AnchoredRod(bob, Vector3(0, 0, 0), length=1.0), released "
+    about.call += "at 90 degrees from the vertical, with gravity of 10 m/s^2; semi-implicit steps "
+    about.call += "of 1/2000 s, each followed by contact.resolve for rod.contacts()"
+    about.cause = "The rod pulls with the wrong force. At the bottom it carries the weight m g and "
+    about.cause += "keeps the bob on its circle, which takes another 2 m g, so the pull should be "
+    about.cause += "3 m g."
     bob = Particle(Vector3(1.0, 0.0, 0.0), None, Vector3(0.0, -10.0, 0.0), mass=mass)
     seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.0005, 1173)  # a quarter of its period
     got = max(pull for _, _, pull in seen[100:])
     # Of order h: measured 59.9 N.
-    expect_close(got, 3.0 * mass * 10.0, tolerance=0.6)
+    name = "; the largest pull of the rod on the way down"
+    expect_close(got, 3.0 * mass * 10.0, tolerance=0.6, then=name, unit="N")
 
 
 @pytest.mark.exercise("7.6")
@@ -316,13 +311,13 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], "The distance is between the two limits, so the "
         "link neither pulls nor pushes. Return no contact."),
         (0.25, 0.5, [(0, 1, n, c, 0.5 * length)],
-         "The distance exceeds max_length, so the link pulls like a cable. The normal should point "
-         "from a to b."),
+         "The distance exceeds max_length, so the link pulls like a cable. Return a contact whose "
+         "normal points from a to b."),
         (0.5, 1.0, [(0, 1, n, c, 0.0)], "The distance is exactly max_length, so the link is taut. "
                                         "Return a contact with a penetration of 0."),
         (1.5, 2.0, [(0, 1, back, c, 0.5 * length)],
-         "The distance is below min_length, so the link pushes. The normal should point away from "
-         "b, and the penetration is min_length minus the distance."),
+         "The distance is below min_length, so the link pushes. Return a contact whose normal "
+         "points away from b. Its penetration is min_length minus the distance."),
         (1.0, 2.0, [(0, 1, back, c, 0.0)],
          "The distance is exactly min_length, so the link has reached its lower limit. Return a "
          "contact with a penetration of 0."),
@@ -330,12 +325,13 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
                        "contact here."),
     ):  # fmt: skip
         about.cause = cause
-        about.call = f"{told_ends}; Limits(a, b, {low * length}, {high * length}, {c}).contacts()"
+        about.call = f"{told_ends}; l = Limits(a, b, min_length={low * length}, "
+        about.call += f"max_length={high * length}, restitution={c}); l.contacts()"
         link = Limits(*pair, low * length, high * length, c)
         expect_contacts(about.call, link, pair, wanted, far=length)
-    about.call += "; min_length, max_length and restitution changed to 1, 2 and 0.5; contacts()"
-    about.cause = "The check has changed the limits and the restitution since the first call. "
-    about.cause += "Read these attributes again on every call."
+    about.call += "; l.min_length = 1; l.max_length = 2; l.restitution = 0.5; l.contacts()"
+    about.cause = "The limits and the restitution have changed since the first call. Read these "
+    about.cause += "attributes again on every call."
     link.min_length, link.max_length, link.restitution = 1.0, 2.0, 0.5
     wanted = [(0, 1, n, 0.5, length - 2.0)]
     expect_contacts(about.call, link, pair, wanted)
@@ -345,23 +341,26 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
 def test_equal_limits_both_act(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
-    about.call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts()"
-    about.cause = "Both limits equal the distance, so the link has reached both. Return two "
-    about.cause += "contacts with opposite normals, one for each limit."
+    about.call = f"{told_ends}; l = Limits(a, b, min_length={length}, max_length={length}, "
+    about.call += "restitution=0.5); l.contacts()"
+    about.cause = "Both limits equal the distance between the ends, so the link has reached both. "
+    about.cause += "Return two contacts with opposite normals, one for each limit."
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
-    expect_exactly(len(got), 2, then=": number of contacts")
+    expect_exactly(len(got), 2, unit="contacts")
     normals = sorted(contact[2] for contact in got)
     wanted = sorted([n, (-n[0], -n[1], -n[2])])
     for seen, right in zip(normals, wanted, strict=True):
-        expect_close(seen, right, then=": normals", tolerance=1e-15)
+        expect_close(seen, right, then="; one of the normals", tolerance=1e-15)
     got = [number for contact in got for number in (contact[0], contact[1], contact[4])]
-    expect_close(got, (0, 1, 0.0) * 2, then=": ends and depths")
+    name = "; index of particle, index of other and penetration, for both contacts"
+    expect_close(got, (0, 1, 0.0) * 2, then=name)
     same = [Particle(), Particle()]
     for low in (2.0, 0.5, 1e-3):
-        about.call = f"a and b at the same position; l = Limits(a, b, {low}, 3); l.contacts()"
-        about.cause = "The distance between the ends is 0 here, which is below min_length. Return "
-        about.cause += "a contact that pushes, with +Y as the direction from a to b."
+        about.call = f"particles a and b at the same position; l = Limits(a, b, min_length={low}, "
+        about.call += "max_length=3); l.contacts()"
+        about.cause = "The distance between the ends is 0, which is below min_length. Return a "
+        about.cause += "contact that pushes, with +Y as the direction from a to b."
         link = Limits(*same, low, 3.0)
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
         expect_contacts(about.call, link, same, wanted)
@@ -379,20 +378,19 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     back = (-n[0], -n[1], -n[2])
     for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         depth = (1.0 - share) * length
-        about.call = f"{told_ends}; TwoSidedRod(a, b, {share * length}).contacts()"
-        about.cause = "Whatever the length is, return two contacts: the first pulls and the "
-        about.cause += "second pushes. Their normals and penetrations have opposite signs, so one "
-        about.cause += "penetration can be negative."
+        about.call = f"{told_ends}; r = TwoSidedRod(a, b, length={share * length}); r.contacts()"
+        about.cause = "Whatever the length is, return two contacts: the first pulls and the second "
+        about.cause += "pushes. Their normals and penetrations have opposite signs."
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
         rod = TwoSidedRod(*pair, share * length)
         expect_contacts(about.call, rod, pair, wanted)
-        about.call += f"; its length changed to {0.5 * length}; contacts()"
-        about.cause = "The check has changed the rod's length since the first call. Read it again "
-        about.cause += "on every call."
+        about.call += f"; r.length = {0.5 * length}; r.contacts()"
+        about.cause = "The rod's length has changed since the first call. Read it again on every "
+        about.cause += "call."
         rod.length = 0.5 * length
         wanted = [(0, 1, n, 0.0, 0.5 * length), (0, 1, back, 0.0, -0.5 * length)]
         expect_contacts(about.call, rod, pair, wanted)
-    about.call = "a and b at the same position; TwoSidedRod(a, b, 2).contacts()"
+    about.call = "particles a and b at the same position; TwoSidedRod(a, b, length=2).contacts()"
     about.cause = "Both ends are at the same position, so there is no direction between them. Take "
     about.cause += "+Y as the direction from a to b."
     same = [Particle(), Particle()]

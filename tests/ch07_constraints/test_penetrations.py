@@ -18,9 +18,11 @@ from expect import (
     expect_between,
     expect_close,
     expect_exactly,
+    expect_that,
     expect_unchanged,
     xyz,
 )
+from impacts import of_mass
 
 ZERO = (0.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
@@ -33,21 +35,24 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     ma, mb, depth = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
     wall = math.inf
-    share_of_a = "Together the two particles move by the penetration depth, the lighter one "
-    share_of_a += "farther. a moves by mb / (ma + mb) of the depth."
-    whole_a = "Only a can move here, so it moves by the whole depth, whatever its mass is."
+    share_of_a = "Particle a didn't move by the right distance. Divide the depth between both "
+    share_of_a += "particles so that a moves by mb / (ma + mb) of it: the lighter particle moves "
+    share_of_a += "farther."
+    whole_a = "Only a can move here, so move it by the whole depth, whatever its mass is."
     simple, drawn = ((0.0, 2.0, 0.0), UP, 0.5), (p, n, depth)
     small = (p, n, 1e-10)  # only the resolver has a tolerance; a contact resolves any depth
     for (p, n, depth), first, second, share, cause in (
         (simple, 1.0, 3.0, 0.75, share_of_a),
         (drawn, ma, mb, mb / (ma + mb), share_of_a),
         (drawn, ma, wall, 1.0, whole_a),
-        (small, wall, mb, 0.0, "a is immovable, so b has to move by the whole depth."),
+        (small, wall, mb, 0.0, "Particle a is immovable, so move b by the whole depth."),
         (small, ma, None, 1.0, whole_a),
     ):
-        about(f"a of {first} kg at {p}, b ", cause=cause)
-        about.call += f"{'None' if second is None else f'of {second} kg'}; moves = Contact(a, b, "
-        about.call += f"Vector3{n}, 0.5, {depth}).resolve_penetration()"
+        about(cause=cause)
+        there = "" if second is None else f"particle b ({of_mass(second)}) at {q}; "
+        about.call = f"particle a ({of_mass(first)}) at {p}; {there}c = Contact(a, "
+        about.call += f"{'b' if there else 'None'}, normal=Vector3{n}, restitution=0.5, "
+        about.call += f"penetration={depth}); moves = c.resolve_penetration()"
         a = Particle(Vector3(*p), mass=first)
         b = None if second is None else Particle(Vector3(*q), mass=second)
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
@@ -55,45 +60,50 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         got = xyz(contact.normal)
         whole = "You changed the contact's normal, perhaps with *= or normalize, which work in "
         whole += "place. Compute a new vector with * instead."
-        expect_unchanged("the normal", got, n, cause=whole)
+        expect_unchanged("c.normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
         wanted = tuple(x + m for x, m in zip(p, move, strict=True))
         got = xyz(a.position)
         mistakes = [
-            ((1.0 - share) * depth, "The masses are swapped. The lighter particle moves farther, "
-                                    "so a moves by mb / (ma + mb) of the depth."),
+            ((1.0 - share) * depth, "The masses are swapped: your heavier particle moves farther. "
+                                    "Move a by mb / (ma + mb) of the depth."),
             (0.5 * depth,
-             "You moved both particles by half of the depth, which is right only for equal masses. "
-             "The lighter one moves farther."),
+             "You moved each particle by half of the depth, which is right only for equal masses. "
+             "Move a by mb / (ma + mb) of the depth."),
             (depth, "You moved a by the whole depth, but b can move too. Divide the depth between "
                     "them in proportion to their inverse masses."),
-            (-share * depth, "The move of a has the wrong sign, so the particles overlap even "
-                             "more. The normal points from b to a, so a must move along +n."),
-            (0.0, "The position of a didn't change. Add the move of a to its position."),
+            (-share * depth, "You moved a toward b, so the particles overlap even more. The "
+                             "normal points from b to a, so move a along +n."),
+            (0.0, "The position of a didn't change. Add the vector that you return as the first "
+                  "move to the position of a."),
         ]  # fmt: skip
         both = first != wall and second not in (wall, None)
         moved = [(tuple(x + s * y for x, y in zip(p, n, strict=True)), why) for s, why in mistakes]
         seen = cause_of(got, moved, about.cause) if both else about.cause
         # A few roundings of numbers up to 10.
-        expect_close(got, wanted, then="; a.position", cause=seen, tolerance=1e-14 * 8)
+        expect_close(got, wanted, then="; a.position", cause=seen, tolerance=1e-14 * 8, unit="m")
         got = xyz(moves[0])
-        expect_close(got, move, then="; moves[0]", tolerance=1e-15)
-        about.cause = "b moves along -n, by the part of the depth that a does not cover."
+        first_move = "a is at the right position, but moves[0] is not the displacement of a. "
+        first_move += "Return the vector by which you moved a."
+        expect_close(got, move, then="; moves[0]", cause=first_move, tolerance=1e-15, unit="m")
+        about.cause = "Particle b moves along -n, by the part of the depth by which a doesn't "
+        about.cause += "move. Return this displacement as the second move, or zero if b doesn't "
+        about.cause += "move."
         got = xyz(moves[1])
         turned = tuple(-part for part in back)
-        why = "The move of b has the wrong sign. The normal points from b to a, so b must move "
-        why += "along -n, away from a."
+        why = "The move of b has the wrong sign: it points toward a. The normal points from b to "
+        why += "a, so move b along -n."
         seen = cause_of(got, [(turned, why)], about.cause)
-        expect_close(got, back, then="; moves[1]", cause=seen, tolerance=1e-15)
+        expect_close(got, back, then="; moves[1]", cause=seen, tolerance=1e-15, unit="m")
         if b is not None:
             wanted = tuple(x + m for x, m in zip(q, back, strict=True))
             got = xyz(b.position)
-            expect_close(got, wanted, then="; b.position", tolerance=1e-14 * 8)
-        about.cause = "After the move, the particles just touch. Set the contact's penetration to "
-        about.cause += "0, which the book's listing doesn't do (E-8)."
+            expect_close(got, wanted, then="; b.position", tolerance=1e-14 * 8, unit="m")
+        about.cause = "You moved the particles apart, so now they just touch. Set the contact's "
+        about.cause += "penetration to 0, which the book's listing omits (E-8)."
         got = contact.penetration
-        expect_close(got, 0.0, then="; penetration")
+        expect_close(got, 0.0, then="; c.penetration", unit="m")
 
 
 @pytest.mark.exercise("B7.4")
@@ -109,59 +119,61 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
         (-0.125, 2.0, gap),
         (-1e-10, 2.0, gap),
         (1.0, math.inf, "Both particles are immovable, so the sum of their inverse masses is 0. "
-                        "Return two zero vectors before you divide by it."),
+                        "Return two zero vectors before you divide by this sum."),
     ):  # fmt: skip
         about.cause = cause
-        about.call = f"a and b of {mass} kg; c = Contact(a, b, Vector3{n}, 0.5, {depth}); moves = "
-        about.call += "c.resolve_penetration()"
+        about.call = f"particle a ({of_mass(mass)}) at {p}; particle b ({of_mass(mass)}) at {q}; c "
+        about.call += f"= Contact(a, b, normal=Vector3{n}, restitution=0.5, penetration={depth}); "
+        about.call += "moves = c.resolve_penetration()"
         a, b = Particle(Vector3(*p), mass=mass), Particle(Vector3(*q), mass=mass)
         c = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = c.resolve_penetration()
         none = "You returned None. Always return two moves, and make both of them zero vectors if "
         none += "nothing moves."
-        expect_exactly(moves is None, False, then="; moves is None", cause=none)
+        got = "moves is None"
+        expect_that(moves is not None, got, "moves is a tuple of two vectors", cause=none)
         for name, now, before in (
             ("a.position", xyz(a.position), p),
             ("b.position", xyz(b.position), q),
             ("moves[0]", xyz(moves[0]), ZERO),
             ("moves[1]", xyz(moves[1]), ZERO),
         ):
-            expect_close(now, before, then=f"; {name}", tolerance=0.0)
+            expect_close(now, before, then=f"; {name}", tolerance=0.0, unit="m")
         got = c.penetration
-        about.cause = "No particle moved, so the penetration is still the same. Change it only if "
-        about.cause += "you have moved something."
-        expect_close(got, depth, then="; c.penetration")
+        about.cause = "You changed the penetration although no particle moved. Set it to 0 only "
+        about.cause += "after you have moved a particle."
+        expect_close(got, depth, then="; c.penetration", unit="m")
         moves[0].x += 1.0
         about.cause = "Both moves are the same Vector3 object, so changing one changes the other. "
         about.cause += "Return two separate vectors."
         got = xyz(moves[1])
-        expect_close(got, ZERO, then="; moves[0].x += 1; moves[1]")
-    about.call = f"a and b of 2 kg; c = Contact(a, b, Vector3{n}, 0.5, 0.5); "
-    about.call += "c.resolve_penetration()"
+        expect_close(got, ZERO, then="; moves[0].x += 1; moves[1]", unit="m")
+    about.call = f"particle a (2 kg) at {p}; particle b (2 kg) at {q}; c = Contact(a, b, "
+    about.call += f"normal=Vector3{n}, restitution=0.5, penetration=0.5); c.resolve_penetration()"
     a, b = Particle(Vector3(*p), mass=2.0), Particle(Vector3(*q), mass=2.0)
     c = Contact(a, b, Vector3(*n), 0.5, 0.5)
     c.resolve_penetration()
-    about.cause = "The penetration is still there after the move. Set it to 0, or the next call "
-    about.cause += "will move the particles again (E-8)."
+    about.cause = "You moved the particles but didn't change the contact's penetration. Set it to "
+    about.cause += "0, or the next call will move the particles again (E-8)."
     got = c.penetration
-    expect_close(got, 0.0, then="; c.penetration")
+    expect_close(got, 0.0, then="; c.penetration", unit="m")
     about.call += "; moves = c.resolve_penetration()"
-    about.cause = "This call moved nothing, so both moves should be zero vectors. Don't return "
-    about.cause += "the moves of an earlier call, which are out of date (E-27)."
+    about.cause = "The second call moved nothing, so both of its moves should be zero vectors. "
+    about.cause += "Don't return the moves of the first call again (E-27)."
     moves = c.resolve_penetration()
     got = (*xyz(moves[0]), *xyz(moves[1]))
-    expect_close(got, ZERO + ZERO, then="; both moves")
+    expect_close(got, ZERO + ZERO, then="; moves[0] and moves[1], together", unit="m")
 
 
 @pytest.mark.exercise("B7.4")
 def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
-    about.call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); moves = "
-    about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
-    separate = "The caller may change the two vectors that you return, so make them new. Don't "
-    separate += "return the contact's normal or a particle's position itself, and don't change the "
-    separate += "normal."
+    about.call = f"particle a at {p}; c = Contact(a, None, normal=Vector3{n}, restitution=0.5, "
+    about.call += "penetration=1.0); moves = c.resolve_penetration(); moves[0].x += 1; moves[1].x "
+    about.call += "+= 1"
+    separate = "A change of the vectors that you return also changes the contact's normal or a "
+    separate += "particle's position. Return two new vectors instead of these objects themselves."
     about.cause = separate
     a = Particle(Vector3(*p))
     c = Contact(a, None, Vector3(*n), 0.5, 1.0)
@@ -173,9 +185,10 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     got = xyz(a.position)
     wanted = tuple(x + part for x, part in zip(p, n, strict=True))
     shown = f"{about.call}; a.position"
-    expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
-    about.call = f"a at {p}, b at {q}; c = Contact(a, b, Vector3{n}, 0.5, 0.5); moves = "
-    about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
+    expect_close(got, wanted, call=shown, tolerance=1e-14 * 8, unit="m")
+    about.call = f"particle a at {p}; particle b at {q}; c = Contact(a, b, normal=Vector3{n}, "
+    about.call += "restitution=0.5, penetration=0.5); moves = c.resolve_penetration(); moves[0].x "
+    about.call += "+= 1; moves[1].x += 1"
     about.cause = separate
     a, b = Particle(Vector3(*p)), Particle(Vector3(*q))
     c = Contact(a, b, Vector3(*n), 0.5, 0.5)
@@ -188,35 +201,35 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
         wanted = tuple(x + sign * part for x, part in zip(place, n, strict=True))
         got = xyz(particle.position)
         shown = f"{about.call}; {name}.position"
-        expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
+        expect_close(got, wanted, call=shown, tolerance=1e-14 * 8, unit="m")
         got = xyz(particle.velocity)
         shown = f"{about.call}; {name}.velocity"
-        about.cause = "A velocity has changed. Leave the velocities to resolve_velocity: "
-        about.cause += "resolve_penetration changes only positions."
-        expect_close(got, ZERO, call=shown)
+        about.cause = "resolve_penetration has changed a velocity. It changes only positions, "
+        about.cause += "because resolve_velocity changes the velocities."
+        expect_close(got, ZERO, call=shown, unit="m/s")
 
 
 @pytest.mark.exercise("B7.4")
 def test_what_lies_on_the_ground_stays_there() -> None:
     about.read = "book 7.2.3, E-26, and the docstring of Contact.resolve"
     for restitution, generated in ((0.0, False), (0.5, True), (0.9, False), (0.9, True)):
-        gravity = "a force added in every step" if generated else "its own acceleration"
-        about.call = f"a body of restitution {restitution} lies on the ground, gravity is "
-        about.call += f"{gravity}; 15 s of semi-implicit steps of 1/60 s, each with "
-        about.call += "Contact.resolve(1/60)"
+        gravity = "a force added in every step" if generated else "the body's acceleration"
+        about.call = f"a body at rest on the ground, where gravity is {gravity}; 900 semi-implicit "
+        about.call += "steps of 1/60 s, each followed by contact.resolve(1/60) with a restitution "
+        about.call += f"of {restitution}"
         sinks = "The body sinks into the ground, perhaps because you resolve only its velocity. "
         sinks += "Contact.resolve should call resolve_velocity and then resolve_penetration."
-        jumps = "The body hops, although it should lie still. Pass the duration on to "
-        jumps += "resolve_velocity, so that the velocity that gravity has added in this time step "
-        jumps += "does not bounce."
+        jumps = "The body bounces, although it should stay at rest. Pass the duration on to "
+        jumps += "resolve_velocity, so that it leaves out the velocity that gravity adds in each "
+        jumps += "time step."
         about.cause = sinks
         heights, fastest = lying(restitution, generated, 900, 1.0 / 60.0)
         # Up to a millimeter counts as rest; rounding leaves some 1e-15 m.
-        name = ": the lowest height, m"
-        expect_between(min(heights), -1e-3, 1e-3, then=name, cause=sinks)
-        name = ": the largest height, m"
-        expect_between(max(heights), -1e-3, 1e-3, then=name, cause=jumps)
+        name = "; the lowest height of the body"
+        expect_between(min(heights), -1e-3, 1e-3, then=name, cause=sinks, unit="m")
+        name = "; the largest height of the body"
+        expect_between(max(heights), -1e-3, 1e-3, then=name, cause=jumps, unit="m")
         # Without the rule it is at 0.08 m/s, at a restitution of 0.5, and more.
-        name = ": the largest speed after a step, m/s"
-        expect_between(fastest, -1e-6, 1e-6, then=name, cause=jumps)
-        expect_exactly(len(heights), 900, then=": the number of steps")
+        name = "; the largest speed after a step"
+        expect_between(fastest, -1e-6, 1e-6, then=name, cause=jumps, unit="m/s")
+        expect_exactly(len(heights), 900, then="; the number of steps")

@@ -32,47 +32,51 @@ def touching(*pairs: tuple[int, int], restitution: float = 0.0) -> list:
 def test_what_closes_fastest_is_first() -> None:
     about.read = FASTEST
     contacts = touching((1, 0), (2, 1), restitution=0.5)
-    about.call = "three balls of 1 kg in a row with 1, 0 and -3 m/s, restitution 0.5; "
-    about.call += "resolve_velocities([left pair, right pair], limit, 0.5), limit"
+    setup = "three touching balls of 1 kg in a row, with velocities of 1, 0 and -3 m/s along the "
+    setup += "row; the contacts of the left and the right pair, with a restitution of 0.5; "
+    setup += "resolver.resolve_velocities(contacts, "
     for limit, wanted, cause in (
         (
             1,
             (1.0, -2.25, -0.75),
-            "Resolve the right pair first: it is closing at 3 m/s, the left pair only at 1 m/s.",
+            "Resolve the right pair first, because it closes at 3 m/s and the left pair only at 1 "
+            "m/s.",
         ),
         (
             2,
             (-1.4375, 0.1875, -0.75),
-            "The left pair comes next, because it is now closing at 3.25 m/s.",
+            "After the right pair, resolve the left pair, because it now closes at 3.25 m/s.",
         ),
         (
             9,
             (-1.4375, -0.515625, -0.046875),
-            "After two resolutions the right pair is closing again, so resolve it once more.",
+            "After two resolutions the right pair closes again, so resolve it once more.",
         ),
     ):
+        about.call = f"{setup}{limit}, 0.5)"
         about.cause = f"{cause} Compare the separating velocities of all contacts again before "
         about.cause += "each resolution."
         used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in bodies)
         mistakes = [
-            ((1.0, 0.0, -3.0), "You resolved no contact at all. A contact is closing if its "
-                               "separating velocity is below -VELOCITY_TOLERANCE, so check the "
-                               "sign in your comparison."),
+            ((1.0, 0.0, -3.0), "You resolved no contact at all. A contact closes if its separating "
+                               "velocity is below -VELOCITY_TOLERANCE, so check the sign in your "
+                               "comparison."),
             ((0.25, 0.75, -3.0),
-             "You resolved the first closing contact in the list. Choose the one that is closing "
-             "fastest, which has the lowest separating velocity."),
-            ((-1.4375, -0.515625, -0.046875), "You resolved three contacts, but the limit is "
-                                              f"{limit}. Stop when you reach it."),
-            ((-1.4375, 0.1875, -0.75), "You stopped after two resolutions, but the right pair is "
-                                       "closing again. Keep going until no contact is closing or "
-                                       "you reach the limit."),
+             "You resolved the first closing contact in the list. Choose the contact that closes "
+             "fastest, which is the one with the lowest separating velocity."),
+            ((-1.4375, -0.515625, -0.046875), "You resolved contacts three times, but the limit "
+                                              f"is {limit}. Stop when you reach the limit."),
+            ((-1.4375, 0.1875, -0.75), "You stopped after two resolutions, but then the right pair "
+                                       "is closing again. Keep going until no contact is closing "
+                                       "or you reach the limit."),
         ]  # fmt: skip
         blame(got, mistakes)
-        expect_close(got, wanted, then=f" {limit}: velocities")
-        about.cause = "Stop when no contact is closing anymore or when you reach the limit, and "
-        about.cause += "return how many times you resolved a contact."
-        expect_exactly(used, min(limit, 3), then=f" {limit}: returned")
+        name = "; the velocities of the three balls"
+        expect_close(got, wanted, then=name, unit="m/s")
+        about.cause = "You returned the wrong number. Return how many times you resolved a contact "
+        about.cause += "before no contact was closing or you reached the limit."
+        expect_exactly(used, min(limit, 3), then="; the returned number")
 
 
 @pytest.mark.exercise("B7.5")
@@ -86,37 +90,33 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
         (ZERO, (0.0, 3.0, 0.0), math.inf),
     ]
     contacts = [(0, -1, UP, 1.0, 0.5), (1, -1, UP, 1.0, 0.75), (2, 3, UP, 0.0, -0.25)]
-    about.call = f"a of 100 kg with (0, -2, 0) and b of 100 kg with ({side}, -1, {side}) hit the "
-    about.call += "ground, restitution 1; c of 1 kg at rest, 0.25 m above a wall that moves with "
-    about.call += "(0, 3, 0), restitution 0; resolve_velocities of the three contacts, limit 1"
-    about.cause = "Resolve the contact that is closing fastest, which is c's. It is closing at 3 "
-    about.cause += "m/s because its wall moves, so include the velocity of the other particle even "
-    about.cause += "if that particle is immovable."
+    about.call = "particles a and b of 100 kg hit the ground with velocities (0, -2, 0) and "
+    about.call += f"({side}, -1, {side}) and a restitution of 1; particle c of 1 kg is at rest, "
+    about.call += "and an immovable particle comes up from below with velocity (0, 3, 0); "
+    about.call += "resolver.resolve_velocities(contacts, 1, 0.5) for these three contacts"
+    about.cause = "Resolve the contact of c, which closes fastest, at 3 m/s. Include the velocity "
+    about.cause += "of contact.other in the closing speed, even if that particle is immovable."
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
     got = tuple(velocity[1] for _, velocity in after[:3])
     mistakes = [
-        ((2.0, -1.0, 0.0), "You resolved a's contact, but c's is closing faster. Compare only the "
-                           "separating velocities: the depth, the restitution and an immovable end "
-                           "make no difference here."),
-        ((-2.0, 1.0, 0.0), "You resolved b's contact. It is the deepest, and b is the fastest "
-                           "particle, but only the separating velocity counts in this phase. It is "
-                           "lowest for c's contact, so resolve that one first."),
+        ((2.0, -1.0, 0.0), "You resolved the contact of a, but the contact of c closes faster. "
+                           "Compare only the separating velocities: the depth, the restitution and "
+                           "an immovable end make no difference."),
+        ((-2.0, 1.0, 0.0), "You resolved the contact of b, which is the deepest, and b is the "
+                           "fastest particle. Compare only the separating velocities, and resolve "
+                           "the contact of c first, which has the lowest."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, (-2.0, -1.0, 3.0), then=": upward velocities")
-    why = (
-        "You resolved exactly one contact here, so return 1. Count the resolutions and return the "
-        "total."
-    )
-    expect_exactly(used, 1, then="; returned", cause=why)
-    about.cause = "The contacts are in a different order now. The list belongs to the caller, so "
-    about.cause += "don't sort or reorder it."
-    expect_close(depths, (0.5, 0.75, -0.25), then="; penetrations of the contacts")
-    about.call = "resolve_velocities([], 9, 0.5)"
-    about.cause = (
-        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number "
-        "of resolutions."
-    )
+    expect_close(got, (-2.0, -1.0, 3.0), then="; the velocities of a, b and c along y", unit="m/s")
+    why = "You resolved one contact, so return 1. Count the resolutions and return their number."
+    expect_exactly(used, 1, then="; the returned number", cause=why)
+    about.cause = "You changed the order of the contacts in the list. The list belongs to the "
+    about.cause += "caller, so don't sort it."
+    name = "; the penetrations of the contacts, in list order"
+    expect_close(depths, (0.5, 0.75, -0.25), then=name, unit="m")
+    about.call = "resolver.resolve_velocities([], 9, 0.5)"
+    about.cause = "The list of contacts is empty, so there is nothing to resolve. Return 0 as the "
+    about.cause += "number of resolutions."
     used, _, _ = resolved([], [], "resolve_velocities", 9)
     expect_exactly(used, 0)
 
@@ -124,23 +124,23 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
 @pytest.mark.exercise("B7.5")
 def test_of_equal_ones_the_first_is_taken() -> None:
     about.read = FASTEST
-    about.cause = "Both pairs are closing at 2 m/s, so resolve the one that comes first in the "
-    about.cause += "list. If your code chose the second one, compare with < instead of <=."
+    about.cause = "Both pairs close at 2 m/s, so resolve the one that comes first in the list. If "
+    about.cause += "your code chose the second one, compare with < instead of <=."
     for order, wanted in (
         (((1, 0), (2, 1)), (0.0, 2.0, -2.0)),
         (((2, 1), (1, 0)), (2.0, -2.0, 0.0)),
     ):
-        about.call = "three balls of 1 kg in a row with 2, 0 and -2 m/s, restitution 1; "
-        about.call += f"resolve_velocities, limit 1, of the pairs {order}: velocities"
+        first, second = ("left", "right") if order[0] == (1, 0) else ("right", "left")
+        about.call = "three touching balls of 1 kg in a row, with velocities of 2, 0 and -2 m/s "
+        about.call += f"along the row; the contacts of the {first} and then the {second} pair, "
+        about.call += "with a restitution of 1; resolver.resolve_velocities(contacts, 1, 0.5)"
         contacts = touching(*order, restitution=1.0)
         used, bodies, _ = resolved(row(2.0, 0.0, -2.0), contacts, "resolve_velocities", 1)
         got = tuple(velocity[0] for _, velocity in bodies)
-        expect_close(got, wanted)
-        why = (
-            "You resolved exactly one contact here, so return 1. Count the resolutions and return "
-            "the total."
-        )
-        expect_exactly(used, 1, then="; returned", cause=why)
+        expect_close(got, wanted, then="; the velocities of the three balls", unit="m/s")
+        why = "You resolved one contact, so return 1. Count the resolutions and return their "
+        why += "number."
+        expect_exactly(used, 1, then="; the returned number", cause=why)
 
 
 @pytest.mark.exercise("B7.5")
@@ -148,20 +148,21 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
     about.read = FASTEST
     speed, mass = positive_number(rng), positive_number(rng)
     pairs = [(4, 3), (2, 1), (3, 2), (1, 0)]
-    about.call = f"five balls of {mass} kg in a row, the first with {speed} m/s, restitution 1; "
-    about.call += f"resolve_velocities of the pairs {pairs}, limit"
+    setup = f"five touching balls of {mass} kg in a row, the first with {speed} m/s along the row; "
+    setup += f"contacts between neighbors with a restitution of 1, in the order {pairs}; "
+    setup += "resolver.resolve_velocities(contacts, "
     for limit, leaves, cause in (
         (
             2,
             2,
-            "Each resolution passes the whole velocity on to the next ball, so after two of them "
-            "the third ball is moving. Stop at the limit.",
+            "Each resolution passes the whole velocity on to the next ball, so only the third ball "
+            "moves after two resolutions. Stop at the limit.",
         ),
         (
             4,
             4,
             "After four resolutions, the last ball should have the whole velocity, and all the "
-            "others should be at rest.",
+            "others should be at rest. Always resolve the contact that closes fastest.",
         ),
         (
             50,
@@ -169,14 +170,16 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
             "After four resolutions no contact is closing, so stop before you reach the limit.",
         ),
     ):
+        about.call = f"{setup}{limit}, 0.5)"
         about.cause = cause
         bodies = row(speed, 0.0, 0.0, 0.0, 0.0, mass=mass)
         contacts = touching(*pairs, restitution=1.0)
         used, after, _ = resolved(bodies, contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in after)
         wanted = tuple(speed * (i == leaves) for i in range(5))
-        expect_close(got, wanted, then=f" {limit}: velocities", tolerance=1e-13)
-        expect_exactly(used, min(limit, 4), then=f" {limit}: returned")
+        name = "; the velocities of the five balls"
+        expect_close(got, wanted, then=name, tolerance=1e-13, unit="m/s")
+        expect_exactly(used, min(limit, 4), then="; the returned number of resolutions")
 
 
 @pytest.mark.exercise("B7.5")
@@ -184,40 +187,43 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "This closing speed is below VELOCITY_TOLERANCE, so treat it as a rounding "
-                        "error and don't resolve the contact."),
-        (1e-11, 0.0, 1, "This contact is closing slowly, but faster than VELOCITY_TOLERANCE, so "
-                        "resolve it."),
-        (0.5, -1.0, 1, "This contact is closing, so resolve it. Its penetration is negative, but "
-                       "that makes no difference in this phase."),
-        (-0.5, 1.0, 0, "This contact is already separating, so don't resolve it, however deep it "
-                       "is."),
+        (1e-13, 0.0, 0, "The closing speed of this contact is 1e-13 m/s, which is below "
+                        "VELOCITY_TOLERANCE, so treat it as a rounding error and don't resolve "
+                        "it."),
+        (1e-11, 0.0, 1, "This contact closes at 1e-11 m/s, which is slow but faster than "
+                        "VELOCITY_TOLERANCE, so resolve it."),
+        (0.5, -1.0, 1, "This contact closes at 0.5 m/s, so resolve it. Don't check the "
+                       "penetration, although it is negative here."),
+        (-0.5, 1.0, 0, "This contact is already separating at 0.5 m/s, so don't resolve it, "
+                       "however deep it is."),
         (0.0, 1.0, 0, "This contact is deep but not closing, so don't resolve its velocity. Unlike "
                       "the book's listing, leave deep contacts to resolve_penetrations."),
-        (1e-13, 1.0, 0, "This closing speed is below VELOCITY_TOLERANCE, so treat it as a rounding "
-                        "error and don't resolve the contact."),
-        (1e-11, 1.0, 1, "This contact is closing slowly, but faster than VELOCITY_TOLERANCE, so "
-                        "resolve it."),
+        (1e-13, 1.0, 0, "The closing speed of this contact is 1e-13 m/s, which is below "
+                        "VELOCITY_TOLERANCE, so treat it as a rounding error and don't resolve "
+                        "it."),
+        (1e-11, 1.0, 1, "This contact closes at 1e-11 m/s, which is slow but faster than "
+                        "VELOCITY_TOLERANCE, so resolve it."),
     ):  # fmt: skip
         about.cause = cause
         u = components(rng)  # the velocity across the normal does not count
         v = tuple(p - (closing + dot(u, n)) * q for p, q in zip(u, n, strict=True))
         if closing == 0.0:
             v = (n[1], -n[0], 0.0)  # exactly across the normal
-        about.call = f"a with velocity {v}; resolve_velocities([Contact(a, None, Vector3{n}, 0, "
-        about.call += f"{depth})], 9, 0.5)"
+        about.call = f"particle a with velocity {v}; c = Contact(a, None, normal=Vector3{n}, "
+        about.call += f"restitution=0.0, penetration={depth}); resolver.resolve_velocities([c], 9, "
+        about.call += "0.5)"
         bodies = [(ZERO, v, 2.0)]
-        about.cause += " Use only the velocity along the contact's normal."
+        about.cause += " Compute the closing speed along the contact's normal."
         used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
-        expect_exactly(used, wanted, then=": returned")
+        expect_exactly(used, wanted, then="; the returned number", unit="resolutions")
         got = -dot(after[0][1], n)
         left = 0.0 if wanted else closing
         # Some roundings of numbers up to 20.
-        expect_close(got, left, then=": the closing speed", tolerance=5e-14)
-        about.cause = "A position or a penetration has changed. Leave those to "
-        about.cause += "resolve_penetrations: resolve_velocities changes only velocities."
-        expect_close(after[0][0], ZERO, then=": position")
-        expect_close(depths[0], depth, then=": penetration")
+        expect_close(got, left, then="; the closing speed", tolerance=5e-14, unit="m/s")
+        about.cause = "resolve_velocities has changed a position or a penetration. It changes only "
+        about.cause += "velocities, because resolve_penetrations does the rest."
+        expect_close(after[0][0], ZERO, then="; a.position", unit="m")
+        expect_close(depths[0], depth, then="; c.penetration", unit="m")
 
 
 @pytest.mark.exercise("B7.5")
@@ -232,41 +238,42 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
         if dot(bodies[a][1], n) > dot(bodies[b][1], n):
             n = (-n[0], -n[1], -n[2])
         contacts.append((a, b, n, 0.5, 0.0))
-    about.call = "9 particles, one of them immovable, with 11 closing contacts, restitution 0.5; "
-    about.call += "resolve_velocities, limit 2000"
-    about.cause = "Some contact is still closing at the end. Keep going until no contact is "
-    about.cause += "closing faster than VELOCITY_TOLERANCE."
+    about.call = "nine particles, one of them immovable, with 11 closing contacts and a "
+    about.call += "restitution of 0.5; resolver.resolve_velocities(contacts, 2000, 0.5)"
+    about.cause = "At least one contact is still closing at the end. Keep going until no contact "
+    about.cause += "closes faster than VELOCITY_TOLERANCE."
     used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
     got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
-    name = f"{about.call}: the largest closing speed left (negative when all separate)"
+    name = f"{about.call}; then the largest closing speed, negative if all contacts separate"
     # VELOCITY_TOLERANCE is 1e-12. Separating is fine, and nothing separates faster than 100 m/s.
-    expect_between(got, -100.0, 2e-12, call=name)
+    expect_between(got, -100.0, 2e-12, call=name, unit="m/s")
     # One resolution changes two bodies, and no two bodies take part in all of the contacts.
     about.cause = "You returned the wrong number. Count how many times you resolve a contact, and "
     about.cause += "return that count, which is above 1 and below the limit here."
-    expect_between(used, 2, 1998, then=": returned")
+    expect_between(used, 2, 1998, then="; the returned number", unit="resolutions")
     before, now = (
         sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:8], velocities, strict=False))
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
     )
     about.cause = "The kinetic energy has grown, but with a restitution of 0.5 impulses can only "
     about.cause += "reduce it. Check the signs and the masses in Contact.resolve_velocity."
-    name = f"{about.call}: ratio of the kinetic energy to its value before"
+    name = f"{about.call}; the kinetic energy after the call divided by the one before"
     expect_between(now / before, 0.0, 1.0, call=name)
 
 
 @pytest.mark.exercise("B7.5")
 def test_each_resolution_knows_the_duration() -> None:
     about.read = FASTEST
-    about.call = "a and b with velocity (0, -4, 0), acceleration (0, -4, 0); resolve_velocities of "
-    about.call += "their contacts with the ground, restitution 0.75, limit 9, duration"
-    about.cause = "The velocity that the time step has added should not bounce. Pass the duration "
-    about.cause += "on to Contact.resolve_velocity, which takes care of that."
+    about.call = "particles a and b, both with velocity (0, -4, 0) and acceleration (0, -4, 0); "
+    about.call += "their contacts with the ground, with a restitution of 0.75; "
+    about.call += "resolver.resolve_velocities(contacts, 9, duration) with a duration of"
+    about.cause = "The velocity that gravity has added in the time step bounces too. Pass the "
+    about.cause += "duration on to Contact.resolve_velocity, which leaves this velocity out."
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
         contacts = [(0, -1, UP, 0.75, 0.0), (1, -1, UP, 0.75, 0.0)]
         bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]
         pull = (0.0, -4.0, 0.0)
         _, after, _ = resolved(bodies, contacts, "resolve_velocities", 9, duration, pull)
-        name = f"{about.call} {duration}: upward velocities"
+        name = f"{about.call} {duration}; the velocities of a and b along y"
         got = (after[0][1][1], after[1][1][1])
-        expect_close(got, (wanted, wanted), call=name)
+        expect_close(got, (wanted, wanted), call=name, unit="m/s")

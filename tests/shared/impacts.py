@@ -1,20 +1,55 @@
-"""What the checks of next_impact share, for chapter 7."""
+"""Words and expectations that the checks of chapter 7 share."""
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from collections.abc import Sequence
+from typing import Any, Unpack
 
-from expect import about, expect_exactly, scoped
+from autograder.checks.asked import Words
+from expect import about, expect_that, scoped
+
+
+def of_mass(mass: float) -> str:
+    """Return a mass in words, for the call of a message."""
+    return "immovable" if math.isinf(mass) else f"{mass:g} kg"
 
 
 @scoped
 def expect_impact(impact: Any) -> Any:
     """Expect an impact, as time and contact, and return it."""
-    why = (
-        "There is an impact within this duration, so the result must be a tuple (time, contact). "
-        "Return None only if there is no impact."
-    )
-    about.cause = f"{why} {about.cause}"
+    __tracebackhide__ = True
     pair = isinstance(impact, (tuple, list)) and len(impact) == 2
-    expect_exactly(pair, True, then=" is (time, contact)")
+    got = f"{impact:.6g}" if type(impact) is float else "not a tuple of two values"
+    why = "next_impact must return both the time and the contact, as a tuple (time, contact). "
+    why += "Return None only if there is no impact."
+    wanted = "a tuple (time, contact)"
+    if impact is None:
+        got, why = "None, as if there were no impact within the duration", about.cause
+        wanted += ", because there is an impact"
+    expect_that(pair, got, wanted, cause=why)
     return impact
+
+
+def expect_none(impact: Any, **words: Unpack[Words]) -> None:
+    """Expect None, because there is no impact within the duration."""
+    __tracebackhide__ = True
+    expect_that(impact is None, "an impact", "None, because there is no impact", **words)
+
+
+def expect_particles(
+    seen: Sequence[Any],
+    wanted: Sequence[int],
+    names: Sequence[str] = ("a", "b"),
+    **words: Unpack[Words],
+) -> None:
+    """Expect these indices for the particle and the other of a contact; -1 stands for None."""
+    __tracebackhide__ = True
+
+    def said(pair: Sequence[Any]) -> str:
+        known = {-1: "None", **dict(enumerate(names))}
+        one, other = (known.get(i, "a different particle") for i in pair)
+        return f"contact.particle is {one} and contact.other is {other}"
+
+    numbers = all(type(i) in (int, float) for i in seen)
+    expect_that(numbers and tuple(seen) == tuple(wanted), said(seen), said(wanted), **words)

@@ -178,7 +178,7 @@ def test_a_python_without_the_packages_is_told_what_to_do() -> None:
             "return self.x * v.magnitude",
             "Add parentheses after the name to call it",
         ),
-        ("def magnitude(self)", "def magnitude()", "Perhaps self is missing there"),
+        ("def magnitude(self)", "def magnitude()", "Perhaps the def line lacks self"),
         ("def magnitude(self)", "def magnitud(self)", "renamed it to magnitud,"),
         ("return math.hypot(self.x, self.y, self.z)", "self.x = float(input())", "input or"),
     ],

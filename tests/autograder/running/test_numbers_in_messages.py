@@ -1,0 +1,50 @@
+"""Numbers in messages have as many digits as a reader needs, and a unit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from autograder.checks.asked import about, short_numbers
+from autograder.message import ExpectationError, Message
+from expect import expect_between, expect_close, expect_exactly, expect_that, expect_unchanged
+
+
+def said(expectation: Callable[[], None]) -> Message:
+    about("f(0.1)", cause="a mistake", read="the book")
+    with pytest.raises(ExpectationError) as caught:
+        expectation()
+    about.forget()
+    return caught.value.message
+
+
+def test_long_numbers_are_rounded_and_others_are_not() -> None:
+    long = "Vector3(-0.9183386718650949, 53.291000000000004, 2.000001); g(1.5e-17, 3.0)"
+    assert short_numbers(long) == "Vector3(-0.918339, 53.291, 2.000001); g(1.5e-17, 3.0)"
+
+
+def test_numbers_that_differ_look_different() -> None:
+    message = said(lambda: expect_close((1.0 / 3.0, -0.0), (0.5, 1.0), unit="m"))
+    assert (message.got, message.wanted) == ("(0.333333, 0) m", "(0.5, 1) m")
+    message = said(lambda: expect_close(2.0 + 1e-10, 2.0, unit="m/s"))
+    assert (message.got, message.wanted) == ("2.0000000001 m/s", "2 m/s")
+    message = said(lambda: expect_close(1234567.5, 0.0))
+    assert (message.got, message.wanted) == ("1234567.5", "0")
+
+
+def test_a_unit_follows_numbers_only() -> None:
+    message = said(lambda: expect_exactly(0, 1, unit="contacts"))
+    assert (message.got, message.wanted) == ("0 contacts", "1 contact")
+    message = said(lambda: expect_close(None, 1.0, unit="s"))
+    assert (message.got, message.wanted) == ("None", "1 s")
+    message = said(lambda: expect_between(0.5, -0.25, 0.25, unit="m"))
+    assert (message.got, message.wanted) == ("0.5 m", "a number from -0.25 to 0.25 m")
+
+
+def test_words_can_stand_for_numbers() -> None:
+    message = said(lambda: expect_that(False, "no error", "an error"))
+    assert (message.got, message.wanted) == ("no error", "an error")
+    message = said(lambda: expect_unchanged("v", (1.0, 2.0), (1.0, 3.0)))
+    assert message.got == "v is (1, 2) after the call"
+    assert message.wanted == "v unchanged at (1, 3)"

@@ -61,7 +61,7 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
     lengths = [0.5 * rest, rest, 0.5 * (rest + limit), limit, 0.5 * (limit + most)]
     about(
         f"bond = Bond(a, b, stiffness={k}, rest_length={rest}, limit={limit}, share={share}, "
-        f"break_length={most}); the ends are this far apart: ",
+        f"break_length={most}); the ends are ",
         read=BOND,
     )
     about.cause = (
@@ -72,8 +72,8 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
         lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
     ):
         force = pull(length, k, rest, limit, share)
-        expect_forces(f"{about.call}{length:.6g} m", seen, force, way)
-        expect_exactly(seen[2], True, then=f"{length:.6g} m: bond.holds")
+        expect_forces(f"{about.call}{length:.6g} m apart", seen, force, way)
+        expect_exactly(seen[2], True, then=f"{length:.6g} m apart: bond.holds")
 
 
 @pytest.mark.exercise("B8.8")

@@ -114,14 +114,14 @@ def test_what_balances_a_platform(rng: Random) -> None:
     turn = math.fsum(m * p for m, p in zip(masses, places, strict=True))
     x = -math.copysign(positive_number(rng), turn)
     about(
-        f"balancing_mass({masses}, {places}, {x})",
+        f"balancing_mass(masses={masses}, places={places}, x={x})",
         cause="The platform balances when the new mass cancels the torque of the others, so it is "
         "-(sum of mass times position) / x.",
     )
     got = balancing_mass(masses, places, x)
     expect_close(got, -turn / x, tolerance=1e-12 * (1 - turn / x))
     masses, places, x = [0.0, *masses], [number(rng), *places], -2.0 * x
-    about.call = f"balancing_mass({masses}, {[-place for place in places]}, {x})"
+    about.call = f"balancing_mass(masses={masses}, places={[-place for place in places]}, x={x})"
     about.cause = "On either side of the pivot, the new mass is -(sum of mass times position) / x. "
     about.cause += "Masses of 0 kg are valid and add nothing to the sum."
     got = balancing_mass(masses, [-place for place in places], x)
@@ -132,7 +132,7 @@ def test_what_balances_a_platform(rng: Random) -> None:
         (0.5, -1.0, 0.5),
         (-0.5, 1.0, 0.5),
     ):
-        about.call = f"balancing_mass([1.0], [{place}], {x})"
+        about.call = f"balancing_mass(masses=[1.0], places=[{place}], x={x})"
         about.cause = "A mass at x can balance the platform, because x is on the side that rises. "
         about.cause += "That is true even very close to the pivot, so don't raise an error."
         got = balancing_mass([1.0], [place], x)
@@ -144,7 +144,7 @@ def test_what_balances_a_platform(rng: Random) -> None:
         "even though x is 0. Return 0 before you divide by x."),
         ([], [], 3.0, "There are no masses, so the platform is balanced and the answer is 0."),
     ):  # fmt: skip
-        about(f"balancing_mass({masses}, {places}, {x})", cause=why)
+        about(f"balancing_mass(masses={masses}, places={places}, x={x})", cause=why)
         got = balancing_mass(masses, places, x)
         expect_close(got, 0.0, tolerance=0.0)
 
@@ -192,7 +192,7 @@ def test_what_cannot_be_balanced_is_refused() -> None:
         ([1.0, "2"], [-1.0, 2.0], -3.0, TypeError, "One of the masses is a string. A mass must be "
          "a number, so raise TypeError."),
     ):  # fmt: skip
-        about(f"balancing_mass({masses}, {places}, {x})", cause=cause)
+        about(f"balancing_mass(masses={masses}, places={places}, x={x})", cause=cause)
         expect_error(
             lambda masses=masses, places=places, x=x: balancing_mass(masses, places, x),
             error,

@@ -23,7 +23,8 @@ def test_a_row_counts_once(rng: Random) -> None:
     a, b = rng.sample(range(1, rows - 1), 2)  # other checks have the first and the last row
     events = [a, a, b, a, b]
     about(
-        f"Rules({rows}); rules.landed(row) for each row in {events}; the score after each call",
+        f"rules = Rules({rows}); rules.landed(row) for each row in {events}; the score after each "
+        "call",
         read=RULES,
     )
     about.cause = (
@@ -42,8 +43,8 @@ def test_a_row_counts_once(rng: Random) -> None:
     blame(got, mistakes)
     expect_exactly(got, [10, 10, 20, 20, 20])
     about.call = (
-        f"Rules({rows}); rules.landed(row) for each row in {events}; rules.visited (as a list) and "
-        "then rules.lives"
+        f"rules = Rules({rows}); rules.landed(row) for each row in {events}; rules.visited (as a "
+        "list) and then rules.lives"
     )
     about.cause = (
         "Each landing should add its row to visited. Only a fall costs a life, so leave lives "
@@ -59,7 +60,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     order = rng.sample(range(rows), rows)
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
     about(
-        f"Rules({rows}); for each number in {events}, rules.fell() if it is -1, otherwise "
+        f"rules = Rules({rows}); for each number in {events}, rules.fell() if it is -1, otherwise "
         "rules.landed(number)",
         read=RULES,
     )
@@ -91,8 +92,8 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     ]  # fmt: skip
     blame(won[0], mistakes)
     expect_exactly(won[0], score, then="; the score when all rows are visited")
-    name = f"Rules({rows}) after landings on the rows {events}, where -1 is a fall; rules.won and "
-    name += "rules.over when all rows are visited"
+    name = f"rules = Rules({rows}) after landings on the rows {events}, where -1 is a fall; "
+    name += "rules.won and rules.over when all rows are visited"
     over = (
         "Your over misses one of the two ways in which the game can end: the player has visited "
         "every row, or has no lives left. Check both."
@@ -117,7 +118,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
     about(
-        f"Rules(6); for each number in {events}, rules.fell() if it is -1, otherwise "
+        f"rules = Rules(6); for each number in {events}, rules.fell() if it is -1, otherwise "
         "rules.landed(number)",
         read=RULES,
     )
@@ -133,7 +134,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     expect_exactly(
         got,
         wanted,
-        call=f"Rules(6), then landings on the rows {events}, where -1 is a fall; "
+        call=f"rules = Rules(6), then landings on the rows {events}, where -1 is a fall; "
         "rules.over after each call",
     )
     about.cause = "A fall costs a life, but it must not change the score or the visited rows."

@@ -72,7 +72,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
     wrong = [f"{pair} are not joined" for pair in right if pair not in ends]
     wrong += [f"{pair} are joined twice" for i, pair in enumerate(ends) if pair in ends[:i]]
-    wrong += [f"{pair} are joined without a reason" for pair in ends if pair not in right]
+    wrong += [f"{pair} are joined but should not be" for pair in ends if pair not in right]
     why = f"Ends {wrong[0]}. {about.cause}" if wrong else about.cause
     expect_exactly(ends, right, then=" as pairs of ends (-1 is an anchor)", cause=why)
     lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}

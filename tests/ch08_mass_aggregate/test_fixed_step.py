@@ -29,8 +29,8 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     left = 0
     for quarter, row in zip(quarters, done["rows"], strict=True):
         about.call = (
-            f"a FixedStep clock with steps of {STEP} s, which has {0.25 * left:g} * {STEP} s left "
-            f"over; clock.advance({0.25 * quarter:g} * {STEP})"
+            f"a FixedStep clock with steps of {STEP} s and left = {0.25 * STEP * left:g} s; "
+            f"clock.advance({0.25 * quarter:g} * {STEP})"
         )
         steps, left = divmod(left + quarter, 4)
         mistakes = [
@@ -126,7 +126,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     limit, late = rng.randint(2, 5), rng.randint(3, 30)
     elapsed = [STEP * (limit + late + 0.25), STEP * (limit + 0.5), STEP * (limit - 1)]
     elapsed.append(STEP * (limit + 1))
-    start = f"a FixedStep clock with steps of {STEP} s and max_steps={limit}; clock.advance by "
+    start = f"a FixedStep clock with steps of {STEP} s and max_steps={limit}; clock.advance(n * "
+    start += f"{STEP}) for each n in "
     about.cause = (
         "After max_steps steps, some whole steps may still be due. Subtract their time from "
         "self.left, and add it to self.dropped."
@@ -139,8 +140,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         (limit, 0.75 * STEP, STEP * (late + 1)),
     ]
     for i, row in enumerate(done["rows"]):
-        about.call = f"{start}{[time / STEP for time in elapsed[: i + 1]]} times {STEP} s, one "
-        about.call += "after the other"
+        about.call = f"{start}{[time / STEP for time in elapsed[: i + 1]]}"
         steps, left, dropped = wanted[i]
         mistakes = [
             (
@@ -174,7 +174,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
             tolerance=1e-12,
         )
     count = sum(row[0] for row in wanted)
-    about.call = f"{start}{[time / STEP for time in elapsed]} times {STEP} s, one after the other"
+    about.call = f"{start}{[time / STEP for time in elapsed]}"
     expect_exactly(len(done["made"]), count, then=": the number of steps in all calls together")
     about.call = f"a FixedStep clock with steps of 0.1 s and max_steps={limit}; "
     about.call += f"clock.advance({0.1 * (limit + late):g})"

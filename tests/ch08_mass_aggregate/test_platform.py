@@ -210,7 +210,7 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
     about.read = WEIGHT
     for x in (-3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
         mass = positive_number(rng)
-        about.call = f"platform.put_weight({mass}, {x}): the masses of the left end's two "
+        about.call = f"platform.put_weight(mass={mass}, x={x}): the masses of the left end's two "
         about.call += "particles and of the right end's two, in kg"
         about.cause = "The right end carries mass * (x + 3) / 7, and the left end carries the "
         about.cause += "rest. Each end consists of two particles, so each particle gets half of "
@@ -233,21 +233,21 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         ]  # fmt: skip
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
         expect_close(got[2:], wanted, tolerance=1e-12)
-        about.call = f"platform.put_weight({mass}, {x}): the masses of the pivot's two particles, "
-        about.call += "in kg"
+        about.call = f"platform.put_weight(mass={mass}, x={x}): the masses of the pivot's two "
+        about.call += "particles, in kg"
         about.cause = "You change the mass of the pivot. Change only the masses of the ends, "
         about.cause += "because the pivot stays immovable."
         expect_exactly(got[:2], [math.inf, math.inf])
-        about.call = f"platform.put_weight(7.0, 1.0), then put_weight({mass}, {x}): the masses of "
-        about.call += "the four particles of the ends, in kg"
+        about.call = f"platform.put_weight(mass=7, x=1), then put_weight(mass={mass}, x={x}): the "
+        about.call += "masses of the four particles of the ends, in kg"
         about.cause = (
             "The old weight still counts, but the new weight should replace it. Compute the masses "
             "from MASS and the new weight alone."
         )
         got, _ = weighed([(7.0, 1.0), (mass, x)])
         expect_close(got[2:], wanted, tolerance=1e-12)
-    about.call = "platform.put_weight(3.0, 1.0), then put_weight(0.0, 1.0): the masses of the four "
-    about.call += "particles of the ends, in kg"
+    about.call = "platform.put_weight(mass=3, x=1), then put_weight(mass=0, x=1): the masses of "
+    about.call += "the four particles of the ends, in kg"
     got, _ = weighed([(3.0, 1.0), (0.0, 1.0)])
     expect_close(
         got[2:],
@@ -262,7 +262,7 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
 def test_a_weight_that_is_none_is_refused() -> None:
     about.read = WEIGHT
     about(
-        "platform.put_weight(3.0, 1.0)",
+        "platform.put_weight(mass=3, x=1)",
         cause="A weight of 3 kg between the ends is valid, so don't raise an error.",
     )
     before, error = weighed([(3.0, 1.0)])
@@ -276,7 +276,7 @@ def test_a_weight_that_is_none_is_refused() -> None:
         (1.0, math.nan, "ValueError"),
         ("1", 1.0, "TypeError"),
     ):
-        about.call = f"platform.put_weight(3.0, 1.0), then put_weight({mass!r}, {x!r})"
+        about.call = f"platform.put_weight(mass=3, x=1), then put_weight(mass={mass!r}, x={x!r})"
         about.cause = (
             "The mass must be finite and not negative, and x must lie between LEFT and RIGHT. "
             "Raise an error for anything else."
@@ -297,7 +297,8 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     limit = 2.0 / -x  # the ends turn it by 2 kg (4 m - 3 m) to the right
     mass = limit * (1.5 if side == "heavy enough" else 0.5)
     about(
-        f"platform.put_weight({mass:.6g}, {x}), then 30 steps of 1/60 s; the left end", read=WEIGHT
+        f"platform.put_weight(mass={mass:.6g}, x={x}), then 30 steps of 1/60 s; the left end",
+        read=WEIGHT,
     )
     about.cause = (
         f"The left end should sink if the weight at {x} m is more than {limit:.3f} kg, and rise if "
@@ -325,7 +326,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
     about.cause = "Both particles of the pivot should be free to move after free_pivot(). Set the "
     about.cause += "mass of each to MASS."
     expect_close(done["masses"], [1.0] * 6, tolerance=1e-12)
-    about.call = "platform.put_weight(7.0, 4.0), then free_pivot(): the masses of the six "
+    about.call = "platform.put_weight(mass=7, x=4), then free_pivot(): the masses of the six "
     about.call += "particles, in kg"
     about.cause = (
         "Your free_pivot() changes the load that the ends carry. Change only the masses of the two "

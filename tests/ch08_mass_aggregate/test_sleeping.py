@@ -110,7 +110,8 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     fast = last + rng.randint(1, 4)
     about.call = (
         f"particle 0 touches the fast particle 1 in steps 1 to {last}, and is itself slow except "
-        f"in step {fast}; sleep_frames=5; the numbers of the sleeping particles after each step"
+        f"in step {fast}; a SleepingWorld with sleep_frames=5; the numbers of the sleeping "
+        "particles after each step"
     )
     wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
     if not any(seen):
@@ -126,7 +127,8 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     expect_exactly(seen, wanted)
     about.call = (
         "particles 0 and 1 are slow and touch all the time, but particle 1 becomes immovable after "
-        "4 steps; sleep_frames=5; the numbers of the sleeping particles after 12 steps"
+        "4 steps; a SleepingWorld with sleep_frames=5; the numbers of the sleeping particles after "
+        "12 steps"
     )
     about.cause = (
         "A particle can become immovable while the world is running. In fall_asleep, skip every "
@@ -221,8 +223,8 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     got = done["frames to sleep again"]
     expect_exactly(got, 3, then="; the number of further steps until it sleeps again")
     about.call = (
-        "a particle that is awake and has been slow for 2 steps; sleep_frames=3; "
-        "world.wake(particle)"
+        "a particle that is awake and has been slow for 2 steps; a SleepingWorld with "
+        "sleep_frames=3; world.wake(particle)"
     )
     about.cause = (
         "wake should reset the count of slow steps to 0, even if the particle is already awake."

@@ -123,9 +123,9 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         "with the pivot's."
     )
     for what, how, wanted, cause in (
-        ("slightly steeper than the release angle", flight(angle + 0.1), False, steep),
-        ("slightly lower than the release angle", flight(angle - 0.1), True, lower),
-        ("a little lower, just above the pivot", flight(angle - 1.0, 0.01), True,
+        ("slightly above the release angle", flight(angle + 0.1), False, steep),
+        ("slightly below the release angle", flight(angle - 0.1), True, lower),
+        ("below the release angle, just above the pivot", flight(angle - 1.0, 0.01), True,
          "The projectile is above the pivot, so the sling should let go. It doesn't matter how far "
          "above."),
         ("forward and down", flight(-50.0), True, "A projectile that flies downward is below the "
@@ -136,8 +136,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         ("slowly forward", (height, (0.25, -speed, 0.0)), True,
          "The projectile flies forward, so the sling should let go. Count any v.x above 0 as "
          "forward."),
-        ("a little lower, at the pivot's height", flight(angle - 1.0, 0.0), False, high),
-        ("a little lower, below the pivot", flight(angle - 1.0, -height), False, high),
+        ("below the release angle, at the pivot's height", flight(angle - 1.0, 0.0), False, high),
+        ("below the release angle, below the pivot", flight(angle - 1.0, -height), False, high),
     ):  # fmt: skip
         about.cause = cause
         vx, vy, _ = how[1]

@@ -18,6 +18,7 @@ from turning import TIGHT, named
 CENTER = "the docstring of center_of_stones"
 OFFSET = "the docstring of balance_offset"
 BESIDE = "the docstring of masses_beside, and E-32"
+SIDES = "masses_beside(stones, angle={}), the masses on the left and the right in kg"
 DATA = "exercise 9.7, and the docstring at the top of stones.py"
 
 Stones = list[tuple[str, float, float, float]]
@@ -50,6 +51,11 @@ def draw_telling_stones(rng: Random) -> Stones:
 def listed(stones: Stones) -> str:
     """Return stones as they are written in a call, with six digits for each number."""
     return f"[{', '.join(f'({name!r}, {m:.6g}, {x:.6g}, {y:.6g})' for name, m, x, y in stones)}]"
+
+
+def with_stones(stones: Stones, call: str) -> str:
+    """Return what is called: a function of these stones."""
+    return f"stones, each with name, mass, x and y: {listed(stones)}; {call}"
 
 
 def middle(stones: Stones) -> complex:
@@ -102,7 +108,7 @@ def test_the_center_of_a_box_with_stones(rng: Random) -> None:
     about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     for count in (1, 4):
         stones = draw_stones(rng, count)
-        about.call = f"center_of_stones({listed(stones)})"
+        about.call = with_stones(stones, "center_of_stones(stones)")
         got = center_of_stones(stones)
         wanted = middle(stones)
         why = named(got, about.cause, center_slips(stones))
@@ -137,7 +143,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
         "The box balances on an edge that passes below its center of mass. This edge is parallel "
         "to X, so the offset is the center of mass's y."
     )
-    about(f"balance_offset({listed(stones)}, 0)", cause=cause)
+    about(with_stones(stones, "balance_offset(stones, angle=0), in m"), cause=cause)
     got = balance_offset(stones, 0.0)
     why = named(got, about.cause, offset_slips(stones, 0.0))
     expect_close(got, middle(stones).imag, cause=why, tolerance=TIGHT)
@@ -147,7 +153,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     )
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
-        about.call = f"balance_offset({listed(stones)}, {angle})"
+        about.call = with_stones(stones, f"balance_offset(stones, angle={angle}), in m")
         wanted = left_of(middle(stones), angle)
         got = balance_offset(stones, angle)
         why = named(got, about.cause, offset_slips(stones, angle))
@@ -158,7 +164,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
 def test_it_balances_though_the_masses_differ() -> None:
     about.read = BESIDE
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
-    about.call = f"masses_beside({listed(stones)}, 0); the masses on the left and the right, in kg"
+    about.call = with_stones(stones, SIDES.format(0))
     about.cause = (
         "The edge is at y = 0.5. There is 1 kg on its left, where y is larger, and 3 kg on its "
         "right."
@@ -178,8 +184,7 @@ def test_it_balances_though_the_masses_differ() -> None:
     }
     why = named(got, about.cause, slips)
     expect_close(got, (1.0, 3.0), cause=why, tolerance=TIGHT)
-    about.call = f"masses_beside({listed(stones)}, pi / 2); the masses on the left and the right, "
-    about.call += "in kg"
+    about.call = with_stones(stones, SIDES.format("pi / 2"))
     about.cause = (
         "The edge is at x = 0.3 and is parallel to Y, so stones with a smaller x are on its left."
     )
@@ -201,8 +206,7 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
         if min(abs(side) for side, _ in from_edge(stones, angle)) > 1e-3:
             cases.append((stones, angle))
     for stones, angle in cases:
-        about.call = f"masses_beside({listed(stones)}, {angle}); the masses on the left and the "
-        about.call += "right, in kg"
+        about.call = with_stones(stones, SIDES.format(angle))
         got, wanted = tuple(masses_beside(stones, angle)), beside(stones, angle)
         expect_close(got, wanted, tolerance=TIGHT)
 
@@ -218,8 +222,7 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
         ("left of it", 0.7, x + across.real, y + across.imag),
         ("right of it", 0.7, x - across.real, y - across.imag),
     ]
-    about.call = f"masses_beside({listed(stones)}, {angle}); the masses on the left and the right, "
-    about.call += "in kg"
+    about.call = with_stones(stones, SIDES.format(angle))
     about.cause = (
         "Rounding puts the stone over the edge 1e-16 m to one side of it. A stone within 1e-9 m of "
         "the edge counts as on it, so add it to neither side."
@@ -232,8 +235,7 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
             f"away, which is {'less' if off < 1e-9 else 'more'}."
         )
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
-        about.call = f"masses_beside({listed(stones)}, 0), for stones {off} m from the edge; the "
-        about.call += "masses on the left and the right, in kg"
+        about.call = with_stones(stones, SIDES.format(0)) + f"; each stone is {off} m from the edge"
         got = tuple(masses_beside(stones, 0.0))
         expect_close(got, wanted, tolerance=TIGHT)
 
@@ -243,7 +245,8 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
 def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     about.read = "the docstring at the top of exercises.py"
     stones = draw_telling_stones(rng)
-    about.call = f"{name}({listed(stones)}{'' if name == 'center_of_stones' else ', 0.3'})"
+    angle = "" if name == "center_of_stones" else ", angle=0.3"
+    about.call = with_stones(stones, f"{name}(stones{angle})")
     about.cause = (
         "Your function changes its list, which it should only read. If you need to sort the list "
         "or remove something from it, work on a copy."

@@ -385,10 +385,10 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ("whose top is just above", 1e-6 - radius, 2, "The top of the ball is still above the "
                                                          "deck, so the ball has not fallen through "
                                                          "yet and is still in contact."),
-        ("whose top is just below", -1e-6 - radius, 0, "The ball is completely below the deck, "
-                                                          "so it has fallen through. Return no "
-                                                          "contact, or the deck would push it back "
-                                                          "up."),
+        ("whose top is just below", -1e-6 - radius, 0, "The ball is completely below the deck, so "
+                                                          "it has fallen through. Return no "
+                                                          "contact, because a contact pushes it "
+                                                          "back up."),
     ):  # fmt: skip
         about(
             f"a deck whose rows have their midpoints (x, y) at {middles(rows)} m; a ball of radius "

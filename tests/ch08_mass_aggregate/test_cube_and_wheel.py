@@ -161,9 +161,8 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     about.read = DRIVE
     hub, force, already = components(rng), number(rng), components(rng)
     about.cause = (
-        "The force acts at a right angle to the spoke, in the X-Y plane, and is equally strong at "
-        "every distance from the hub. Take the unit vector along the spoke, rotate it by a right "
-        "angle, and multiply it by the force."
+        "Take the unit vector along the spoke in the X-Y plane, rotate it by a right angle, and "
+        "multiply it by the force. The force is equally strong at every distance from the hub."
     )
     about.call = (
         "a drive with a force of 10 N, whose hub is at (1, 2, 3) m; a particle of the rim at (4, "
@@ -260,9 +259,8 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         "3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim), in rad/s"
     )
     about.cause = (
-        "Divide the angular momentum by the moment of inertia. The angular momentum is the sum of "
-        "m (x v_y - y v_x), which is 14 here, and the moment of inertia is the sum of m (x^2 + "
-        "y^2), which is 13."
+        "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of inertia, the "
+        "sum of m (x^2 + y^2). Here they are 14 and 13."
     )
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])

@@ -104,8 +104,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
         (2.0, "You return the sum of mass times position, which is not a mass yet. Divide it by "
               "-x."),
         (-2.0, "You return minus the sum of mass times position. Divide it by x to get a mass."),
-        (0.5, "You return the mass that would balance the platform at the other end. Divide by x, "
-              "which is -3 m."),
+        (0.5, "You return the mass that balances the platform at the other end. Divide by x, which "
+              "is -3 m."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 2.0 / 3.0)
@@ -158,7 +158,7 @@ def test_what_cannot_be_balanced_is_refused() -> None:
         balancing_mass([1.0, 2.0], [-1.0, 2.0], -3.0)
 
     for masses, places, x, error, cause in (
-        ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "Only a mass of -1 kg would balance the "
+        ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "Only a mass of -1 kg could balance the "
                                                    "platform here. On the side that sinks, no mass "
                                                    "can help, so raise ValueError."),
         ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "The left side sinks here, and x = -3 is on "
@@ -213,8 +213,8 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         about.call = f"platform.put_weight(mass={mass}, x={x}): the masses of the left end's two "
         about.call += "particles and of the right end's two, in kg"
         about.cause = "The right end carries mass * (x + 3) / 7, and the left end carries the "
-        about.cause += "rest. Each end consists of two particles, so each particle gets half of "
-        about.cause += "its end's load on top of its own 1 kg."
+        about.cause += "rest. Give each of an end's two particles half of that load in addition to "
+        about.cause += "its own 1 kg."
         right = mass * (x + 3.0) / 7.0
         wanted = _masses(1.0, mass - right, right)
         got, _ = weighed([(mass, x)])

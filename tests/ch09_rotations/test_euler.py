@@ -111,8 +111,8 @@ def test_what_the_rates_make(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y:.6g}, {z}), row by row"
         about.cause = (
-            "The columns of the map are the axes about which x, y and z rotate the object: the X "
-            "axis rotated by y and then z, the Y axis rotated by z, and the Z axis itself."
+            "The columns of the map are the three axes of rotation: X rotated by y and then z, Y "
+            "rotated by z, and Z itself."
         )
         got = entries(rate_map(x, y, z))
         slips = {

@@ -212,8 +212,8 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
     about.read = PLANE
     r, i, n = number(rng), number(rng), number(rng)
     good = (r, i, 0.0, 0.0)
-    about.cause = "If j or k is not zero, your result would lose it. Raise ValueError in that "
-    about.cause += "case, and for NaN too, because NaN is not zero."
+    about.cause = "If j or k is not zero, your result loses it. Raise ValueError in that case, and "
+    about.cause += "for NaN too, because NaN is not zero."
     pairs = [(n, 0.0), (-n, 0.0), (0.0, n), (0.0, -n), (n, n), (n, -n), (math.nan, 0.0)]
     for bad in ((r, i, *pair) for pair in (*pairs, (0.0, math.nan), (1e-12, 0.0), (0.0, -1e-12))):
         for a, b in ((bad, good), (good, bad)):

@@ -45,8 +45,8 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"m = {written(twelve)}; m.transform(Vector3{short(a)})"
     about.cause = (
-        "Each row of the matrix gives one component of the result. Take the scalar product of the "
-        "vector and the first three numbers of the row, and then add the fourth number."
+        "For each row, take the scalar product of its first three numbers and the vector, and then "
+        "add its fourth number."
     )
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
@@ -197,8 +197,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         about.cause = how
         got = entries(matrix.inverse())
         about.cause = (
-            "Invert the nine numbers to the left of the last column with Matrix3.inverse. If the "
-            "inverse is I and the translation is p, the new translation is -I p."
+            "Invert the nine numbers to the left of the last column with Matrix3.inverse. With "
+            "this inverse I and the translation p, the new translation is -I p."
         )
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])

@@ -125,8 +125,8 @@ def test_the_easy_inverse(rng: Random) -> None:
     matrix = Matrix4(*twelve)
     about.call = f"m = {written(twelve)}; easy_inverse(m), row by row"
     about.cause = (
-        "The inverse of a rotation is its transpose T. With the position p of m, the inverse of m "
-        "consists of the rotation T and the position -T p."
+        "The inverse consists of the transposed rotation T and the position -T p, where p is the "
+        "position of m."
     )
     got = entries(easy_inverse(matrix))
     t = transposed(m)

@@ -278,7 +278,7 @@ def expect_back(q: Quad) -> None:
 def test_back_from_a_matrix(rng: Random) -> None:
     about.cause = (
         "The sum of the diagonal is 4 r^2 - 1, which gives r. With the rows a b c, d e f and g h "
-        "i, h - f = 4 i r, c - g = 4 j r and d - b = 4 k r then give i, j and k."
+        "i, use h - f = 4 i r, c - g = 4 j r and d - b = 4 k r for the others."
     )
     expect_back((1.0, 0.0, 0.0, 0.0))
     for longest in range(3):

@@ -140,8 +140,8 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     about.read = OFFSET
     stones = draw_stones(rng)
     cause = (
-        "The box balances on an edge that passes below its center of mass. This edge is parallel "
-        "to X, so the offset is the center of mass's y."
+        "The box balances on an edge below its center of mass. With an edge parallel to X, the "
+        "offset is the y of the center of mass."
     )
     about(with_stones(stones, "balance_offset(stones, angle=0), in m"), cause=cause)
     got = balance_offset(stones, 0.0)

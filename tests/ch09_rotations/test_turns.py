@@ -187,7 +187,8 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         got, turn = axis_angle_of((r, i, j, k))
         slips = {
             "half of the angle": 0.5 * angle,
-            "Your angle is greater than pi, so it is the longer way around.": math.tau - angle,
+            "Your angle is greater than pi, so it is the longer way around. If r is negative, use "
+            "-q, which is the same rotation by the smaller angle.": math.tau - angle,
             "the angle in degrees": math.degrees(angle),
             "Your angle has the wrong sign.": -angle,
             "You return half of the angle for the longer way around.": math.pi - 0.5 * angle,
@@ -208,10 +209,8 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    about.cause = (
-        "This quaternion is a rotation by 0, so it has no particular axis. By convention, return "
-        "the X axis and the angle 0."
-    )
+    about.cause = "This quaternion is a rotation by 0, so it has no particular axis. By "
+    about.cause += "convention, return the X axis and the angle 0."
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
         about.call = f"q = Quaternion{short(q)}; q.to_axis_angle(), "
         got, turn = axis_angle_of(q)

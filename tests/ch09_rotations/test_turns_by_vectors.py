@@ -66,9 +66,8 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
 def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     about.cause = (
-        "The vector's length is the angle, and its direction is the axis. Make a rotation from the "
-        "two with from_axis_angle, and put it on the left of q in the product, because the axis is "
-        "given in world coordinates."
+        "Make a rotation from the vector with from_axis_angle: its length is the angle. Put the "
+        "rotation on the left of q, because the axis is given in world coordinates."
     )
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))

@@ -7,22 +7,28 @@ student's code raises an exception.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import wraps
 from typing import ParamSpec, TypedDict, TypeVar
 
 Parameters = ParamSpec("Parameters")
 Returned = TypeVar("Returned")
+LONG = re.compile(r"\b\d{1,5}\.\d{10,}\b(?![eE])")  # a computed number with all its digits
+    r"\b\d{1,5}\.\d{10,}\b(?![eE])"
+)  # a number that was computed, with all its digits
 
 
 class Words(TypedDict, total=False):
     """Texts for the failure message of one expectation, in place of those stored in ``about``.
 
-    Only ``then`` does not replace a text. It is appended to the call.
+    Two of them replace no text: ``then`` is appended to the call, and ``unit`` follows the numbers
+    that came and were wanted. It is a unit such as "m/s", or a plural such as "contacts".
     """
 
     call: str
     then: str
+    unit: str
     cause: str
     read: str
 
@@ -58,6 +64,11 @@ class About:
 
 
 about = About()
+
+
+def short_numbers(text: str) -> str:
+    """Round the numbers in a text that have ten decimals or more to six digits."""
+    return LONG.sub(lambda number: f"{float(number[0]):.6g}", text)
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from autograder.checks.asked import about
+from autograder.checks.asked import about, short_numbers
 from autograder.checks.faults import Fault, fault_of, is_inside, short, text_of
 from autograder.checks.missing import file_of
 from autograder.checks.nearest import explain_unknown
@@ -182,7 +182,7 @@ def explain_exception(
     cause, read = (about.cause, about.read) if about.call else ("", "")
     likely, other = _likely(fault.first_line, cause, fault)
     return Message(
-        called=about.call,
+        called=short_numbers(about.call),
         got=fault.first_line,
         where=where and _with_source(where, engine_folders),
         likely=likely,

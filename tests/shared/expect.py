@@ -17,7 +17,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Unpack
 
-from autograder.checks.asked import Words, about, scoped
+from autograder.checks.asked import Words, about, scoped, short_numbers
 from autograder.checks.explain import NOT_IMPLEMENTED
 from autograder.message import ExpectationError, Message
 
@@ -96,7 +96,7 @@ def expect_close(
     if not _are_numbers(got_numbers, len(wanted_numbers)) or not all(
         abs(g - w) <= tolerance for g, w in zip(got_numbers, wanted_numbers, strict=True)
     ):
-        _complain(_shown(got), _shown(wanted), words, tolerance)
+        _complain(*_told(got, wanted), words, tolerance)
 
 
 def expect_between(
@@ -106,14 +106,15 @@ def expect_between(
     __tracebackhide__ = True
     if _are_numbers((got,), 1) and least - tolerance <= got <= most + tolerance:
         return
-    wanted = f"a number from {_shown(least)} to {_shown(most)}"
+    shown, low, high = _told(got, least, most)
+    wanted = f"a number from {low} to {high}"
     if least == -most:
-        wanted = f"at most {_shown(most)} in size"
+        wanted = f"a number from -{high} to {high}"
     elif math.isinf(least):
-        wanted = f"at most {_shown(most)}"
+        wanted = f"at most {high}"
     elif math.isinf(most):
-        wanted = f"at least {_shown(least)}"
-    _complain(_shown(got), wanted, words)
+        wanted = f"at least {low}"
+    _complain(shown, wanted, words)
 
 
 def expect_exactly(got: Any, wanted: Any, **words: Unpack[Words]) -> None:
@@ -124,7 +125,14 @@ def expect_exactly(got: Any, wanted: Any, **words: Unpack[Words]) -> None:
     if is_plain(got) and got == wanted:  # such as 1 and 1.0, which print alike
         came, right = (f"{value!r}, of type {type(value).__name__}" for value in (got, wanted))
         _complain(came, right, words)
-    _complain(_shown(got), _shown(wanted), words)
+    _complain(*_told(got, wanted), words)
+
+
+def expect_that(holds: bool, got: str, wanted: str, **words: Unpack[Words]) -> None:
+    """Expect a condition to hold. The message says in words what came and what was wanted."""
+    __tracebackhide__ = True
+    if not holds:
+        _complain(got, wanted, words)
 
 
 def expect_nan(got: Any, **words: Unpack[Words]) -> None:
@@ -140,8 +148,8 @@ def expect_unchanged(
     """Expect that a call did not change a vector that it should only read."""
     __tracebackhide__ = True
     if tuple(now) != tuple(before):
-        got = f"{name} is {_shown(now)} after the call"
-        _complain(got, f"{name} to stay {_shown(before)}", words)
+        after, kept = _told(now, before)
+        _complain(f"{name} is {after} after the call", f"{name} unchanged at {kept}", words)
 
 
 @scoped
@@ -287,14 +295,32 @@ def _are_numbers(values: tuple[Any, ...], count: int) -> bool:
     return len(values) == count and all(type(value) in (int, float) for value in values)
 
 
-def _shown(value: Any) -> str:
+def _told(*values: Any) -> list[str]:
+    """Return the first value and others as texts, with enough digits to tell it from the others."""
+    for digits in (6, 9, 12, 15):
+        first, *others = texts = [_shown(value, digits) for value in values]
+        if first not in others:
+            break
+    return texts
+
+
+def _shown(value: Any, digits: int = 6) -> str:
     if type(value) in (tuple, list):
-        return "(" + ", ".join(_shown(item) for item in value) + (",)" if len(value) == 1 else ")")
+        items = ", ".join(_shown(item, digits) for item in value)
+        return f"({items},)" if len(value) == 1 else f"({items})"
     if isinstance(value, float) and type(value) is not float:
         return f"{value!r}, which is a {type(value).__name__}, not a plain float"
     if type(value) is float:
-        return f"{value:.15g}"
+        digits = max(digits, 9) if 1e6 <= abs(value) < 1e9 else digits  # 1234567, not 1.23457e+06
+        return f"{value + 0.0:.{digits}g}"  # -0.0 + 0.0 is 0.0
     return repr(value)
+
+
+def _with_unit(text: str, unit: str) -> str:
+    if not unit or not (text[-1].isdigit() or text[-1] == ")"):
+        return text  # such as None
+    one = text == "1" and unit.isalpha() and len(unit) > 1
+    return f"{text} {unit.removesuffix('s') if one else unit}"
 
 
 def _is_not_implemented(value: Any) -> bool:
@@ -308,8 +334,9 @@ def _complain(
     got: str, wanted: str, words: Words | None = None, tolerance: float | None = None
 ) -> None:
     __tracebackhide__ = True
-    call, cause, read = about.but(words or {})
-    other = ""
+    words = words or {}
+    call, cause, read = about.but(words)
+    unit, other = words.get("unit", ""), ""
     if got == "None":
         nothing = (
             "The call returned None. Either a return statement is missing, or you used the result "
@@ -323,9 +350,9 @@ def _complain(
         other = ""
     raise ExpectationError(
         Message(
-            called=call,
-            got=got,
-            wanted=wanted,
+            called=short_numbers(call),
+            got=_with_unit(got, unit),
+            wanted=_with_unit(wanted, unit),
             tolerance=tolerance,
             likely=cause,
             other=other,

@@ -15,8 +15,6 @@ from typing import ParamSpec, TypedDict, TypeVar
 Parameters = ParamSpec("Parameters")
 Returned = TypeVar("Returned")
 LONG = re.compile(r"\b\d{1,5}\.\d{10,}\b(?![eE])")  # a computed number with all its digits
-    r"\b\d{1,5}\.\d{10,}\b(?![eE])"
-)  # a number that was computed, with all its digits
 
 
 class Words(TypedDict, total=False):

@@ -8,7 +8,7 @@ import pytest
 
 from ch08_mass_aggregate.scene_probes import landing, played, refused_row, ruled
 from draw import positive_number
-from expect import about, blame, expect_close, expect_exactly
+from expect import about, blame, expect_close, expect_exactly, expect_that
 
 RULES = "the docstrings of Rules, landed and fell"
 LANDINGS = "the docstrings of Landings and Landings.contacts"
@@ -91,7 +91,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
                      "to the bonus, and a fall doesn't cost any points."),
     ]  # fmt: skip
     blame(won[0], mistakes)
-    expect_exactly(won[0], score, then="; the score when all rows are visited")
+    expect_exactly(won[0], score, then="; the score when all rows are visited", unit="points")
     name = f"rules = Rules({rows}) after landings on the rows {events}, where -1 is a fall; "
     name += "rules.won and rules.over when all rows are visited"
     over = (
@@ -214,13 +214,13 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
         expect_close(got, wanted, tolerance=0.0)
         about.call = (
             f"a ball at x = {x:g} m {what}; landings.contacts(); the ball is moved far above the "
-            "deck; landings.contacts(); is landings.row None"
+            "deck; landings.contacts()"
         )
         about.cause = (
             "You keep the row of the earlier landing. Set row in every call of contacts(), and set "
             "it to None if the ball doesn't touch the deck."
         )
-        expect_exactly(later is None, True)
+        expect_that(later is None, f"landings.row is {later}", "landings.row is None")
 
 
 @pytest.mark.exercise("P8.1b")
@@ -233,7 +233,7 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     about.call = (
         f"a game with game.direction = {direction} and a ball of {mass} kg at ({x}, 9, 0) m with "
         f"velocity ({speed}, 0, 0) m/s; three calls of game.step({frame}); the velocity of the "
-        "ball, in m/s"
+        "ball"
     )
     about.cause = (
         "The player pushes the ball along X with the force direction * PUSH * mass. Add it "
@@ -256,7 +256,7 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
                               "m/s^2, so the force is PUSH * mass."),
         ]  # fmt: skip
         blame(got, mistakes)
-    expect_close(got, (vx, vy, 0.0), tolerance=1e-12)
+    expect_close(got, (vx, vy, 0.0), unit="m/s", tolerance=1e-12)
 
 
 @pytest.mark.exercise("P8.1b")
@@ -328,7 +328,7 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "back above the first row."
     )
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
-    expect_exactly(seen["lives"], 2, then="; the lives that are left")
+    expect_exactly(seen["lives"], 2, then="; the lives that are left", unit="lives")
     kept = (
         "A fall changes the visited rows in your game. It should only cost a life, so leave "
         "visited as it is."
@@ -353,7 +353,7 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         )
         # In one step gravity takes exactly its upward speed, so it stays where it is.
         seen = played(1, FRAME, 0, (x, 0.5 + above, 0.0), (0.0, 9.81 * FRAME, 0.0))[-1]
-        expect_exactly(seen["lives"], lives)
+        expect_exactly(seen["lives"], lives, unit="lives")
     about.call = (
         f"a game with one life left, in which the ball is at ({x}, 0.6, 0) m and falls at 9 m/s; "
         "three calls of game.step(1/60)"
@@ -363,14 +363,15 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "return from step at once if self.rules.over is true."
     )
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
-    expect_exactly(seen[-1]["lives"], 0, then="; the lives that are left")
+    expect_exactly(seen[-1]["lives"], 0, then="; the lives that are left", unit="lives")
     expect_close(
         seen[-1]["place"],
         seen[0]["place"],
         then="; the position of the ball in m, which should be the same as after the first step",
         tolerance=0.0,
     )
-    expect_exactly(seen[-1]["place"][0] > 7.0, True, then="; is the ball still beside the bridge")
+    x = seen[-1]["place"][0]
+    expect_that(x > 7.0, f"the ball is at x = {x:.3g} m", "the ball is still beside the bridge")
 
 
 @pytest.mark.exercise("P8.1b")

@@ -50,8 +50,8 @@ def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None
         ]
         blame((*seen[0], *seen[1]), mistakes)
     # Rounding of forces of some tens of N.
-    expect_close(seen[0], on_a, then=": the force on a, in N", tolerance=1e-11)
-    expect_close(seen[1], on_b, then=": the force on b, in N", tolerance=1e-11)
+    expect_close(seen[0], on_a, then=": the force on a", unit="N", tolerance=1e-11)
+    expect_close(seen[1], on_b, then=": the force on b", unit="N", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B8.8")
@@ -180,7 +180,7 @@ def _spread(places: list[Components]) -> float:
 def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     about(
         "four particles of equal mass at the corners of a square with sides of 2 m; "
-        "spread(particles), in m",
+        "spread(particles)",
         read=SPREAD,
     )
     about.cause = (
@@ -204,7 +204,7 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
          "Measure them from the center of mass."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, math.sqrt(2.0), tolerance=1e-12)
+    expect_close(got, math.sqrt(2.0), unit="m", tolerance=1e-12)
     numbers = [number for place in square for number in place]
     got = [number for place in after for number in place]
     about.cause = (
@@ -212,11 +212,11 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
         "as += changes a position in place, so work with new vectors."
     )
     expect_close(
-        got, numbers, then="; the positions of the particles afterward, in m", tolerance=0.0
+        got, numbers, then="; the positions of the particles afterward", unit="m", tolerance=0.0
     )
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
-    about.call = f"a particle of {m} kg at {p} m and one of {n} kg at {q} m; spread of both, in m"
+    about.call = f"a particle of {m} kg at {p} m and one of {n} kg at {q} m; spread of both"
     about.cause = (
         "Weight each squared distance from the center of mass by the particle's mass. For two "
         "particles the result is sqrt(m n) / (m + n) times the distance between them."
@@ -237,12 +237,12 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
                                              "and divide the sum by the total mass."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, wanted, tolerance=1e-12)
+    expect_close(got, wanted, unit="m", tolerance=1e-12)
     about(
-        f"a single particle at {p} m; spread([particle]), in m",
+        f"a single particle at {p} m; spread([particle])",
         cause="A single particle is its own center of mass, so the spread is 0.",
     )
-    expect_close(spread_of([p], [m])[0], 0.0, tolerance=1e-12)
+    expect_close(spread_of([p], [m])[0], 0.0, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.9")

@@ -83,7 +83,8 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
         expect_close(
             depth,
             right,
-            then=f": by how much the one that joins {(i, j)} is too long, in m",
+            then=f": by how much the one that joins {(i, j)} is too long",
+            unit="m",
             tolerance=1e-12,
         )
 
@@ -115,7 +116,7 @@ def test_nothing_else_holds_them() -> None:
              "so make these links cables instead of rods."),
     ]  # fmt: skip
     blame(count, mistakes)
-    expect_exactly(count, 0)
+    expect_exactly(count, 0, unit="contacts")
     places = [(1.5 * x, 1.0, 1.5 * z) for x, _, z in START]
     about.call = "links_of(make_rows()); all planks are pulled apart; the number of contacts, and "
     about.call += "their different restitutions"
@@ -130,13 +131,11 @@ def test_nothing_else_holds_them() -> None:
 @pytest.mark.exercise("B8.4")
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
     about("the bridge, 1.5 s after it was released, at 60 steps per second", read=LINKS)
-    about.cause = (
-        "The anchored cables have to carry the bridge. Give each end of each row an AnchoredCable "
-        "of length support_length(row number)."
-    )
+    about.cause = "The anchored cables have to carry the bridge. Give each end of each row an "
+    about.cause += "AnchoredCable of length support_length(row number)."
     places = hung_bridge(90, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
-    expect_between(lowest, 0.01, math.inf, then=": the height of its lowest end, in m")
+    expect_between(lowest, 0.01, math.inf, then=": the height of its lowest end", unit="m")
     over = [math.dist(places[i], places[i + 2]) / 1.9 - 1.0 for i in range(10)]
     for i, (x, _, z) in enumerate(START):
         anchor = (1.1 * x, 6.0, 0.8 * z)
@@ -282,7 +281,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         nearest = -1.0 if got["nearest"] is None else got["nearest"]
         expect_close(nearest, -1.0, then="; deck.nearest(), where -1 stands for None")
         count = len(got["contacts"])
-        expect_exactly(count, 0, then=": the number of contacts")
+        expect_exactly(count, 0, then=": the number of contacts", unit="contacts")
 
 
 @pytest.mark.exercise("B8.5")
@@ -377,8 +376,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         )
         about.call += "; deck.contacts()"
         got = [depth for *_, depth in deck((2.0, y, 0.0), level, 0.5, 0.0)["contacts"]]
-        expect_exactly(len(got), 2, then=": the number of contacts")
-        expect_close(got, (4.5 - y,) * 2, then=": the penetration of each, in m")
+        expect_exactly(len(got), 2, then=": the number of contacts", unit="contacts")
+        expect_close(got, (4.5 - y,) * 2, then=": the penetration of each", unit="m")
     for where, lift, ends, cause in (
         ("just above", radius + 1e-6, 0, "The ball is above the deck and doesn't touch it, so "
                                             "there should be no contact."),
@@ -397,4 +396,4 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         )
         about.call += "deck.contacts()"
         count = len(deck((at, height + lift, 0.0), rows, radius, c)["contacts"])
-        expect_exactly(count, ends, then=": the number of contacts")
+        expect_exactly(count, ends, then=": the number of contacts", unit="contacts")

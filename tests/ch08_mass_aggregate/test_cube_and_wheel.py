@@ -58,14 +58,14 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
                      "rotate about three axes, so subtract 6 instead of 3."),
             ]  # fmt: skip
             blame(got, mistakes)
-        expect_exactly(got, wanted)
+        expect_exactly(got, wanted, unit="rods")
     count = rng.randint(9, 99)
     about.call = f"fewest_rods({count})"
     about.cause = (
         "Each particle has three degrees of freedom, and a rigid body keeps six in total. Each rod "
         "removes one, so the number is 3 n - 6."
     )
-    expect_exactly(fewest_rods(count), 3 * count - 6)
+    expect_exactly(fewest_rods(count), 3 * count - 6, unit="rods")
 
 
 @pytest.mark.exercise("8.2")
@@ -109,6 +109,7 @@ def test_the_cube_is_rigid() -> None:
         len(left),
         0,
         then=": the number of motions that the rods allow, besides those of a rigid body",
+        unit="motions",
     )
 
 
@@ -151,9 +152,9 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     places = [hub, *rim]
     for i, j, length in rods:
         about.call = "rods_of(hub, rim), where 0 is the hub: the length of the rod from particle "
-        about.call += f"{i} to particle {j}, in m"
+        about.call += f"{i} to particle {j}"
         wanted = math.dist(places[i], places[j])
-        expect_close(length, wanted, tolerance=1e-12)
+        expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("8.3b")
@@ -166,7 +167,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     )
     about.call = (
         "a drive with a force of 10 N, whose hub is at (1, 2, 3) m; a particle of the rim at (4, "
-        "6, 15) m; drive.update_force(particle, 0.1); the force on the particle, in N"
+        "6, 15) m; drive.update_force(particle, 0.1); the force on the particle"
     )
     got, _ = driven((1.0, 2.0, 3.0), 10.0, [(4.0, 6.0, 15.0)], (0.0, 0.0, 0.0))[0]
     mistakes = [
@@ -186,7 +187,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
          "the particle's first."),
     ]  # fmt: skip
     seen = cause_of(got, mistakes, about.cause)
-    expect_close(got, (-8.0, 6.0, 0.0), cause=seen)
+    expect_close(got, (-8.0, 6.0, 0.0), unit="N", cause=seen)
     places, wanted = [], []
     for most in (0.1, 0.9, 3.0):  # less than 1 m as well as more
         angle, radius = positive_number(rng, 0.1, 6.0), positive_number(rng, 0.01, most)
@@ -202,13 +203,13 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     for place, force_of_all, (got, after) in zip(places, wanted, done, strict=True):
         # The angle of a spoke of a centimeter is rounded to 1e-13.
         name = f"{about.call}{place}"
-        expect_close(got, force_of_all, call=name, tolerance=1e-11)
-        name = f"{about.call}{place}; its position afterward, in m"
+        expect_close(got, force_of_all, call=name, unit="N", tolerance=1e-11)
+        name = f"{about.call}{place}; its position afterward"
         moves = (
             "Your update_force moves the particle, although it should only add a force. The "
             "operator -= changes a position in place, so work with a new vector."
         )
-        expect_close(after, place, call=name, cause=moves, tolerance=0.0)
+        expect_close(after, place, call=name, cause=moves, unit="m", tolerance=0.0)
     about.cause = (
         "The particle is at the hub, or differs from it only along Z. Its spoke has no length in "
         "the X-Y plane and thus no direction, so add no force."
@@ -217,7 +218,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     for place in (hub, (hub[0], hub[1], hub[2] + 1.0)):
         about.call = f"{start}{place}"
         got = driven(hub, force, [place], already)[0][0]
-        expect_close(got, already, tolerance=0.0)
+        expect_close(got, already, unit="N", tolerance=0.0)
 
 
 @pytest.mark.exercise("8.3b")
@@ -231,7 +232,7 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     ]
     about.call = (
         f"a rim that rotates at {rate} rad/s about a hub, which itself moves at {drift} m/s; "
-        "spin(hub, rim), in rad/s"
+        "spin(hub, rim)"
     )
     about(
         cause="The hub moves, and the rim moves with it. Use positions and velocities relative to "
@@ -253,10 +254,10 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
                                     "Subtract it from the velocity of each particle."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, rate, tolerance=1e-12)
+    expect_close(got, rate, unit="rad/s", tolerance=1e-12)
     about.call = (
         "a hub at rest at (0, 0, 0); a rim of 1 kg at (1, 0, 0) m with velocity (0, 2, 0) m/s, and "
-        "3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim), in rad/s"
+        "3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim)"
     )
     about.cause = (
         "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of inertia, the "
@@ -276,12 +277,12 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
                "the sum of m (x^2 + y^2), to get the spin."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, 14.0 / 13.0)
+    expect_close(got, 14.0 / 13.0, unit="rad/s")
     v = [components(rng) for _ in rim]
     turning = math.fsum(
         m * (x * w[1] - y * w[0]) for m, (x, y), w in zip(masses, seen, v, strict=True)
     )
-    about.call = f"spin(hub, rim) in rad/s, with the hub at rest at {hub} m; "
+    about.call = f"spin(hub, rim) with the hub at rest at {hub} m; "
     about.call += "; ".join(
         f"{m} kg at ({x:.6g}, {y:.6g}, {z:.6g}) m with velocity {w} m/s"
         for m, (x, y, z), w in zip(masses, rim, v, strict=True)
@@ -291,7 +292,7 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         "sum of m (x^2 + y^2). In both sums, x and y are relative to the hub."
     )
     got = spun((hub, (0.0, 0.0, 0.0)), list(zip(rim, v, masses, strict=True)))
-    expect_close(got, turning / inertia, tolerance=1e-12)
+    expect_close(got, turning / inertia, unit="rad/s", tolerance=1e-12)
     about.cause = "The moment of inertia is 0 here, so you can't divide by it. Return 0."
     for where, rim in (
         ("no particles", []),

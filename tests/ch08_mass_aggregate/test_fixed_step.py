@@ -41,7 +41,9 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
                 "in a loop while self.left is enough for a step."),
         ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
-        expect_exactly(row[0], steps, then=": the number of steps that it returns", cause=seen)
+        expect_exactly(
+            row[0], steps, then=": the number of steps that it returns", unit="steps", cause=seen
+        )
         mistakes = [
             (
                 (0.0, 0.0),
@@ -52,7 +54,12 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         seen = cause_of(row[1:], mistakes, about.cause)
         wanted = (0.25 * STEP * left, 0.0)
         expect_close(
-            row[1:], wanted, then=": clock.left and clock.dropped, in s", cause=seen, tolerance=0.0
+            row[1:],
+            wanted,
+            then=": clock.left and clock.dropped",
+            unit="s",
+            cause=seen,
+            tolerance=0.0,
         )
     about.cause = (
         "Every step has the same duration, no matter how much time has passed. Pass self.duration "
@@ -115,9 +122,9 @@ def test_a_share_of_a_step_is_due(duration: float) -> None:
             cause=cause,
         )
         row = advanced(duration, [elapsed])["rows"][0]
-        expect_exactly(row[0], steps, then=": the number of steps")
+        expect_exactly(row[0], steps, then=": the number of steps", unit="steps")
         left = elapsed - steps * duration
-        expect_close(row[1], left, then=": clock.left, in s", tolerance=1e-9 * duration)
+        expect_close(row[1], left, then=": clock.left", unit="s", tolerance=1e-9 * duration)
 
 
 @pytest.mark.exercise("B8.3")
@@ -150,7 +157,9 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
             )
         ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
-        expect_exactly(row[0], steps, then=": the number of steps in the last call", cause=seen)
+        expect_exactly(
+            row[0], steps, then=": the number of steps in the last call", unit="steps", cause=seen
+        )
         mistakes = [
             ((0.0, left + dropped),
              "You drop all of the remaining time. Drop only whole steps, and keep whatever is "
@@ -169,13 +178,16 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         expect_close(
             row[1:],
             (left, dropped),
-            then=": clock.left and clock.dropped, in s",
+            then=": clock.left and clock.dropped",
+            unit="s",
             cause=seen,
             tolerance=1e-12,
         )
     count = sum(row[0] for row in wanted)
     about.call = f"{start}{[time / STEP for time in elapsed]}"
-    expect_exactly(len(done["made"]), count, then=": the number of steps in all calls together")
+    expect_exactly(
+        len(done["made"]), count, then=": the number of steps in all calls together", unit="steps"
+    )
     about.call = f"a FixedStep clock with steps of 0.1 s and max_steps={limit}; "
     about.call += f"clock.advance({0.1 * (limit + late):g})"
     about.cause = (
@@ -185,7 +197,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
     # Rounding of a few times 0.1 s, many times less than a step.
     expect_close(
-        row[1:], (0.0, 0.1 * late), then=": clock.left and clock.dropped, in s", tolerance=1e-9
+        row[1:], (0.0, 0.1 * late), then=": clock.left and clock.dropped", unit="s", tolerance=1e-9
     )
     about.cause = (
         "Drop only whole steps, and keep the leftover time in self.left. If less than SHARE of a "
@@ -199,7 +211,11 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         late = 2.0 if lack > 1e-9 else 3.0
         wanted = (elapsed - (2.0 + late) * duration, late * duration)
         expect_close(
-            row[1:], wanted, then=": clock.left and clock.dropped, in s", tolerance=1e-9 * duration
+            row[1:],
+            wanted,
+            then=": clock.left and clock.dropped",
+            unit="s",
+            tolerance=1e-9 * duration,
         )
     about.call = f"a FixedStep clock with steps of {STEP} s and without max_steps; clock.advance "
     about.call += "by the time of 5000 steps"
@@ -208,8 +224,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         "nothing."
     )
     row = advanced(STEP, [5000.0 * STEP])["rows"][0]
-    expect_exactly(row[0], 5000, then=": the number of steps")
-    expect_close(row[1:], (0.0, 0.0), then=": clock.left and clock.dropped, in s")
+    expect_exactly(row[0], 5000, then=": the number of steps", unit="steps")
+    expect_close(row[1:], (0.0, 0.0), then=": clock.left and clock.dropped", unit="s")
 
 
 @pytest.mark.exercise("B8.3")
@@ -233,9 +249,11 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     )
     got = done["rows"][0][1]
     expect_close(
-        got, (6 - good) * STEP, then=": clock.left after the first call, in s", tolerance=1e-12
+        got, (6 - good) * STEP, then=": clock.left after the first call", unit="s", tolerance=1e-12
     )
-    expect_exactly(done["rows"][1][0], 6 - good, then=": the number of steps in the second call")
+    expect_exactly(
+        done["rows"][1][0], 6 - good, then=": the number of steps in the second call", unit="steps"
+    )
 
 
 @pytest.mark.exercise("B8.3")
@@ -260,8 +278,8 @@ def test_a_time_that_is_none_is_refused() -> None:
             "The call raises an error, but only after it has changed self.left. Check elapsed "
             "before you change self.left."
         )
-        expect_close(left, 0.25 * STEP, then=": clock.left, in s", cause=lost, tolerance=0.0)
-        expect_exactly(made, 0, then=": the number of steps that were made")
+        expect_close(left, 0.25 * STEP, then=": clock.left", unit="s", cause=lost, tolerance=0.0)
+        expect_exactly(made, 0, then=": the number of steps that were made", unit="steps")
     about(
         f"a FixedStep clock with steps of {STEP} s; clock.advance(0.0)",
         cause="A time of 0 is valid, because two frames can have the same timestamp. Make no step, "
@@ -286,8 +304,8 @@ def test_a_run_is_the_same_whatever_the_frames(rng: Random) -> None:
     )
     place, velocity = bounced(even, STEP)
     got = bounced(odd, STEP)
-    expect_close(got[0], place, then="; the position of the ball, in m", tolerance=0.0)
-    expect_close(got[1], velocity, then="; the velocity of the ball, in m/s", tolerance=0.0)
+    expect_close(got[0], place, then="; the position of the ball", unit="m", tolerance=0.0)
+    expect_close(got[1], velocity, then="; the velocity of the ball", unit="m/s", tolerance=0.0)
     # A truth from outside: it has moved along X by 1 m/s times 160 steps.
     way = "; the distance that the ball has moved along X, in m"
     expect_close(got[0][0], 160.0 * STEP, then=way, tolerance=1e-9)

@@ -19,6 +19,7 @@ from expect import (
     expect_close,
     expect_error,
     expect_exactly,
+    expect_that,
 )
 from rigidity import changed, motions, told
 
@@ -37,7 +38,7 @@ def test_a_platform_can_only_tilt() -> None:
     about.cause += "in."
     joined = [(i, j) for i, j, _ in platform_rods(PLACES)]
     strangers = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
-    expect_exactly(len(strangers), 0, then=": the number of rods that don't")
+    expect_exactly(len(strangers), 0, then="; the rods that join other particles", unit="rods")
     left = motions(PLACES, joined, PIVOT)
     # The tilt turns all about the axis of the pivot, Z: (x, y) moves along (-y, x).
     tilt = [part for x, y, _ in PLACES for part in (-y, x, 0.0)]
@@ -53,10 +54,10 @@ def test_a_platform_can_only_tilt() -> None:
             pairs = ", ".join(f"{i}-{j}" for i, j in sorted(joined))
             about.call = f"rods_of(six particles at PLACES), which joins the particles {pairs}; "
             about.call += "the number of possible motions besides the tilt"
-            expect_exactly(len(left) - 1, 0)
+            expect_exactly(len(left) - 1, 0, unit="motions")
     about.cause = "Your rods lock the platform. Remove those that keep it from tilting about its "
     about.cause += "pivot."
-    expect_exactly(len(left), 1, then=": the number of motions that the rods allow")
+    expect_exactly(len(left), 1, then=": the number of motions that the rods allow", unit="motions")
 
 
 @pytest.mark.exercise("B8.6")
@@ -79,7 +80,8 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
         expect_close(
             length,
             wanted,
-            then=f"; the length of the rod from particle {i} to particle {j}, in m",
+            then=f"; the length of the rod from particle {i} to particle {j}",
+            unit="m",
             cause=seen,
             tolerance=1e-12,
         )
@@ -89,7 +91,7 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
 def test_what_balances_a_platform(rng: Random) -> None:
     about(
         "four masses of 1 kg at -3, -3, 4 and 4 m; balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], "
-        "-3), in kg",
+        "-3)",
         read=BALANCE,
     )
     about.cause = "The platform balances when the sum of mass times position is 0. The four masses "
@@ -108,7 +110,7 @@ def test_what_balances_a_platform(rng: Random) -> None:
               "is -3 m."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, 2.0 / 3.0)
+    expect_close(got, 2.0 / 3.0, unit="kg")
     masses = [positive_number(rng) for _ in range(4)]
     places = [number(rng) for _ in range(4)]
     turn = math.fsum(m * p for m, p in zip(masses, places, strict=True))
@@ -119,13 +121,13 @@ def test_what_balances_a_platform(rng: Random) -> None:
         "-(sum of mass times position) / x.",
     )
     got = balancing_mass(masses, places, x)
-    expect_close(got, -turn / x, tolerance=1e-12 * (1 - turn / x))
+    expect_close(got, -turn / x, unit="kg", tolerance=1e-12 * (1 - turn / x))
     masses, places, x = [0.0, *masses], [number(rng), *places], -2.0 * x
     about.call = f"balancing_mass(masses={masses}, places={[-place for place in places]}, x={x})"
     about.cause = "On either side of the pivot, the new mass is -(sum of mass times position) / x. "
     about.cause += "Masses of 0 kg are valid and add nothing to the sum."
     got = balancing_mass(masses, [-place for place in places], x)
-    expect_close(got, turn / x, tolerance=1e-12 * (1 + turn / x))
+    expect_close(got, turn / x, unit="kg", tolerance=1e-12 * (1 + turn / x))
     for place, x, wanted in (
         (0.5, -0.25, 2.0),
         (-0.5, 0.25, 2.0),
@@ -136,7 +138,7 @@ def test_what_balances_a_platform(rng: Random) -> None:
         about.cause = "A mass at x can balance the platform, because x is on the side that rises. "
         about.cause += "That is true even very close to the pivot, so don't raise an error."
         got = balancing_mass([1.0], [place], x)
-        expect_close(got, wanted)
+        expect_close(got, wanted, unit="kg")
     for masses, places, x, why in (
         ([2.0, 1.0], [-1.0, 2.0], 5.0, "The platform is already balanced, so it needs no mass. "
          "Return 0."),
@@ -146,7 +148,7 @@ def test_what_balances_a_platform(rng: Random) -> None:
     ):  # fmt: skip
         about(f"balancing_mass(masses={masses}, places={places}, x={x})", cause=why)
         got = balancing_mass(masses, places, x)
-        expect_close(got, 0.0, tolerance=0.0)
+        expect_close(got, 0.0, unit="kg", tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.7")
@@ -211,7 +213,7 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
     for x in (-3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
         mass = positive_number(rng)
         about.call = f"platform.put_weight(mass={mass}, x={x}): the masses of the left end's two "
-        about.call += "particles and of the right end's two, in kg"
+        about.call += "particles and of the right end's two"
         about.cause = "The right end carries mass * (x + 3) / 7, and the left end carries the "
         about.cause += "rest. Give each of an end's two particles half of that load in addition to "
         about.cause += "its own 1 kg."
@@ -232,22 +234,20 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
                                       "ends according to the distances."),
         ]  # fmt: skip
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
-        expect_close(got[2:], wanted, tolerance=1e-12)
+        expect_close(got[2:], wanted, unit="kg", tolerance=1e-12)
         about.call = f"platform.put_weight(mass={mass}, x={x}): the masses of the pivot's two "
-        about.call += "particles, in kg"
+        about.call += "particles"
         about.cause = "You change the mass of the pivot. Change only the masses of the ends, "
         about.cause += "because the pivot stays immovable."
-        expect_exactly(got[:2], [math.inf, math.inf])
+        expect_exactly(got[:2], [math.inf, math.inf], unit="kg")
         about.call = f"platform.put_weight(mass=7, x=1), then put_weight(mass={mass}, x={x}): the "
-        about.call += "masses of the four particles of the ends, in kg"
-        about.cause = (
-            "The old weight still counts, but the new weight should replace it. Compute the masses "
-            "from MASS and the new weight alone."
-        )
+        about.call += "masses of the four particles of the ends"
+        about.cause = "The old weight still counts, but the new weight should replace it. Compute "
+        about.cause += "the masses from MASS and the new weight alone."
         got, _ = weighed([(7.0, 1.0), (mass, x)])
-        expect_close(got[2:], wanted, tolerance=1e-12)
+        expect_close(got[2:], wanted, unit="kg", tolerance=1e-12)
     about.call = "platform.put_weight(mass=3, x=1), then put_weight(mass=0, x=1): the masses of "
-    about.call += "the four particles of the ends, in kg"
+    about.call += "the four particles of the ends"
     got, _ = weighed([(3.0, 1.0), (0.0, 1.0)])
     expect_close(
         got[2:],
@@ -277,17 +277,13 @@ def test_a_weight_that_is_none_is_refused() -> None:
         ("1", 1.0, "TypeError"),
     ):
         about.call = f"platform.put_weight(mass=3, x=1), then put_weight(mass={mass!r}, x={x!r})"
-        about.cause = (
-            "The mass must be finite and not negative, and x must lie between LEFT and RIGHT. "
-            "Raise an error for anything else."
-        )
+        about.cause = "The mass must be finite and not negative, and x must lie between LEFT and "
+        about.cause += "RIGHT. Raise an error for anything else."
         got, name = weighed([(3.0, 1.0), (mass, x)])
         expect_exactly(name, error, then=": the error that it raises")
-        about.cause = (
-            "The call raises an error, but only after it has changed a mass. Check both arguments "
-            "first, so that the old weight stays."
-        )
-        expect_exactly(got, before, then=": the masses of all six particles, in kg")
+        about.cause = "The call raises an error, but only after it has changed a mass. Check both "
+        about.cause += "arguments first, so that the old weight stays."
+        expect_exactly(got, before, then=": the masses of all six particles", unit="kg")
 
 
 @pytest.mark.exercise("B8.7")
@@ -306,43 +302,46 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     )
     places = tipped(mass, x, 30, 1.0 / 60.0)
     sinks = places[2][1] < places[4][1]
-    expect_exactly(sinks, side == "heavy enough", then=": is it below the right end")
+    seen, right = (
+        f"{'below' if low else 'above'} the right end" for low in (sinks, side != "too light")
+    )
+    expect_that(seen == right, seen, right)
     length = math.dist(places[2], places[4])
     about.cause = (
         "Your platform changes its length, because its rods have no effect. Add the rods to the "
         "world's contact generators."
     )
-    expect_close(length, 7.0, then=": its distance from the right end, in m", tolerance=0.01)
+    expect_close(length, 7.0, then=": its distance from the right end", unit="m", tolerance=0.01)
 
 
 @pytest.mark.exercise("8.1")
 def test_a_free_pivot_is_like_the_other_particles() -> None:
     about(
         "platform.free_pivot(): the masses of the six particles, of which the first two are the "
-        "pivot, in kg",
+        "pivot",
         read=FREE,
     )
     done = freed(0, 0.1)
     about.cause = "Both particles of the pivot should be free to move after free_pivot(). Set the "
     about.cause += "mass of each to MASS."
-    expect_close(done["masses"], [1.0] * 6, tolerance=1e-12)
+    expect_close(done["masses"], [1.0] * 6, unit="kg", tolerance=1e-12)
     about.call = "platform.put_weight(mass=7, x=4), then free_pivot(): the masses of the six "
-    about.call += "particles, in kg"
+    about.call += "particles"
     about.cause = (
         "Your free_pivot() changes the load that the ends carry. Change only the masses of the two "
         "particles of the pivot."
     )
     wanted = [1.0, 1.0, 1.0, 1.0, 4.5, 4.5]
     got = freed(0, 0.1, weight=7.0)["masses"]
-    expect_close(got, wanted, tolerance=1e-12)
+    expect_close(got, wanted, unit="kg", tolerance=1e-12)
     got = [coordinate for place in done["before"] for coordinate in place]
     wanted = [coordinate for place in PLACES for coordinate in place]
     about(
-        "platform.free_pivot(): the positions of its particles, in m",
+        "platform.free_pivot(): the positions of its particles",
         cause="Your free_pivot() moves a particle. It should only change masses and add a rod, "
         "because the next step moves the platform.",
     )
-    expect_close(got, wanted, tolerance=0.0)
+    expect_close(got, wanted, unit="m", tolerance=0.0)
     for name in ("rods", "in world"):
         where = "platform.rods" if name == "rods" else "world.contact_generators"
         about.call = (
@@ -359,13 +358,13 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         )
         if left:
             about.cause += f" Your rods still allow this motion: {told(left[0], 'particle')}."
-        expect_exactly(len(left), 0)
+        expect_exactly(len(left), 0, unit="motions")
     about.cause = "Your rod has the wrong length. Make it as long as the distance between its ends."
     for i, j, length in done["rods"]:
         about.call = f"platform.free_pivot(): the length of the rod from particle {i} to particle "
-        about.call += f"{j}, in m"
+        about.call += f"{j}"
         wanted = math.dist(PLACES[i], PLACES[j])
-        expect_close(length, wanted, tolerance=1e-12)
+        expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("8.1")
@@ -381,7 +380,7 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         got = math.fsum(place[axis] for place in after) / 6.0
         wanted = math.fsum(place[axis] for place in before) / 6.0
         # The impulses of rods are equal and opposite, to rounding, however many there are.
-        expect_close(got, wanted, then=f": {name} of the center of mass, in m", tolerance=1e-9)
+        expect_close(got, wanted, then=f": {name} of the center of mass", unit="m", tolerance=1e-9)
     about.cause = (
         "Your platform changes its shape, so a rod is missing or has the wrong length. Together "
         "the rods should keep every distance between two particles the same."
@@ -391,10 +390,10 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         for i, j in combinations(range(6), 2)
     )
     # A hundred iterations leave 0.4 mm with this time step.
-    expect_between(off, 0.0, 0.01, then=": the largest change of a distance, in m")
+    expect_between(off, 0.0, 0.01, then=": the largest change of a distance", unit="m")
     moved = after[0][0] - before[0][0]
     about.cause = (
         "The platform falls to the right, so its pivot should slide to the left along the ground. "
         "Check that both particles of the pivot can move."
     )
-    expect_between(moved, -math.inf, -0.01, then=": how far the pivot has moved, in m along X")
+    expect_between(moved, -math.inf, -0.01, then=": how far the pivot moves along X", unit="m")

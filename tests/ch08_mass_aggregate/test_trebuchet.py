@@ -10,7 +10,7 @@ import pytest
 
 from ch08_mass_aggregate.trebuchet_probes import beam, lets_go, my_design, throw
 from draw import positive_number
-from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly
+from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, expect_that
 from lever import thrown
 from rigidity import motions, told
 
@@ -56,7 +56,7 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     rods, places = beam(design)
     joined = [(i, j) for i, j, _ in rods]
     strange = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
-    expect_exactly(len(strange), 0, then="; the number of rods that don't join two of them")
+    expect_exactly(len(strange), 0, then="; the rods that join something else", unit="rods")
     # Held are the pivot, the plane and the fall of the counterweight. A rigid beam cannot move.
     left = motions(places, joined, (0, 1, 2, 4, 5, 8))
     about.cause = (
@@ -68,11 +68,11 @@ def test_a_beam_is_rigid(rng: Random) -> None:
             " Your rods still allow this motion (0 is the pivot, 1 the counterweight, 2 the tip): "
             f"{told(left[0], 'particle')}."
         )
-    expect_exactly(len(left), 0)
+    expect_exactly(len(left), 0, unit="ways")
     parts = ("pivot", "counterweight", "tip")
     for i, j, length in rods:
         about.call = f"Trebuchet({named_design(design)}).beam(); the length of the rod from "
-        about.call += f"{parts[i]} to {parts[j]}, in m"
+        about.call += f"{parts[i]} to {parts[j]}"
         about.cause = (
             "Your rod has the wrong length. Make it as long as the current distance between its "
             "two ends."
@@ -83,7 +83,7 @@ def test_a_beam_is_rigid(rng: Random) -> None:
         )
         blame(length, [(design[1] + design[2], straight)])
         wanted = math.dist(places[i], places[j])
-        expect_close(length, wanted, tolerance=1e-12)
+        expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("P8.2a")
@@ -205,7 +205,7 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
          "projectile is released at (2, 8), so both coordinates count."),
     ]  # fmt: skip
     blame(distance, mistakes)
-    expect_close(distance, wanted, then="; the range, in m", tolerance=1e-9)
+    expect_close(distance, wanted, then="; the range", unit="m", tolerance=1e-9)
     about.cause = (
         "Divide the energy that the projectile has gained by the energy that the counterweight has "
         "lost. The projectile gains m v^2 / 2 plus m g times its rise, and the counterweight loses "
@@ -233,7 +233,7 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     )
     about.call = (
         f"Trebuchet({named_design(design)}).throw(); the sling lets go of the projectile at (2, 8, "
-        "0) m with velocity (30, -10, 0) m/s; the range, in m"
+        "0) m with velocity (30, -10, 0) m/s; the range"
     )
     wanted = 2.0 + 30.0 * (-10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     about.cause = (
@@ -241,7 +241,7 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
         "the sign of v_y in the formula."
     )
     got = throw(design, "down")[0]
-    expect_close(got, wanted, tolerance=1e-9)
+    expect_close(got, wanted, unit="m", tolerance=1e-9)
     about.cause = (
         "trebuchet.flies is still False after the throw. Call self.step(STEP), which removes the "
         "sling and sets flies when the sling lets go."
@@ -267,7 +267,9 @@ def test_a_throw_agrees_with_lagrange(
         on_chart(resolved, abs(distance / true_distance - 1.0))
     # The error is of first order. With steps of 1/250 s, range and share are up to 8.0 % too
     # small, for every design that is drawn and both kinds of rods.
-    expect_close(distance, true_distance, then="; the range, in m", tolerance=0.1 * true_distance)
+    expect_close(
+        distance, true_distance, then="; the range", unit="m", tolerance=0.1 * true_distance
+    )
     expect_close(
         share,
         true_share,
@@ -293,7 +295,7 @@ def test_what_never_lets_go_is_no_throw() -> None:
         "with a STEP of 1/250 s it takes 1000 steps."
     )
     # One more or less if the time is added up with rounding.
-    expect_close(got[2], 1000.0, then="; the number of steps", tolerance=1.0)
+    expect_close(got[2], 1000.0, then="; the number of steps", unit="steps", tolerance=1.0)
     heavy = (1.0, 1.5, 3.0, 3.9, 30.0)  # the projectile starts 0.07 m up
     about.call = (
         f"Trebuchet({named_design(heavy)}).throw(), in which the projectile sinks into the ground; "
@@ -306,7 +308,7 @@ def test_what_never_lets_go_is_no_throw() -> None:
     got = throw(heavy)
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     # It is there after 0.13 s.
-    expect_exactly(got[2] < 100, True, then="; has it ended within 100 steps")
+    expect_that(got[2] < 100, f"a throw of {got[2]} steps", "a throw of fewer than 100 steps")
     about.call = (
         f"Trebuchet({named_design(design)}).throw(), in which the projectile is on the ground "
         "after one step; the range in m, the share, and the number of steps"
@@ -356,9 +358,9 @@ def test_your_own_trebuchet(meters: int, percent: int) -> None:
         "Your design exceeds the limits. Choose a counterweight of at most 400 kg, and two arms "
         "that together are at most 5 m long."
     )
-    expect_between(design[0], 0.0, 400.0, then="; the counterweight, in kg")
+    expect_between(design[0], 0.0, 400.0, then="; the counterweight", unit="kg")
     arms = design[1] + design[2]
-    expect_between(arms, 0.0, 5.0, then="; both arms together, in m", tolerance=1e-9)
+    expect_between(arms, 0.0, 5.0, then="; both arms together", unit="m", tolerance=1e-9)
     distance, share = thrown(*design)
     about.cause = (
         f"According to Lagrange's equations, your design throws {distance:.1f} m, and {share:.0%} "
@@ -366,7 +368,7 @@ def test_your_own_trebuchet(meters: int, percent: int) -> None:
     )
     if distance < meters or share < 0.01 * percent:
         about.cause += better(design, distance)
-    expect_between(distance, meters, math.inf, then="; its range, in m")
+    expect_between(distance, meters, math.inf, then="; its range", unit="m")
     expect_between(
         share,
         0.01 * percent,

@@ -22,7 +22,7 @@ from ch08_mass_aggregate.sleep_probes import (
 )
 from ch08_mass_aggregate.wake_probes import group_woken, pushed, touched_gently, woken_by_little
 from draw import positive_number
-from expect import about, blame, expect_close, expect_exactly
+from expect import about, blame, expect_close, expect_exactly, expect_that
 
 WAKE = "the docstring of SleepingWorld."
 RUN = "the docstring of SleepingWorld.run_physics"
@@ -65,7 +65,7 @@ def test_what_is_moved_by_hand_wakes(
     expect_close(1.0 / now, 1.0 / mass, then="; 1 / particle.mass", tolerance=1e-12)
     about.cause = "When a particle wakes, its forces and gravity should move it in that same "
     about.cause += "step. Call wake_moved before the integrator."
-    expect_close(fast, velocity, then="; particle.velocity", tolerance=1e-12)
+    expect_close(fast, velocity, then="; particle.velocity", unit="m/s", tolerance=1e-12)
 
 
 @pytest.mark.exercise("G8.1")
@@ -118,7 +118,7 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         about.cause += "particle should wake. Call wake_pushed in every LOOK_EVERY-th step of "
         about.cause += "run_physics."
         woken = done["velocity"] is not None
-        expect_exactly(woken, True, then=": does it wake within 10 steps")
+        expect_that(woken, "the particle sleeps for 10 steps", "it wakes within 10 steps")
         got = done["velocity"] or (math.nan,) * 3
         about.cause = "The particle should move in the step in which it wakes, and each force "
         about.cause += "should act on it exactly once. Call wake_pushed before the integrator, and "
@@ -266,8 +266,8 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.cause = "Ball 0 wakes when it is moved, so ball 1 should wake with it and fall. In "
     about.cause += "fall_asleep, store a particle's neighbors in its Sleep, and let wake continue "
     about.cause += "with them."
-    expect_exactly(1 in after, False, then="; does ball 1 still sleep")
-    expect_close(speed, -1.0, then="; its vertical velocity, in m/s", tolerance=0.01)
+    expect_that(1 not in after, "ball 1 still sleeps", "ball 1 is awake")
+    expect_close(speed, -1.0, then="; its vertical velocity", unit="m/s", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
             about.call = f"five particles, 0 to 4, with contacts of {pairs}, except in the step in "
@@ -299,7 +299,11 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
     middle = math.fsum(place[0] for place in places) / 3.0 - 1.0
     expect_close(
-        middle, drift, then="; how far the center of mass moves in 20 steps, in m", tolerance=1e-9
+        middle,
+        drift,
+        then="; how far the center of mass moves in 20 steps",
+        unit="m",
+        tolerance=1e-9,
     )
 
 
@@ -322,11 +326,12 @@ def test_what_hangs_still_sleeps_on() -> None:
     about.cause += "should stay asleep."
     expect_exactly(awake_in(hung(40, 20, 0.15)), [], then=steps)
     about.call = "particle 0 hangs from a spring and is almost at rest; from step 20 on, an extra "
-    about.call += "force of 0.5 N/kg pushes it; does it wake within 10 steps"
+    about.call += "force of 0.5 N/kg pushes it"
     about.cause = "Here |a| + |f / m| is 20 m/s^2, so a change of more than 0.2 m/s^2 (SAME times "
     about.cause += "this sum) wakes the particle. The push of 0.5 N/kg is stronger than that, so "
     about.cause += "the particle should wake."
-    expect_exactly([] in hung(31, 20, 0.5)[20:], True)
+    wakes = [] in hung(31, 20, 0.5)[20:]
+    expect_that(wakes, "the particle sleeps for 10 steps", "it wakes within 10 steps")
 
 
 @pytest.mark.exercise("G8.1")
@@ -350,7 +355,10 @@ def test_what_sleeps_costs_no_work(rng: Random) -> None:
     about.cause = "You call update_force too often or not often enough. Call it once per step for "
     about.cause += "a particle that is awake, and only in every tenth step for a sleeping one."
     expect_exactly(
-        asked, 20 * awake + 2 * (count - awake), then="; the number of calls of update_force"
+        asked,
+        20 * awake + 2 * (count - awake),
+        then="; the number of calls of update_force",
+        unit="calls",
     )
 
 
@@ -358,14 +366,14 @@ def test_what_sleeps_costs_no_work(rng: Random) -> None:
 def test_sleep_changes_no_rest() -> None:
     about.read = RUN
     about.call = "two balls bounce for 6 s until they rest; the final position of a ball, which "
-    about.call += "should be as in a world without sleep, in m"
+    about.call += "should be as in a world without sleep"
     about.cause = "You put a ball to sleep while it still moves, so it stops too early. Put only "
     about.cause += "particles to sleep that have come to rest."
     places, awake, sleepers = both_ways(360)
     for got, wanted in zip(places, awake, strict=True):
         # A ball that falls asleep has at most 0.17 m/s. Damping of 0.5 would stop it within 0.25 m.
-        expect_close(got, wanted, tolerance=0.25)
-        expect_close(got[1], 0.0, then="; its height above the ground", tolerance=1e-6)
+        expect_close(got, wanted, unit="m", tolerance=0.25)
+        expect_close(got[1], 0.0, then="; its height above the ground", unit="m", tolerance=1e-6)
     about.cause = "After six seconds both balls are at rest. Check that both fall asleep."
     expect_exactly(sleepers, 2, then="; the number of sleeping balls")
 

@@ -38,7 +38,7 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     parts = [0.5 * m * dot(v, v) - m * dot(a, p) for p, v, a, m in bodies]
     simple = ((0.0, 3.0, 0.0), (4.0, 0.0, 0.0), (0.0, -10.0, 0.0), 2.0)
     about.call = "a particle of 2 kg at (0, 3, 0) m, with velocity (4, 0, 0) m/s and acceleration "
-    about.call += "(0, -10, 0) m/s^2; mechanical_energy([particle]), in J"
+    about.call += "(0, -10, 0) m/s^2; mechanical_energy([particle])"
     got = energy_of([simple])
     mistakes = [
         (16.0, "You return the kinetic energy alone. Add the potential energy, which is m g y = 60 "
@@ -59,7 +59,7 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     about.cause = "The energy is the sum of m v^2 / 2 and m g y. Here the kinetic energy is 16 J "
     about.cause += "and the potential energy is 60 J."
     blame(got, mistakes)
-    expect_close(got, 76.0)
+    expect_close(got, 76.0, unit="J")
     about.cause = "The energy of one particle is m v^2 / 2 - m a . p. Compute it for each "
     about.cause += "particle, and return the sum."
     for name, some, wanted in (
@@ -70,17 +70,17 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
             f"{m} kg at {p} m, with velocity {v} m/s and acceleration {a} m/s^2"
             for p, v, a, m in some
         )
-        about.call = f"{name}: {bodies_in_words}; mechanical_energy of all of them, in J"
+        about.call = f"{name}: {bodies_in_words}; mechanical_energy of all of them"
         got = energy_of(some)
         # Rounding of terms of some hundreds of J.
-        expect_close(got, wanted, tolerance=1e-10)
+        expect_close(got, wanted, unit="J", tolerance=1e-10)
     about.call = f"a particle with position, velocity, acceleration and mass {bodies[0]}, on which "
-    about.call += "a force acts; mechanical_energy([particle]), in J"
+    about.call += "a force acts; mechanical_energy([particle])"
     about.cause = "Your result depends on the force that acts on the particle. Forces don't "
     about.cause += "contribute to this energy, so use only particle.acceleration, not "
     about.cause += "last_acceleration or force_accumulator."
     got = energy_of(bodies[:1], components(rng))
-    expect_close(got, parts[0], tolerance=1e-10)
+    expect_close(got, parts[0], unit="J", tolerance=1e-10)
 
 
 @pytest.mark.exercise("B8.1")
@@ -91,15 +91,15 @@ def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
     about.cause += "or NaN. Skip every particle whose inverse_mass is 0."
     wanted = 0.5 * m * dot(v, v) - m * dot(a, p)
     for first, call in (
-        (True, "a movable particle and an immovable one; mechanical_energy of both, in J"),
-        (False, "an immovable particle and a movable one; mechanical_energy of both, in J"),
+        (True, "a movable particle and an immovable one; mechanical_energy of both"),
+        (False, "an immovable particle and a movable one; mechanical_energy of both"),
     ):
         about.call = call
         both = [(p, v, a, m), (components(rng), ZERO, components(rng), math.inf)]
         got = energy_of(both if first else both[::-1])
         stops = "Your loop stops at the immovable particle. Skip it, and continue."
         about.cause = cause_of(got, [(0.0, stops)], about.cause)
-        expect_close(got, wanted, tolerance=1e-10)
+        expect_close(got, wanted, unit="J", tolerance=1e-10)
     about.call = "mechanical_energy([])"
     expect_close(
         energy_of([]),
@@ -146,7 +146,7 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     only = f"You return the contacts of only {len(got) // count} of the 3 floors that touch the "
     only += "particles. Collect the contacts of all generators before you return."
     seen = cause_of(len(got), [(0, first), (count, only), (2 * count, only)], about.cause)
-    expect_exactly(len(got), 3 * count, then="; the number of contacts", cause=seen)
+    expect_exactly(len(got), 3 * count, unit="contacts", cause=seen)
     order = "Your contacts are in the wrong order. Go through contact_generators from first to "
     order += "last, and append the contacts of each."
     runs = [round(depth, 9) for depth in got[::count]]
@@ -227,7 +227,7 @@ def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
     done = frame([(p, v, a, m)], "step", h, early=force)
     velocity = [v[j] + a[j] * h for j in range(3)]
     got = done["states"][0][1]
-    expect_close(got, velocity, then="; particle.velocity", tolerance=1e-12)
+    expect_close(got, velocity, then="; particle.velocity", unit="m/s", tolerance=1e-12)
     about.call = "a world of a subclass that only records the calls of run_physics; "
     about.call += f"world.step({h}); the recorded calls"
     about.cause = "step should call self.run_physics(duration) once. Don't repeat its code in "
@@ -240,7 +240,7 @@ def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
     done = frame([(p, v, a, m)], "step", h, f=f)
     velocity = [v[j] + (a[j] - f[j] / m) * h for j in range(3)]
     got = done["states"][0][1]
-    expect_close(got, velocity, then="; particle.velocity", tolerance=1e-12)
+    expect_close(got, velocity, then="; particle.velocity", unit="m/s", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.2")
@@ -265,7 +265,7 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     about.cause += "yourself. The integrator decides how often it needs the forces, and "
     about.cause += "Runge-Kutta evaluates them four times per step."
     count = sum(row[0] == "force" for row in done["diary"])
-    expect_exactly(count, 2 * evaluations, then=": the number of calls of update_force")
+    expect_exactly(count, 2 * evaluations, then=": the calls of update_force", unit="calls")
     asked = [row[1] for row in done["diary"] if row[0] == "force"]
     expect_exactly(asked, [h] * count, then=": the durations passed to update_force")
 
@@ -290,9 +290,9 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
     inside += "integrator has moved the particles, and then resolve them."
     seen = cause_of(place, [((0.25, fallen, 0.0), inside)], about.cause)
     name = f"{about.call}; particle.position"
-    expect_close(place, (0.25, 0.0, 0.0), call=name, cause=seen, tolerance=1e-12)
+    expect_close(place, (0.25, 0.0, 0.0), call=name, cause=seen, unit="m", tolerance=1e-12)
     name = f"{about.call}; particle.velocity"
-    expect_close(velocity, (2.0, 0.0, 0.0), call=name, tolerance=1e-12)
+    expect_close(velocity, (2.0, 0.0, 0.0), call=name, unit="m/s", tolerance=1e-12)
     about.cause = "Your step changes the velocity of a particle that has no contact. Resolve only "
     about.cause += "the contacts, and leave all other particles alone."
     got = done["states"][1][1]
@@ -316,7 +316,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.cause += "resolver.resolve_contacts once, with all of them and the duration."
     done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
-    expect_exactly(len(calls), 1, then=": the number of calls of the resolver")
+    expect_exactly(len(calls), 1, then=": the number of calls of the resolver", unit="calls")
     depths = [low - 1.0] * 3 + [high - 1.0] * 3
     expect_close(
         (calls[0][1], *calls[0][2]),
@@ -333,7 +333,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.cause += "some, because that saves time."
     done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
-    expect_exactly(count, 0, then=": the number of calls of the resolver")
+    expect_exactly(count, 0, then=": the number of calls of the resolver", unit="calls")
 
 
 @pytest.mark.exercise("B8.2")
@@ -341,12 +341,12 @@ def test_no_contact_is_left_out(rng: Random) -> None:
     about.read = f"{WORLD}contacts, and the class: there is no maximum"
     count = rng.randint(30, 60)
     about.call = f"{count} particles that fall on the ground at the same time; 20 calls of "
-    about.call += "world.step(0.05); the heights of the particles, in m"
+    about.call += "world.step(0.05); the heights of the particles"
     about.cause = "Some particles fell through the ground, because your world doesn't resolve "
     about.cause += "every contact. The book's world stops at a maximum number of contacts, but "
     about.cause += "yours should resolve them all."
     heights = rained(count, 0.05, 20)
-    expect_close(heights, (0.0,) * count, tolerance=1e-9)
+    expect_close(heights, (0.0,) * count, unit="m", tolerance=1e-9)
 
 
 @pytest.mark.exercise("B8.2")
@@ -356,7 +356,7 @@ def test_a_world_may_get_more_later(rng: Random) -> None:
     about.call = f"a world with one falling particle; world.step({h}); then two more particles are "
     about.call += "appended to world.particles, and a ground below the third one to "
     about.call += f"world.contact_generators; world.step({h}); the vertical velocities of the "
-    about.call += "three particles, in m/s"
+    about.call += "three particles"
     about.cause = "Your world ignores the particles or the ground that were appended to its lists. "
     about.cause += "Read self.particles and self.contact_generators again in every step, and "
     about.cause += "resolve the contacts."

@@ -11,6 +11,7 @@ from ch08_mass_aggregate.sleep_probes import interrupted, left_alone, slept
 from ch08_mass_aggregate.wake_probes import made_immovable, parted
 from draw import positive_number
 from expect import about, expect_close, expect_exactly
+from sleepers import expect_sleepers, expect_sleepers_of_steps
 
 FALL = "the docstrings of SleepingWorld and fall_asleep"
 WAKE = "the docstring of SleepingWorld."
@@ -22,8 +23,8 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
     frames = rng.randint(3, 8)
     about.call = (
         "three particles, 0 to 2, of 1 kg with speeds of 0.9, 1.1 and 0 m/s, which don't touch; a "
-        f"SleepingWorld with sleep_energy=0.5 and sleep_frames={frames}; the numbers of the "
-        "sleeping particles after each step"
+        f"SleepingWorld with sleep_energy=0.5 and sleep_frames={frames}; the sleeping particles "
+        "after each step"
     )
     about.cause = (
         "A particle is slow if v^2 / 2 is at most sleep_energy. Put it to sleep once it has been "
@@ -46,25 +47,25 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
             "Your particles fall asleep but wake again. Set the velocity and the inverse_mass of a "
             "sleeping particle to 0, and wake it only if something about it has changed."
         )
-    expect_exactly(seen, wanted)
+    expect_sleepers_of_steps(seen, wanted)
     about.call = (
         "particles 0, 1 and 2 of 0.5, 1 and 2 kg, which all move at 1 m/s; a SleepingWorld with "
-        "sleep_energy=0.5 and sleep_frames=5; the numbers of the sleeping particles after 5 steps"
+        "sleep_energy=0.5 and sleep_frames=5; the sleeping particles after 5 steps"
     )
     about.cause = (
         "All three particles are slow, because v^2 / 2 is exactly sleep_energy. It is an energy "
         "per kilogram, so compare it with v^2 / 2 without the mass, and accept equality."
     )
     seen = left_alone([1.0] * 3, 5, masses=[0.5, 1.0, 2.0])
-    expect_exactly(seen[-1], [0, 1, 2])
+    expect_sleepers(seen[-1], [0, 1, 2])
 
 
 @pytest.mark.exercise("G8.1")
 def test_slow_frames_count_in_a_row(rng: Random) -> None:
     slow = rng.randint(1, 4)
     about.call = (
-        f"particle 0 is at rest for {slow} steps, fast for one step, and then at rest again; "
-        "sleep_frames=5; the numbers of the sleeping particles after each step"
+        f"particle 0 is at rest for {slow} steps, fast for one step, and then at rest again; a "
+        "SleepingWorld with sleep_frames=5; the sleeping particles after each step"
     )
     about(
         cause="You still count the slow steps before the fast one. When a step is fast, reset the "
@@ -78,7 +79,7 @@ def test_slow_frames_count_in_a_row(rng: Random) -> None:
             "Your particle falls asleep after a single slow step. Count its slow steps, and wait "
             "for sleep_frames of them in a row."
         )
-    expect_exactly(seen, wanted)
+    expect_sleepers_of_steps(seen, wanted)
 
 
 @pytest.mark.exercise("G8.1")
@@ -90,8 +91,8 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     )
     for last in (rng.randint(1, 4), rng.randint(6, 12)):
         about.call = (
-            f"particle 0 is slow and touches particle 1, which is fast, in steps 1 to {last}; "
-            "sleep_frames=5; the numbers of the sleeping particles after each step"
+            f"particle 0 is slow and touches particle 1, which is fast, in steps 1 to {last}; a "
+            "SleepingWorld with sleep_frames=5; the sleeping particles after each step"
         )
         wanted = [[]] * (last + 4) + [[0]] * 3
         seen, why = parted(last, last + 7), about.cause
@@ -105,13 +106,13 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
                 "Particle 0 falls asleep too early. Its contact with the fast particle 1 should "
                 "keep it awake for sleep_frames steps after the two last touched."
             )
-        expect_exactly(seen, wanted, cause=why)
+        expect_sleepers_of_steps(seen, wanted, cause=why)
     last = rng.randint(1, 2)
     fast = last + rng.randint(1, 4)
     about.call = (
         f"particle 0 touches the fast particle 1 in steps 1 to {last}, and is itself slow except "
-        f"in step {fast}; a SleepingWorld with sleep_frames=5; the numbers of the sleeping "
-        "particles after each step"
+        f"in step {fast}; a SleepingWorld with sleep_frames=5; the sleeping particles after each "
+        "step"
     )
     wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
     if not any(seen):
@@ -124,11 +125,10 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
             f"Particle 0 falls asleep too early. It was fast itself in step {fast}, so count its "
             "slow steps only from the step after that."
         )
-    expect_exactly(seen, wanted)
+    expect_sleepers_of_steps(seen, wanted)
     about.call = (
         "particles 0 and 1 are slow and touch all the time, but particle 1 becomes immovable after "
-        "4 steps; a SleepingWorld with sleep_frames=5; the numbers of the sleeping particles after "
-        "12 steps"
+        "4 steps; a SleepingWorld with sleep_frames=5; the sleeping particles after 12 steps"
     )
     about.cause = (
         "A particle can become immovable while the world is running. In fall_asleep, skip every "
@@ -150,7 +150,7 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
             "You put particle 1 to sleep, although it is immovable. When it wakes, it gets a wrong "
             "mass, so skip immovable particles in fall_asleep."
         )
-    expect_exactly(seen[-1], [0])
+    expect_sleepers(seen[-1], [0])
 
 
 @pytest.mark.exercise("G8.1")
@@ -180,11 +180,11 @@ def test_what_touches_the_restless_stays_awake() -> None:
     ):  # fmt: skip
         about.cause = cause
         about.call = (
-            f"particles 0, 1 and so on with speeds of {speeds} m/s and contacts between {what}; "
-            "sleep_frames=5; the numbers of the sleeping particles after each of 8 steps"
+            f"particles 0, 1 and so on with speeds of {speeds} m/s and contacts between {what}; a "
+            "SleepingWorld with sleep_frames=5; the sleeping particles after each of 8 steps"
         )
         seen = left_alone(speeds, 8, pairs, masses)
-        expect_exactly(seen, [[]] * 4 + [wanted] * 4)
+        expect_sleepers_of_steps(seen, [[]] * 4 + [wanted] * 4)
 
 
 @pytest.mark.exercise("G8.1")
@@ -215,13 +215,13 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     )
     got = done["inverse mass awake"]
     expect_close(got, 1.0 / mass, then="; particle.inverse_mass")
-    expect_exactly(done["asleep"], [], then="; the numbers of the sleeping particles")
+    expect_sleepers(done["asleep"], [], then="; the sleeping particles")
     about.cause = (
         "Your particle falls asleep again too early or too late. When wake wakes it, reset its "
         "count of slow steps to 0."
     )
     got = done["frames to sleep again"]
-    expect_exactly(got, 3, then="; the number of further steps until it sleeps again")
+    expect_exactly(got, 3, then="; the further steps until it sleeps again", unit="steps")
     about.call = (
         "a particle that is awake and has been slow for 2 steps; a SleepingWorld with "
         "sleep_frames=3; world.wake(particle)"
@@ -230,4 +230,4 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
         "wake should reset the count of slow steps to 0, even if the particle is already awake."
     )
     got = done["frames from then on"]
-    expect_exactly(got, 3, then="; the number of further steps until it sleeps")
+    expect_exactly(got, 3, then="; the further steps until it sleeps", unit="steps")

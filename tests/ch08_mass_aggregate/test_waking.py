@@ -23,6 +23,7 @@ from ch08_mass_aggregate.sleep_probes import (
 from ch08_mass_aggregate.wake_probes import group_woken, pushed, touched_gently, woken_by_little
 from draw import positive_number
 from expect import about, blame, expect_close, expect_exactly, expect_that
+from sleepers import expect_sleepers, expect_sleepers_of_steps
 
 WAKE = "the docstring of SleepingWorld."
 RUN = "the docstring of SleepingWorld.run_physics"
@@ -56,8 +57,8 @@ def test_what_is_moved_by_hand_wakes(
         about.cause += "only if its velocity, position, mass or force differs from the values "
         about.cause += "stored in its Sleep."
     before, got, now, fast = woken_by_hand(how)
-    expect_exactly(before, [0], then="; the sleeping particles before that")
-    expect_exactly(got, sleeps, then="; the numbers of the sleeping particles afterward")
+    expect_sleepers(before, [0], then="; the sleeping particles before that")
+    expect_sleepers(got, sleeps, then="; the sleeping particles afterward")
     about.cause = (
         "Your particle has the wrong mass after the step. When it wakes, give it back the mass "
         "that it had before it fell asleep, unless it has been given a new one in the meantime."
@@ -81,11 +82,11 @@ def test_whatever_is_moved_a_little_wakes(how: str) -> None:
             "fall_asleep first."
         )
         before, after = woken_by_little(how, axis, by)
-        expect_exactly(before, [0, 1, 2], then="; the sleeping particles before that")
+        expect_sleepers(before, [0, 1, 2], then="; the sleeping particles before that")
         about.cause = f"Your particles 1 and 2 should wake, because any change in the {new} wakes "
         about.cause += "a particle. Compare all three components, and remember that a change can "
         about.cause += "be negative."
-        expect_exactly(after, [0], then="; the numbers of the sleeping particles afterward")
+        expect_sleepers(after, [0], then="; the sleeping particles afterward")
 
 
 @pytest.mark.exercise("G8.1")
@@ -105,7 +106,7 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         about.cause += "sum of all its forces with the stored value, and evaluate the forces while "
         about.cause += "the particle has its own mass."
         done = pushed(*change)
-        expect_exactly(done["before"], [0], then="; the sleeping particles before that")
+        expect_sleepers(done["before"], [0], then="; the sleeping particles before that")
         about.cause = "The forces that you evaluated for the comparison are still in the "
         about.cause += "accumulator. If the particle stays asleep, clear the accumulator and set "
         about.cause += "inverse_mass back to 0."
@@ -159,11 +160,11 @@ def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> N
     about.cause = "The wall holds the particle, so it is at rest. Let it fall asleep before the "
     about.cause += "force changes."
     seen = woken_by_force(old, new, 10, late)
-    expect_exactly(seen[0], [0], then="; the sleeping particles before that")
+    expect_sleepers(seen[0], [0], then="; the sleeping particles before that")
     about.cause = "The force has changed, so the particle should wake within 10 steps. Call "
     about.cause += "wake_pushed in every LOOK_EVERY-th step, and evaluate the forces there while "
     about.cause += "the particle has its own mass."
-    expect_exactly(seen[-1], [], then="; the numbers of the sleeping particles after 10 steps")
+    expect_sleepers(seen[-1], [], then="; the sleeping particles after 10 steps")
 
 
 @pytest.mark.exercise("G8.1")
@@ -199,14 +200,12 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
         "fall_asleep first."
     )
     done = woken_by_contact(speed, 40, first)
-    expect_exactly(done["before"], [0, 1, 2], then="; the sleeping particles before that")
+    expect_sleepers(done["before"], [0, 1, 2], then="; the sleeping particles before that")
     about.cause = (
         "Ball 3 is still far away and touches nothing, so no ball should wake yet. Wake a ball "
         "only when it is touched."
     )
-    expect_exactly(
-        done["seen"][0], [0, 1, 2], then="; the numbers of the sleeping balls after one step"
-    )
+    expect_sleepers(done["seen"][0], [0, 1, 2], then="; the sleeping balls after one step")
     hit = next((i for i, now in enumerate(done["seen"]) if now != [0, 1, 2]), -1)
     about.cause = "Your contact wakes only some of the balls. A ball that wakes can touch the next "
     about.cause += "one, so go through the contacts again until no more balls wake in this step."
@@ -214,9 +213,7 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
         about.cause = "No ball wakes, although a moving ball touches a sleeping one. If one "
         about.cause += "particle of a contact can move and the other is asleep, wake the sleeper, "
         about.cause += "whichever of the two it is."
-    expect_exactly(
-        done["seen"][hit], [], then="; the numbers of the sleeping balls after the step of the hit"
-    )
+    expect_sleepers(done["seen"][hit], [], then="; the sleeping balls after the step of the hit")
     about.cause = "Momentum is lost, because a sleeping ball acts like a wall. Give all balls that "
     about.cause += "wake their masses back before you resolve the contacts."
     expect_close(
@@ -232,11 +229,10 @@ def test_what_lies_still_wakes_what_it_touches() -> None:
     about.read = f"{WAKE}wake_touched"
     for order in ((0, 1), (1, 0)):
         about.call = "particle 0 sleeps; particle 1 is at rest but awake; they touch in a contact "
-        about.call += f"of {order}; the numbers of the sleeping particles before a step, and after "
-        about.call += "it"
+        about.call += f"of {order}; the sleeping particles before a step, and after it"
         about.cause = "Your particle 0 should wake, because particle 1 can move, even though it is "
         about.cause += "at rest. The sleeper can be either particle of a contact, so check both."
-        expect_exactly(touched_gently(order), [[0], []])
+        expect_sleepers_of_steps(touched_gently(order), [[0], []])
 
 
 @pytest.mark.exercise("G8.1")
@@ -249,7 +245,7 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
     about.cause = "Ball 0 is pushed into the ground. While it sleeps, it has no contact with the "
     about.cause += "ground, so find the contacts again after a particle has woken."
     before, *got = dropped_on(speed)
-    expect_exactly(before, [0], then="; the sleeping particles before that")
+    expect_sleepers(before, [0], then="; the sleeping particles before that")
     # Two hundred iterations leave some 1e-9 m/s.
     expect_close(got, (0.0, 0.5), tolerance=1e-6)
 
@@ -262,7 +258,7 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
         "Both balls are at rest, but they have not both fallen asleep. Check fall_asleep first."
     )
     before, after, speed = support_gone(6)
-    expect_exactly(before, [0, 1], then="; the sleeping particles before that")
+    expect_sleepers(before, [0, 1], then="; the sleeping particles before that")
     about.cause = "Ball 0 wakes when it is moved, so ball 1 should wake with it and fall. In "
     about.cause += "fall_asleep, store a particle's neighbors in its Sleep, and let wake continue "
     about.cause += "with them."
@@ -275,11 +271,11 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
             was, now = group_woken(pairs, first)
             about.cause = "Not all five particles fall asleep, although all are at rest. Check "
             about.cause += "fall_asleep before you work on wake."
-            expect_exactly(was, [0, 1, 2, 3, 4], then="; the sleeping particles before that")
+            expect_sleepers(was, [0, 1, 2, 3, 4], then="; the sleeping particles before that")
             about.cause = "The wrong particles wake. Wake the whole group, including neighbors of "
             about.cause += "neighbors, but no other particle. Neighbors are particles that touched "
             about.cause += "in the last sleep_frames steps."
-            expect_exactly(now, [4], then="; the numbers of the sleeping particles afterward")
+            expect_sleepers(now, [4], then="; the sleeping particles afterward")
     about.call = (
         "particles 0, 1 and 2 sleep in a row, joined by two springs; particle 2 gets a velocity of "
         "6 m/s"
@@ -289,11 +285,11 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
         "first."
     )
     seen, places = on_a_spring(20)
-    expect_exactly(seen[0], [0, 1, 2], then="; the sleeping particles before that")
+    expect_sleepers(seen[0], [0, 1, 2], then="; the sleeping particles before that")
     about.cause = "Some particles are still asleep. Particles that share a generator form a group, "
     about.cause += "so all three should wake together. joined(self.registry) returns which "
     about.cause += "particles share a generator."
-    expect_exactly(seen[1], [], then="; the numbers of the sleeping particles after one step")
+    expect_sleepers(seen[1], [], then="; the sleeping particles after one step")
     about.cause = "Your center of mass doesn't move at 2 m/s, probably because one particle is "
     about.cause += "still asleep while the others move. Wake all three in the same step."
     drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
@@ -346,7 +342,7 @@ def test_what_sleeps_costs_no_work(rng: Random) -> None:
     )
     asked, given, sleepers = work_asleep(count, awake, 20)
     wanted = [*range(awake, count)]
-    expect_exactly(sleepers, wanted, then="; the numbers of the sleeping particles")
+    expect_sleepers(sleepers, wanted, then="; the sleeping particles")
     about.cause = "You pass sleeping particles to the integrator, which costs time and has no "
     about.cause += "effect. Pass only those that are awake."
     expect_exactly(
@@ -375,7 +371,7 @@ def test_sleep_changes_no_rest() -> None:
         expect_close(got, wanted, unit="m", tolerance=0.25)
         expect_close(got[1], 0.0, then="; its height above the ground", unit="m", tolerance=1e-6)
     about.cause = "After six seconds both balls are at rest. Check that both fall asleep."
-    expect_exactly(sleepers, 2, then="; the number of sleeping balls")
+    expect_exactly(sleepers, 2, then="; the sleeping balls", unit="balls")
 
 
 @pytest.mark.exercise("G8.1")

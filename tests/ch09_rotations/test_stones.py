@@ -18,7 +18,7 @@ from turning import TIGHT, named
 CENTER = "the docstring of center_of_stones"
 OFFSET = "the docstring of balance_offset"
 BESIDE = "the docstring of masses_beside, and E-32"
-SIDES = "masses_beside(stones, angle={}), the masses on the left and the right in kg"
+SIDES = "masses_beside(stones, angle={}), the masses on the left and the right"
 DATA = "exercise 9.7, and the docstring at the top of stones.py"
 
 Stones = list[tuple[str, float, float, float]]
@@ -143,17 +143,17 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
         "The box balances on an edge below its center of mass. With an edge parallel to X, the "
         "offset is the y of the center of mass."
     )
-    about(with_stones(stones, "balance_offset(stones, angle=0), in m"), cause=cause)
+    about(with_stones(stones, "balance_offset(stones, angle=0)"), cause=cause)
     got = balance_offset(stones, 0.0)
     why = named(got, about.cause, offset_slips(stones, 0.0))
-    expect_close(got, middle(stones).imag, cause=why, tolerance=TIGHT)
+    expect_close(got, middle(stones).imag, cause=why, unit="m", tolerance=TIGHT)
     about.cause = (
         "The offset is measured to the left of the edge, so it is the scalar product of the center "
         "of mass and (-sin(angle), cos(angle))."
     )
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
-        about.call = with_stones(stones, f"balance_offset(stones, angle={angle}), in m")
+        about.call = with_stones(stones, f"balance_offset(stones, angle={angle})")
         wanted = left_of(middle(stones), angle)
         got = balance_offset(stones, angle)
         why = named(got, about.cause, offset_slips(stones, angle))
@@ -183,13 +183,13 @@ def test_it_balances_though_the_masses_differ() -> None:
         ),
     }
     why = named(got, about.cause, slips)
-    expect_close(got, (1.0, 3.0), cause=why, tolerance=TIGHT)
+    expect_close(got, (1.0, 3.0), cause=why, unit="kg", tolerance=TIGHT)
     about.call = with_stones(stones, SIDES.format("pi / 2"))
     about.cause = (
         "The edge is at x = 0.3 and is parallel to Y, so stones with a smaller x are on its left."
     )
     got = masses_beside(stones, 0.5 * math.pi)
-    expect_close(got, (3.0, 1.0), tolerance=TIGHT)
+    expect_close(got, (3.0, 1.0), unit="kg", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
@@ -228,7 +228,7 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
         "the edge counts as on it, so add it to neither side."
     )
     got = tuple(masses_beside(stones, angle))
-    expect_close(got, (0.7, 0.7), tolerance=TIGHT)
+    expect_close(got, (0.7, 0.7), unit="kg", tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
         about.cause = (
             f"A stone within 1e-9 m of the edge counts as on it. These stones are {off:.0e} m "

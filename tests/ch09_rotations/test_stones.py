@@ -157,7 +157,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
         wanted = left_of(middle(stones), angle)
         got = balance_offset(stones, angle)
         why = named(got, about.cause, offset_slips(stones, angle))
-        expect_close(got, wanted, cause=why, tolerance=TIGHT)
+        expect_close(got, wanted, cause=why, unit="m", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
@@ -208,7 +208,7 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
     for stones, angle in cases:
         about.call = with_stones(stones, SIDES.format(angle))
         got, wanted = tuple(masses_beside(stones, angle)), beside(stones, angle)
-        expect_close(got, wanted, tolerance=TIGHT)
+        expect_close(got, wanted, unit="kg", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
@@ -237,7 +237,7 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
         about.call = with_stones(stones, SIDES.format(0)) + f"; each stone is {off} m from the edge"
         got = tuple(masses_beside(stones, 0.0))
-        expect_close(got, wanted, tolerance=TIGHT)
+        expect_close(got, wanted, unit="kg", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7", weight=0.5)

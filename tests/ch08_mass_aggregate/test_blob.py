@@ -112,7 +112,7 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         if what == "holds" and i == 0:
             continue  # rounding may have made it slightly longer
         shown = ", ".join(f"{one:.6g}" for one in lengths[: i + 1])
-        name = f"{about.call}; the ends are {shown} m apart, one after the other"
+        name = f"{about.call}; the ends are put {shown} m apart, one after the other"
         about.cause = causes[what]
         expect_exactly(seen[i][2], holds, call=f"{name}: bond.holds")
         force = pull(length, k, rest, limit, share) if holds else 0.0

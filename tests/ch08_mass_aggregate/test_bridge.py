@@ -83,7 +83,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
         expect_close(
             depth,
             right,
-            then=f": by how much the one that joins {(i, j)} is too long",
+            then=f": how far the link of ends {(i, j)} is overstretched",
             unit="m",
             tolerance=1e-12,
         )

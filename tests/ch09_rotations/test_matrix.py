@@ -163,8 +163,8 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         "+ c (d h - e g)": c * (d * h - e * g),
     }
     signs = {
-        f"Your determinant has the wrong sign in the term {name}. Change this sign, if the rows "
-        "are a b c, d e f and g h i.": right - 2.0 * product
+        f"Your determinant has the wrong sign in the term {name}. Change it, where the rows are a "
+        "b c, d e f and g h i.": right - 2.0 * product
         for name, product in products.items()
     }
     return signs | {

@@ -118,8 +118,8 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
     about(
-        f"rules = Rules(6); for each number in {events}, rules.fell() if it is -1, otherwise "
-        "rules.landed(number)",
+        f"rules = Rules(6); for each number in {events}, rules.fell() if it is -1, otherwise a "
+        "landing on that row",
         read=RULES,
     )
     about.cause = (

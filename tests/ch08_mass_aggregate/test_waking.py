@@ -152,11 +152,11 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
 )
 def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> None:
     about.read = f"{WAKE}wake_pushed"
+    how = "a generator that is added pushes it" if late else "it is pushed"
     about.call = (
-        f"particle 0, of 2 kg, sleeps while it is pushed against a wall by {old} N/kg; then it is "
-        f"pushed by {new} N/kg"
+        f"particle 0, of 2 kg, sleeps while it is pushed against a wall by {old} N/kg; then {how} "
+        f"by {new} N/kg; wake_pushed()"
     )
-    about.call += ", by a generator that is added" if late else ""
     about.cause = "The wall holds the particle, so it is at rest. Let it fall asleep before the "
     about.cause += "force changes."
     seen = woken_by_force(old, new, 10, late)
@@ -184,7 +184,8 @@ def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
             about.cause = "The force is the same as before, so the particle should not wake. After "
             about.cause += f"you have called the generators, set inverse_mass back to 0. {compare}"
         seen = woken_by_force(push, new, 25)
-        then = f"; then it is pushed by {new:.6g} N/kg for 25 steps; the steps in which it is awake"
+        then = f"; then by {new:.6g} N/kg for 25 steps; wake_pushed(); the steps in which it is "
+        then += "awake"
         expect_exactly([i for i, one in enumerate(seen) if one != [0]], [], then=then)
 
 
@@ -229,7 +230,7 @@ def test_what_lies_still_wakes_what_it_touches() -> None:
     about.read = f"{WAKE}wake_touched"
     for order in ((0, 1), (1, 0)):
         about.call = "particle 0 sleeps; particle 1 is at rest but awake; they touch in a contact "
-        about.call += f"of {order}; the sleeping particles before a step, and after it"
+        about.call += f"of {order}; wake_touched(); the sleeping particles before and after a step"
         about.cause = "Your particle 0 should wake, because particle 1 can move, even though it is "
         about.cause += "at rest. The sleeper can be either particle of a contact, so check both."
         expect_sleepers_of_steps(touched_gently(order), [[0], []])
@@ -253,7 +254,7 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
 @pytest.mark.exercise("G8.1")
 def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
-    about.call = "ball 1 sleeps on ball 0; ball 0 is moved away by hand; 6 steps"
+    about.call = "ball 1 sleeps on ball 0; ball 0 is moved away by hand; wake(), 6 steps"
     about.cause = (
         "Both balls are at rest, but they have not both fallen asleep. Check fall_asleep first."
     )
@@ -267,7 +268,7 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
             about.call = f"five particles, 0 to 4, with contacts of {pairs}, except in the step in "
-            about.call += f"which they fall asleep; particle {first} gets a velocity; one step"
+            about.call += f"which they fall asleep; particle {first} gets a velocity; wake()"
             was, now = group_woken(pairs, first)
             about.cause = "Not all five particles fall asleep, although all are at rest. Check "
             about.cause += "fall_asleep before you work on wake."
@@ -278,7 +279,7 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
             expect_sleepers(now, [4], then="; the sleeping particles afterward")
     about.call = (
         "particles 0, 1 and 2 sleep in a row, joined by two springs; particle 2 gets a velocity of "
-        "6 m/s"
+        "6 m/s; wake()"
     )
     about.cause = (
         "All three particles are at rest, but they have not all fallen asleep. Check fall_asleep "
@@ -311,7 +312,7 @@ def awake_in(seen: list[list[int]]) -> list[int]:
 @pytest.mark.exercise("G8.1")
 def test_what_hangs_still_sleeps_on() -> None:
     about.read = f"{WAKE}wake_pushed"
-    about.call = "particle 0 hangs from a spring and is almost at rest"
+    about.call = "particle 0 hangs from a spring and is almost at rest; wake_pushed()"
     about.cause = "Gravity and the spring force cancel, so a + f / m is almost 0, and any change "
     about.cause += "is large compared with it. Compare the change with |a| + |f / m| instead."
     steps = "; the steps from 5 to 40 in which particle 0 is awake"
@@ -322,7 +323,7 @@ def test_what_hangs_still_sleeps_on() -> None:
     about.cause += "should stay asleep."
     expect_exactly(awake_in(hung(40, 20, 0.15)), [], then=steps)
     about.call = "particle 0 hangs from a spring and is almost at rest; from step 20 on, an extra "
-    about.call += "force of 0.5 N/kg pushes it"
+    about.call += "force of 0.5 N/kg pushes it; wake_pushed()"
     about.cause = "Here |a| + |f / m| is 20 m/s^2, so a change of more than 0.2 m/s^2 (SAME times "
     about.cause += "this sum) wakes the particle. The push of 0.5 N/kg is stronger than that, so "
     about.cause += "the particle should wake."
@@ -361,8 +362,8 @@ def test_what_sleeps_costs_no_work(rng: Random) -> None:
 @pytest.mark.exercise("G8.1")
 def test_sleep_changes_no_rest() -> None:
     about.read = RUN
-    about.call = "two balls bounce for 6 s until they rest; the final position of a ball, which "
-    about.call += "should be as in a world without sleep"
+    about.call = "two balls bounce for 6 s until they rest, by run_physics(); the final position "
+    about.call += "of a ball, which should be as in a world without sleep"
     about.cause = "You put a ball to sleep while it still moves, so it stops too early. Put only "
     about.cause += "particles to sleep that have come to rest."
     places, awake, sleepers = both_ways(360)

@@ -340,8 +340,8 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
 def test_no_contact_is_left_out(rng: Random) -> None:
     about.read = f"{WORLD}contacts, and the class: there is no maximum"
     count = rng.randint(30, 60)
-    about.call = f"{count} particles that fall on the ground at the same time; 20 calls of "
-    about.call += "world.step(0.05); the heights of the particles"
+    about.call = f"{count} particles that fall on the ground at the same time; 20 steps of 0.05 s; "
+    about.call += "the heights of the particles"
     about.cause = "Some particles fell through the ground, because your world doesn't resolve "
     about.cause += "every contact. The book's world stops at a maximum number of contacts, but "
     about.cause += "yours should resolve them all."

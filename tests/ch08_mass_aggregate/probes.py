@@ -170,7 +170,7 @@ def refused(method: str, duration: Any) -> dict[str, Any]:
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(4.0, 5.0, 6.0))
     world = ParticleWorld([particle])
     particle.add_force(Vector3(7.0, 8.0, 9.0))
-    error = ""
+    error = "no error"
     try:
         getattr(world, method)(duration)
     except (ValueError, TypeError) as raised:
@@ -241,7 +241,7 @@ def refused_time(duration: float, time: Any) -> tuple[str, float, int]:
     made: list[float] = []
     clock = FixedStep(made.append, duration)
     clock.advance(0.25 * duration)
-    error = ""
+    error = "no error"
     try:
         clock.advance(time)
     except (ValueError, TypeError) as raised:

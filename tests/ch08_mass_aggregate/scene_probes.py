@@ -106,7 +106,7 @@ def platform_rods(places: Sequence[Components]) -> list[tuple[int, int, float]]:
 def weighed(weights: Sequence[tuple[float, float]]) -> tuple[list[float], str]:
     """Put weights, mass and place, on a platform; return all masses, and the last one's error."""
     platform = tilting_platform.TiltingPlatform()
-    error = ""
+    error = "no error"
     for mass, x in weights:
         try:
             platform.put_weight(mass, x)
@@ -285,7 +285,7 @@ def ruled(rows: int, events: Sequence[int]) -> list[tuple[int, int, list[int], b
 def refused_row(rows: int, row: int) -> tuple[str, int, list[int]]:
     """Tell rules of a landing; return the error's name, the score, and the visited rows."""
     rules = ball_game.Rules(rows)
-    error = ""
+    error = "no error"
     try:
         rules.landed(row)
     except ValueError as raised:

@@ -340,7 +340,7 @@ def refused(duration: Any) -> tuple[str, Components]:
     particle = Particle()
     world = SleepingWorld([particle])
     particle.add_force(Vector3(1.0, 2.0, 3.0))
-    error = ""
+    error = "no error"
     try:
         world.run_physics(duration)
     except (ValueError, TypeError) as raised:

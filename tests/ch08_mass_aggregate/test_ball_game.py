@@ -8,7 +8,7 @@ import pytest
 
 from ch08_mass_aggregate.scene_probes import landing, played, refused_row, ruled
 from draw import positive_number
-from expect import about, blame, expect_close, expect_exactly
+from expect import about, blame, expect_close, expect_exactly, expect_that
 
 RULES = "the docstrings of Rules, landed and fell"
 LANDINGS = "the docstrings of Landings and Landings.contacts"
@@ -23,7 +23,7 @@ def test_a_row_counts_once(rng: Random) -> None:
     a, b = rng.sample(range(1, rows - 1), 2)  # other checks have the first and the last row
     events = [a, a, b, a, b]
     about(
-        f"Rules({rows}), then rules.landed(row) for each row of {events}: the score after each "
+        f"rules = Rules({rows}); rules.landed(row) for each row in {events}; the score after each "
         "call",
         read=RULES,
     )
@@ -34,16 +34,17 @@ def test_a_row_counts_once(rng: Random) -> None:
     seen = ruled(rows, events)
     got = [score for score, *_ in seen]
     mistakes = [
-        ([10, 20, 30, 40, 50], "Every landing scored, even on a row that the ball had visited "
+        ([10, 20, 30, 40, 50], "Every landing scores, even on a row that the ball has visited "
                                "before. A row scores only once, so check first whether it is "
                                "already in visited."),
-        ([160] * 5, "The score jumped after the first landing because your game already counted as "
-                    "won. It is won only when every row has been visited."),
+        ([160] * 5, "Your game already counts as won after the first landing, so it adds the "
+                    "bonus. It is won only when every row has been visited."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_exactly(got, [10, 10, 20, 20, 20])
     about.call = (
-        f"Rules({rows}), then rules.landed(row) for each row of {events}: visited and lives"
+        f"rules = Rules({rows}); rules.landed(row) for each row in {events}; rules.visited (as a "
+        "list) and then rules.lives"
     )
     about.cause = (
         "Each landing should add its row to visited. Only a fall costs a life, so leave lives "
@@ -59,56 +60,57 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     order = rng.sample(range(rows), rows)
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
     about(
-        f"Rules({rows}), then rules.landed(row) for each of these rows, or rules.fell() for -1: "
-        f"{events}",
+        f"rules = Rules({rows}); for each number in {events}, rules.fell() if it is -1, otherwise "
+        "rules.landed(number)",
         read=RULES,
     )
     about.cause = (
-        "The last row scores its POINTS like any other. It also wins the game, so add BONUS, which "
-        "is 50, for each life that is left."
+        "Every row from 0 to rows - 1 is valid and scores POINTS. The last row to be visited also "
+        "wins the game, so add BONUS, which is 50, for each life that is left."
     )
     seen = ruled(rows, events)
     won = seen[rows + falls - 1]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
     missing = (
-        "You left out the bonus. When a landing visits the last row, add BONUS for each life that "
+        "You leave out the bonus. When a landing visits the last row, add BONUS for each life that "
         "is left."
     )
     if won[0] == points and ruled(rows, order)[-1][0] != points:
         missing = (
-            "Your game is not won here, although it would be without the fall. A fall must not "
-            "remove rows from visited, or the player would have to visit them again."
+            "Your game is not won when all rows have been visited, because an earlier fall removed "
+            "rows from visited. A fall must not change visited."
         )
     mistakes = [
         (points, missing),
-        (points + 50, "You added the bonus only once. Multiply BONUS, which is 50, by the number "
-                      "of lives that are left."),
-        (points + 150, "You added the bonus for all three lives, although one of them was lost. "
+        (points + 50, "You add the bonus only once. Multiply BONUS, which is 50, by the number of "
+                      "lives that are left."),
+        (points + 150, "You add the bonus for all three lives, although one of them is lost. "
                        "Multiply BONUS by the number of lives that are left."),
-        (score - 10, "The score is 10 points too low. The last row scores its POINTS on top of the "
-                     "bonus, and a fall doesn't cost any points."),
+        (score - 10, "Your score is 10 points too low. The last row scores its POINTS in addition "
+                     "to the bonus, and a fall doesn't cost any points."),
     ]  # fmt: skip
     blame(won[0], mistakes)
-    expect_exactly(won[0], score, then=": the score when all rows are visited")
-    name = f"Rules({rows}) after {events}: rules.won and rules.over when all rows are visited"
+    expect_exactly(won[0], score, then="; the score when all rows are visited", unit="points")
+    name = f"rules = Rules({rows}) after landings on the rows {events}, where -1 is a fall; "
+    name += "rules.won and rules.over when all rows are visited"
     over = (
-        "The game can end in two ways: the player has visited every row, or has no lives left. "
-        "Check both conditions in over."
+        "Your over misses one of the two ways in which the game can end: the player has visited "
+        "every row, or has no lives left. Check both."
     )
     expect_exactly(list(won[3:]), [True, True], call=name, cause=over)
     before = seen[rows + falls - 2]
     about.cause = (
-        "The last row has not been visited yet, so the game is not won and there is no bonus. Add "
-        "the bonus only when self.won is true."
+        "You add points before the last row has been visited. Add the bonus only when self.won is "
+        "true."
     )
-    expect_exactly(before[0], 10 * (rows - 1), then=": the score before the last row")
+    expect_exactly(before[0], 10 * (rows - 1), then="; the score before the last row is visited")
     about.cause = (
-        "Once the game is over, landings and falls change nothing. Check self.over first, in both "
-        "methods."
+        "A landing or fall still counts after the game is over. Check self.over first, in both "
+        "landed and fell."
     )
     got = list(seen[-1][:2])
-    expect_exactly(got, [score, 3 - falls], then=": score and lives at the end")
+    expect_exactly(got, [score, 3 - falls], then="; the score and the lives at the end")
 
 
 @pytest.mark.exercise("P8.1a")
@@ -116,7 +118,8 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
     about(
-        f"Rules(6), then a landing on each of these rows, or rules.fell() for each -1: {events}",
+        f"rules = Rules(6); for each number in {events}, rules.fell() if it is -1, otherwise a "
+        "landing on that row",
         read=RULES,
     )
     about.cause = (
@@ -125,20 +128,23 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     )
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
-    expect_exactly(got, [2, 2, 1, 0, 0, 0], then=": the lives after each call")
+    expect_exactly(got, [2, 2, 1, 0, 0, 0], then="; the lives after each call")
     got = [over for *_, over in seen]
     wanted = [False, False, False, True, True, True]
     expect_exactly(
-        got, wanted, call=f"Rules(6), then {events}, where -1 is a fall: rules.over after each call"
+        got,
+        wanted,
+        call=f"rules = Rules(6), then landings on the rows {events}, where -1 is a fall; "
+        "rules.over after each call",
     )
     about.cause = "A fall costs a life, but it must not change the score or the visited rows."
     got = [seen[-1][0], *seen[-1][2]]
     if got[0] == 20:
         about.cause = (
-            "You counted a landing after the game was over. Return from landed at once if "
-            "self.over is true."
+            "Your game counts a landing after it is over. Return from landed at once if self.over "
+            "is true."
         )
-    expect_exactly(got, [10, a], then=": score and visited at the end")
+    expect_exactly(got, [10, a], then="; the score and then the visited rows at the end")
 
 
 @pytest.mark.exercise("P8.1a")
@@ -147,25 +153,25 @@ def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
     about.read = RULES
     rows = rng.randint(3, 6)
     about.cause = (
-        "There is no row with that number: rows are numbered from 0 to rows - 1. Raise ValueError "
-        "for anything else."
+        "There is no row with this number, because rows are numbered from 0 to rows - 1. Raise "
+        "ValueError for any other number."
     )
     for row in (rows, -1):
-        about.call = f"Rules({rows}).landed({row}): the name of the error ('' if there was none)"
+        about.call = f"Rules({rows}).landed({row}): the error that it raises"
         error, *after = refused_row(rows, row)
         expect_exactly(error, "ValueError")
-        name = f"Rules({rows}).landed({row}): score and visited afterward"
+        name = f"Rules({rows}).landed({row}): the score and the visited rows afterward"
         expect_exactly(
             after,
             [0, []],
             call=name,
-            cause="The call raised an error, but only after it had changed the score or the "
+            cause="The call raises an error, but only after it has changed the score or the "
             "visited rows. Check the row before you change anything.",
         )
     about.cause = "This row exists, so landed should accept it. Both 0 and rows - 1 are valid."
     for row in (0, rows - 1):
-        about.call = f"Rules({rows}).landed({row}): the name of the error ('' if there was none)"
-        expect_exactly(refused_row(rows, row)[0], "")
+        about.call = f"Rules({rows}).landed({row}): the error that it raises"
+        expect_exactly(refused_row(rows, row)[0], "no error")
 
 
 @pytest.mark.exercise("P8.1b")
@@ -175,49 +181,46 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     before, beyond = FIRST + 2.0 * row - 0.5, FIRST + 2.0 * row + 0.5  # row is nearest to both
     depth, speed = round(rng.uniform(0.01, 0.2), 3), round(rng.uniform(2.0, 9.0), 3)
     named = (
-        "The ball is moving down and touches the deck, so it lands. Set row to the row that "
+        "The ball moves down and touches the deck, so it lands. Set row to the row that "
         "deck.nearest() returns."
     )
     for what, x, height, velocity, wanted, cause in (
-        ("in the deck, falling", before, 4.5 - depth, -speed, (2, row), named),
-        ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row),
-         "The ball is moving down slowly, but it still lands. Any negative separating velocity "
-         "counts, so don't require a minimum speed."),
-        ("in the deck, on its way up", before, 4.5 - depth, speed, (2, -1),
+        ("that touches the deck and falls", before, 4.5 - depth, -speed, (2, row), named),
+        ("that touches the deck and falls slowly", beyond, 4.5 - depth, -0.01, (2, row),
+         "The ball is moving down slowly, but it still lands. Count any negative separating "
+         "velocity as a landing, without a minimum speed."),
+        ("that touches the deck and moves up", before, 4.5 - depth, speed, (2, -1),
          "The ball touches the deck but is moving up, so this is not a landing. Set row to None "
          "unless the separating velocity is negative."),
-        ("in the deck, at rest", before, 4.5 - depth, 0.0, (2, -1), "The ball touches the deck but "
-                                                                    "is at rest, so this is not a "
-                                                                    "landing. The separating "
-                                                                    "velocity is exactly 0 here, "
-                                                                    "and it has to be below 0."),
-        ("above the deck, falling", before, 4.5 + depth, -speed, (0, -1), "The ball doesn't touch "
-                                                                          "the deck, so there is "
-                                                                          "no contact and it can't "
-                                                                          "have landed. Set row to "
-                                                                          "None."),
+        ("that touches the deck and is at rest", before, 4.5 - depth, 0.0, (2, -1),
+         "The ball touches the deck but is at rest, so this is not a landing. Set row only if the "
+         "separating velocity is below 0, which it is not here."),
+        ("that falls, but is still above the deck", before, 4.5 + depth, -speed, (0, -1),
+         "The ball doesn't touch the deck, so it hasn't landed. Set row to None when there is no "
+         "contact."),
     ):  # fmt: skip
         about.cause = cause
         about.call = (
-            f"a ball at x = {x}, {what}: the number of landings.contacts(), and row (-1 means None)"
+            f"a ball at x = {x:g} m {what}; landings.contacts(); the number of contacts, and "
+            "landings.row (-1 stands for None)"
         )
         count, first, later = landing(height, velocity, x)
         got = (count, -1 if first is None else first)
         if not count and wanted[0]:
             about.cause = (
-                "Your contacts() returns no contacts, so the ball would fall through the bridge. "
-                "Return the ones that self.deck.contacts() finds."
+                "Your contacts() returns no contacts, so the ball falls through the bridge. Return "
+                "the contacts that self.deck.contacts() finds."
             )
         expect_close(got, wanted, tolerance=0.0)
         about.call = (
-            f"a ball at x = {x}, {what}, which is then moved far above the deck; "
-            "landings.contacts(): is row None"
+            f"a ball at x = {x:g} m {what}; landings.contacts(); the ball is moved far above the "
+            "deck; landings.contacts()"
         )
         about.cause = (
-            "You kept the row of the earlier landing. Set row again on every call of contacts(), "
-            "to None if the ball doesn't touch the deck."
+            "You keep the row of the earlier landing. Set row in every call of contacts(), and set "
+            "it to None if the ball doesn't touch the deck."
         )
-        expect_exactly(later is None, True)
+        expect_that(later is None, f"landings.row is {later}", "landings.row is None")
 
 
 @pytest.mark.exercise("P8.1b")
@@ -228,8 +231,9 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     frame, mass = round(rng.uniform(0.005, 0.03), 4), positive_number(rng)
     damped = 0.6**frame
     about.call = (
-        f"a game with direction {direction}, the ball at ({x}, 9, 0) with velocity ({speed}, 0, 0) "
-        f"and mass {mass}; three calls of game.step({frame}): the velocity of the ball"
+        f"a game with game.direction = {direction} and a ball of {mass} kg at ({x}, 9, 0) m with "
+        f"velocity ({speed}, 0, 0) m/s; three calls of game.step({frame}); the velocity of the "
+        "ball"
     )
     about.cause = (
         "The player pushes the ball along X with the force direction * PUSH * mass. Add it "
@@ -248,11 +252,11 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
             ((free, vy, 0.0), "The push has no effect, probably because you add it before "
                               "start_frame, which clears the forces. Add it after start_frame and "
                               "before run_physics."),
-            ((weak, vy, 0.0), "You left the mass out of the push. PUSH is an acceleration in "
+            ((weak, vy, 0.0), "You leave the mass out of the push. PUSH is an acceleration in "
                               "m/s^2, so the force is PUSH * mass."),
         ]  # fmt: skip
         blame(got, mistakes)
-    expect_close(got, (vx, vy, 0.0), tolerance=1e-12)
+    expect_close(got, (vx, vy, 0.0), unit="m/s", tolerance=1e-12)
 
 
 @pytest.mark.exercise("P8.1b")
@@ -261,8 +265,9 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
     for row in (rng.randint(1, 4), 0):
         x = FIRST + 2.0 * row
         about.call = (
-            f"a game in which the ball is 0.05 m above row {row} and moves at -6 m/s; "
-            "game.step(1/60), in which it lands: its velocity along Y, the score, and visited"
+            f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; "
+            "game.step(1/60), in which the ball lands; its velocity along Y in m/s, the score, and "
+            "the visited rows"
         )
         about.cause = (
             "After run_physics, check landings.row. If it is not None, call self.rules.landed(row) "
@@ -282,13 +287,13 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             )
         elif row == 0:
             about.cause = (
-                "The ball landed on row 0, but you ignored that landing. Python treats 0 as false, "
+                "The ball lands on row 0, but you ignore that landing. Python treats 0 as false, "
                 "so `if row` skips the first row. Write `if row is not None` instead."
             )
         expect_close(got, (6.0, 10.0, float(row)), tolerance=1e-12)
     about.call = (
-        f"a game in which the ball is 0.05 m above row {row} and moves at -6 m/s; 20 calls of "
-        "game.step(1/60): score and lives"
+        f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; 20 calls of "
+        "game.step(1/60); the score and the lives"
     )
     about.cause = (
         "The ball should land once and then rise, without landing again or costing a life during "
@@ -298,11 +303,11 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
     got = (seen["score"], seen["lives"])
     expect_close(got, (10.0, 3.0), tolerance=0.0)
     about.call = (
-        f"a game in which row {row} was visited before, with the ball 0.05 m above it at -6 m/s; "
-        "game.step(1/60): the velocity of the ball along Y, and the score"
+        f"a game in which row {row} was visited before, and the ball falls at 6 m/s, 0.05 m above "
+        "it; game.step(1/60); the velocity of the ball along Y in m/s, and the score"
     )
     about.cause = (
-        "The ball jumps from every row that it lands on. A row that it has visited before scores "
+        "The ball jumps from every row on which it lands. A row that was visited before scores "
         "nothing, but the ball still jumps from it."
     )
     seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=[row])[-1]
@@ -315,7 +320,7 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     about.read = STEP
     x = round(rng.uniform(8.0, 9.0), 3)
     about.call = (
-        f"a game with the ball at ({x}, 0.6, 0), beside the bridge, moving at -9 m/s; "
+        f"a game in which the ball is at ({x}, 0.6, 0) m, beside the bridge, and falls at 9 m/s; "
         "game.step(1/60)"
     )
     about.cause = (
@@ -323,15 +328,20 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "back above the first row."
     )
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
-    expect_exactly(seen["lives"], 2, then=": lives")
+    expect_exactly(seen["lives"], 2, then="; the lives that are left", unit="lives")
     kept = (
-        "Your fall changes the visited rows. It should only cost a life, so leave visited as it is."
+        "A fall changes the visited rows in your game. It should only cost a life, so leave "
+        "visited as it is."
     )
-    expect_exactly(seen["visited"], [2, 4], then=": visited, which was [2, 4]", cause=kept)
+    expect_exactly(
+        seen["visited"], [2, 4], then="; the visited rows, which were 2 and 4", cause=kept
+    )
     got = seen["place"] + seen["velocity"]
     place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)
     # The cables, too short at first, have pulled the row inward by 0.13 m in that step.
-    expect_close(got, place, then=": position and velocity", tolerance=0.2)
+    expect_close(
+        got, place, then="; position and velocity of the ball, in m and m/s", tolerance=0.2
+    )
     about.cause = (
         "The ball has fallen if its lowest point is at most TOUCH, which is 1e-6 m, above the "
         "ground. That point is one radius below the ball's center."
@@ -339,28 +349,29 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     for above, lives in ((5e-7, 2), (5e-6, 3)):
         about.call = (
             f"a game in which the ball is beside the bridge, and its lowest point is {above} m "
-            "above the ground at the end of the step: the lives that are left"
+            "above the ground at the end of game.step(1/60); the lives that are left"
         )
         # In one step gravity takes exactly its upward speed, so it stays where it is.
         seen = played(1, FRAME, 0, (x, 0.5 + above, 0.0), (0.0, 9.81 * FRAME, 0.0))[-1]
-        expect_exactly(seen["lives"], lives)
+        expect_exactly(seen["lives"], lives, unit="lives")
     about.call = (
-        f"a game with one life left and the ball at ({x}, 0.6, 0), moving at -9 m/s; three calls "
-        "of game.step(1/60)"
+        f"a game with one life left, in which the ball is at ({x}, 0.6, 0) m and falls at 9 m/s; "
+        "three calls of game.step(1/60)"
     )
     about.cause = (
         "The last life is gone, so the game is over. Don't put the ball back after this fall, and "
         "return from step at once if self.rules.over is true."
     )
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
-    expect_exactly(seen[-1]["lives"], 0, then=": lives")
+    expect_exactly(seen[-1]["lives"], 0, then="; the lives that are left", unit="lives")
     expect_close(
         seen[-1]["place"],
         seen[0]["place"],
-        then=": position, as after the first step",
+        then="; the position of the ball in m, which should be the same as after the first step",
         tolerance=0.0,
     )
-    expect_exactly(seen[-1]["place"][0] > 7.0, True, then=": is the ball still beside the bridge")
+    x = seen[-1]["place"][0]
+    expect_that(x > 7.0, f"the ball is at x = {x:.3g} m", "the ball is still beside the bridge")
 
 
 @pytest.mark.exercise("P8.1b")
@@ -370,19 +381,19 @@ def test_the_last_row_ends_the_game(rng: Random) -> None:
     visited = [i for i in range(6) if i != row]
     x = FIRST + 2.0 * row
     about.call = (
-        f"a game in which the rows {visited} are visited and the ball is 0.05 m above row {row} at "
-        "-6 m/s; three calls of game.step(1/60)"
+        f"a game in which all rows but {row} are visited, and the ball falls on row {row} at 6 m/s "
+        "from 0.05 m above; three calls of game.step(1/60)"
     )
     about.cause = (
-        "The first of these steps wins the game and adds POINTS and the bonus once. After that the "
-        "game is over, so step must not change the score or move the ball."
+        "The first step wins the game and adds POINTS and the bonus. After that the game is over, "
+        "so step must not change the score or move the ball."
     )
     seen = played(3, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=visited)
     scores = [frame["score"] for frame in seen]
-    expect_exactly(scores, [160] * 3, then=": the score after each")
+    expect_exactly(scores, [160] * 3, then="; the score after each step")
     expect_close(
         seen[-1]["place"],
         seen[0]["place"],
-        then=": position, as after the first step",
+        then="; the position of the ball in m, which should be the same as after the first step",
         tolerance=0.0,
     )

@@ -32,26 +32,26 @@ def pull(length: float, k: float, rest: float, limit: float, share: float) -> fl
 @scoped
 def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None:
     about.call = call
-    on_a = tuple(force * w for w in way)
-    on_b = tuple(-force * w for w in way)
+    on_a = tuple(force * w + 0.0 for w in way)  # which is 0.0 instead of -0.0
+    on_b = tuple(-force * w + 0.0 for w in way)
     if force:
         mistakes = [
-            ((*ZERO, *ZERO), f"You added no force to either end. {about.cause}"),
+            ((*ZERO, *ZERO), f"Your update_force adds no force to either end. {about.cause}"),
             (
                 (*on_a, *ZERO),
-                "Only a gets a force, but a bond pulls on both ends. Use self._to_b for a and "
+                "Only end a gets a force, but a bond pulls on both ends. Use self._to_b for a and "
                 "self._to_a for b.",
             ),
             (
                 (*on_a, *on_a),
-                "Both ends get the same force, so the bond pushes the whole blob along. The two "
-                "forces should be opposite, so let self._to_a act on b.",
+                "Both ends get the same force, but the two forces should be opposite. Let "
+                "self._to_a act on b.",
             ),
         ]
         blame((*seen[0], *seen[1]), mistakes)
     # Rounding of forces of some tens of N.
-    expect_close(seen[0], on_a, then=": force on a", tolerance=1e-11)
-    expect_close(seen[1], on_b, then=": force on b", tolerance=1e-11)
+    expect_close(seen[0], on_a, then=": the force on a", unit="N", tolerance=1e-11)
+    expect_close(seen[1], on_b, then=": the force on b", unit="N", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B8.8")
@@ -59,7 +59,11 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
     k, rest, limit, share, most = draw_bond(rng)
     way = direction(rng)
     lengths = [0.5 * rest, rest, 0.5 * (rest + limit), limit, 0.5 * (limit + most)]
-    about(f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most}) of length ", read=BOND)
+    about(
+        f"bond = Bond(a, b, stiffness={k}, rest_length={rest}, limit={limit}, share={share}, "
+        f"break_length={most}); the ends are ",
+        read=BOND,
+    )
     about.cause = (
         "A bond that holds acts like a spring on both ends. The spring self._to_b acts on a, and "
         "self._to_a acts on b."
@@ -68,8 +72,8 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
         lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
     ):
         force = pull(length, k, rest, limit, share)
-        expect_forces(f"{about.call}{length}", seen, force, way)
-        expect_exactly(seen[2], True, then=f"{length}: holds")
+        expect_forces(f"{about.call}{length:.6g} m apart", seen, force, way)
+        expect_exactly(seen[2], True, then=f"{length:.6g} m apart: bond.holds")
 
 
 @pytest.mark.exercise("B8.8")
@@ -77,16 +81,19 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
 def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
     k, rest, limit, share, most = draw_bond(rng)
     way = direction(rng)
-    about(f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most})", read=BOND)
+    about(
+        f"bond = Bond(a, b, stiffness={k}, rest_length={rest}, limit={limit}, share={share}, "
+        f"break_length={most})",
+        read=BOND,
+    )
     causes = {
         "breaks": "The bond is longer than break_length, so it breaks, whichever end update_force "
-        "is called for. Decide that before you apply a force, so that a bond doesn't "
-        "pull in the same call in which it breaks.",
-        "broken": "The bond is broken, and its ends are still more than rest_length apart. It "
-        "stays broken until they are rest_length apart or less.",
+        "is called for. Decide that first, so that the bond doesn't pull in the same call.",
+        "broken": "Your broken bond holds again too early, while its ends are more than "
+        "rest_length apart. It stays broken until they are rest_length apart or less.",
         "heals": "The ends of the broken bond are less than rest_length apart, so the bond heals. "
-        "It holds again, starting with the force in this very call.",
-        "holds": "The bond has healed, so it holds again until it is longer than break_length.",
+        "Let it hold again and add its force in this same call.",
+        "holds": "The bond has healed, so it holds until it is longer than break_length again.",
     }
     story = [
         (most, True, "holds"),
@@ -105,9 +112,9 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         if what == "holds" and i == 0:
             continue  # rounding may have made it slightly longer
         shown = ", ".join(f"{one:.6g}" for one in lengths[: i + 1])
-        name = f"{about.call}, whose length is set to {shown} m in turn"
+        name = f"{about.call}; the ends are put {shown} m apart, one after the other"
         about.cause = causes[what]
-        expect_exactly(seen[i][2], holds, call=f"{name}: holds")
+        expect_exactly(seen[i][2], holds, call=f"{name}: bond.holds")
         force = pull(length, k, rest, limit, share) if holds else 0.0
         expect_forces(name, seen[i], force, way)
 
@@ -119,8 +126,9 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
     most = rest + 0.25 * rng.randint(2, 5)
     lengths = [most, most + 1e-6, rest + 1e-6, rest]
     about.call = (
-        f"Bond(a, b, 30, {rest}, {rest}, 0.5, {most}) along X, whose length is set to {lengths} in "
-        "turn: does it hold at each length"
+        f"bond = Bond(a, b, stiffness=30, rest_length={rest}, limit={rest}, share=0.5, "
+        f"break_length={most}); the ends are {lengths} m apart, one after the other: bond.holds "
+        "each time"
     )
     about.cause = (
         "A bond of exactly break_length still holds, and a longer one breaks. A broken bond holds "
@@ -149,10 +157,13 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
 
 @pytest.mark.exercise("B8.8")
 def test_bonds_keep_a_blob_together() -> None:
-    about("seven particles with bonds between all of them, 3 s after they were dropped", read=BOND)
+    about(
+        "a blob of seven particles with bonds between all of them, 3 s after it was dropped",
+        read=BOND,
+    )
     about.cause = (
-        "The blob has collapsed or flown apart. Check the direction of the forces: a bond pushes "
-        "its ends apart when it is too short, and pulls them together when it is too long."
+        "Your blob collapses or flies apart. Check the direction of the forces: a bond pushes its "
+        "ends apart when it is too short, and pulls them together when it is too long."
     )
     before, after = settled_blob(180, 1.0 / 60.0)
     # Under its own weight, such a blob spreads by 1 to 2 %.
@@ -168,7 +179,8 @@ def _spread(places: list[Components]) -> float:
 @pytest.mark.exercise("B8.9")
 def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     about(
-        "spread of four particles of equal mass at the corners of a square with sides of 2 m",
+        "four particles of equal mass at the corners of a square with sides of 2 m; "
+        "spread(particles)",
         read=SPREAD,
     )
     about.cause = (
@@ -179,30 +191,32 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
     mistakes = [
-        (2.0, "This is the mean of the squared distances, in m^2. Take its square root to get a "
+        (2.0, "You return the mean of the squared distances, in m^2. Take its square root to get a "
               "length."),
         (math.sqrt(8.0),
-         "You took the square root of a sum, not of a mean. Divide the sum by the total mass "
+         "You take the square root of a sum, not of a mean. Divide the sum by the total mass "
          "before you take the root."),
         (math.sqrt(24.0),
-         "You took the square root of a sum, not of a mean. Divide the sum by the total mass "
+         "You take the square root of a sum, not of a mean. Divide the sum by the total mass "
          "before you take the root."),
         (math.sqrt(2.0 + math.hypot(x + 1.0, y + 1.0, z) ** 2),
-         "You measured the distances from the origin, so the result depends on where the blob is. "
+         "You measure the distances from the origin, so the result depends on where the blob is. "
          "Measure them from the center of mass."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, math.sqrt(2.0), tolerance=1e-12)
+    expect_close(got, math.sqrt(2.0), unit="m", tolerance=1e-12)
     numbers = [number for place in square for number in place]
     got = [number for place in after for number in place]
     about.cause = (
-        "spread has moved the particles, although it should only measure them. An operator such as "
-        "+= changes a position in place, so work with new vectors."
+        "Your spread moves the particles, although it should only measure them. An operator such "
+        "as += changes a position in place, so work with new vectors."
     )
-    expect_close(got, numbers, then=": the positions afterward", tolerance=0.0)
+    expect_close(
+        got, numbers, then="; the positions of the particles afterward", unit="m", tolerance=0.0
+    )
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
-    about.call = f"spread of a particle of mass {m} at {p} and one of mass {n} at {q}"
+    about.call = f"a particle of {m} kg at {p} m and one of {n} kg at {q} m; spread of both"
     about.cause = (
         "Weight each squared distance from the center of mass by the particle's mass. For two "
         "particles the result is sqrt(m n) / (m + n) times the distance between them."
@@ -213,22 +227,22 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     ways = (n / total * apart, m / total * apart)  # of both from their center of mass
     mistakes = [
         ((m * ways[0] + n * ways[1]) / total,
-         "This is the mean of the distances. Average their squares instead, weighted by mass, and "
-         "then take the square root."),
+         "You return the mean of the distances. Average their squares instead, weighted by mass, "
+         "and then take the square root."),
         (0.5 * apart,
-         "You measured the distances from the midpoint of the two particles. Measure them from the "
+         "You measure the distances from the midpoint of the two particles. Measure them from the "
          "center of mass, which is nearer the heavier one."),
-        (math.hypot(*ways) / math.sqrt(2.0), "You averaged the squared distances without the "
+        (math.hypot(*ways) / math.sqrt(2.0), "You average the squared distances without the "
                                              "masses. Multiply each squared distance by its mass, "
                                              "and divide the sum by the total mass."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, wanted, tolerance=1e-12)
+    expect_close(got, wanted, unit="m", tolerance=1e-12)
     about(
-        f"spread of a single particle at {p}",
+        f"a single particle at {p} m; spread([particle])",
         cause="A single particle is its own center of mass, so the spread is 0.",
     )
-    expect_close(spread_of([p], [m])[0], 0.0, tolerance=1e-12)
+    expect_close(spread_of([p], [m])[0], 0.0, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.9")
@@ -244,13 +258,13 @@ def test_a_spread_of_nothing_is_refused() -> None:
     )
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
     about.cause = (
-        "One of the particles is immovable, so its mass is infinite and the center of mass is "
-        "undefined. Raise ValueError."
+        "One of the particles is immovable, so its mass is infinite and there is no center of "
+        "mass. Raise ValueError."
     )
     for masses in ([1.0, math.inf], [math.inf, 1.0]):
         expect_error(
             lambda masses=masses: spread_of([ZERO, (1.0, 0.0, 0.0)], masses),
             ValueError,
-            call=f"spread of two particles with masses of {masses} kg",
+            call=f"two particles with masses of {masses} kg; spread of both",
             allowed=allowed,
         )

@@ -48,17 +48,15 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     about.read = LINKS
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
-    about.call = (
-        f"links_of(make_rows()), then every plank is moved {low} m down and away from the others: "
-        f"contacts() of the {what}"
-    )
+    about.call = "links_of(make_rows()) for 6 rows, whose 12 ends have the numbers 0 to 11; all "
+    about.call += f"ends are moved apart; the {what}"
     about.cause = {
-        "rod": "A Rod of length WIDTH joins the two ends of each row. With six rows that makes six "
-        "rods.",
-        "cable": "A Cable of length CABLE_LENGTH joins each end of a row to the end of the next "
-        "row on the same side. With six rows that makes ten cables.",
+        "rod": "Join the two ends of each row with a Rod of length WIDTH. With six rows that makes "
+        "six rods.",
+        "cable": "Join each end of a row to the end of the next row on the same side, with a Cable "
+        "of length CABLE_LENGTH. With six rows that makes ten cables.",
         "support": "Each end of each row hangs from its own anchor. Join it to anchor_of(end) with "
-        "an AnchoredCable of length support_length(row number). That makes twelve.",
+        "an AnchoredCable of length support_length(row number). That makes twelve cables.",
     }[which]
 
     def picked(links: Any) -> list[Any]:
@@ -72,43 +70,42 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     got, wanted = picked(links), picked(wanted_links(places))
     ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
-    wrong = [f"{pair} is missing" for pair in right if pair not in ends]
-    wrong += [f"{pair} is listed twice" for i, pair in enumerate(ends) if pair in ends[:i]]
-    wrong += [f"{pair} should not be joined" for pair in ends if pair not in right]
-    why = f"{wrong[0]}. {about.cause}" if wrong else about.cause
-    expect_exactly(ends, right, then=": the ends of each by index (-1 is an anchor)", cause=why)
+    wrong = [f"{pair} are not joined" for pair in right if pair not in ends]
+    wrong += [f"{pair} are joined twice" for i, pair in enumerate(ends) if pair in ends[:i]]
+    wrong += [f"{pair} are joined but should not be" for pair in ends if pair not in right]
+    why = f"Ends {wrong[0]}. {about.cause}" if wrong else about.cause
+    expect_exactly(ends, right, then=" as pairs of ends (-1 is an anchor)", cause=why)
     lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
-    about.cause = (
-        f"This {'cable' if which != 'rod' else 'rod'} joins the right ends, but its length is "
-        f"wrong. It should be {lengths[which]}."
-    )
+    about.cause = f"Your {'cable' if which != 'rod' else 'rod'} joins the right ends, but its "
+    about.cause += f"length is wrong. It should be {lengths[which]}."
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
         # Lengths of some meters, rounded a few times.
         expect_close(
             depth,
             right,
-            then=f": penetration of {(i, j)}, which is how much too long it is",
+            then=f": how far the link of ends {(i, j)} is overstretched",
+            unit="m",
             tolerance=1e-12,
         )
 
 
 @pytest.mark.exercise("B8.4")
 def test_nothing_else_holds_them() -> None:
-    about("links_of(make_rows()): the ends of all contacts() at the start", read=LINKS)
-    about.cause = (
-        "At the start only the cables from row to row should report a contact, because they are "
-        "stretched by 0.1 m. The rods have the right length, and the anchored cables are slack."
+    about(
+        "links_of(make_rows()) with the planks where they start; the ends of all contacts, by "
+        "number",
+        read=LINKS,
     )
+    about.cause = "At the start only the cables from row to row should report a contact, because "
+    about.cause += "they are stretched by 0.1 m. The rods have the right length, and the anchored "
+    about.cause += "cables are slack."
     links = sorted((i, j) for i, j, *_ in bridge_links(START))
     expect_exactly(links, [(i, i + 2) for i in range(10)])
     places = [(0.8 * x, 4.5, z) for x, _, z in START]
-    about.call = (
-        "links_of(make_rows()), then all planks are pushed together along X: the number of contacts"
-    )
-    about.cause = (
-        "The cables are slack here, and the rods have exactly the right length, so there should be "
-        "no contacts. Check the lengths that you pass to the links."
-    )
+    about.call = "links_of(make_rows()); all planks are pushed together along X; the number of "
+    about.call += "contacts"
+    about.cause = "The cables are slack here, and the rods have exactly the right length, so there "
+    about.cause += "should be no contacts. Check the lengths that you pass to the links."
     count = len(bridge_links(places))
     mistakes = [
         (10, "Your ten links from row to row push the planks apart, but ropes can only pull. Make "
@@ -119,17 +116,13 @@ def test_nothing_else_holds_them() -> None:
              "so make these links cables instead of rods."),
     ]  # fmt: skip
     blame(count, mistakes)
-    expect_exactly(count, 0)
+    expect_exactly(count, 0, unit="contacts")
     places = [(1.5 * x, 1.0, 1.5 * z) for x, _, z in START]
-    about.call = (
-        "links_of(make_rows()), then all planks are pulled apart: the number of contacts, and "
-        "their restitution"
-    )
-    about.cause = (
-        "Every link is overstretched here, so each one should have a contact with a restitution of "
-        "0. That makes 28 contacts: 6 for the rods, 10 for the cables and 12 for the anchored "
-        "cables."
-    )
+    about.call = "links_of(make_rows()); all planks are pulled apart; the number of contacts, and "
+    about.call += "their different restitutions"
+    about.cause = "Every link is overstretched here, so each one should have a contact with a "
+    about.cause += "restitution of 0. That makes 28 contacts: 6 for the rods, 10 for the cables "
+    about.cause += "and 12 for the anchored cables."
     found = bridge_links(places)
     got = (len(found), *{c for _, _, _, c, _ in found})
     expect_close(got, (28, 0.0), tolerance=0.0)
@@ -138,13 +131,11 @@ def test_nothing_else_holds_them() -> None:
 @pytest.mark.exercise("B8.4")
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
     about("the bridge, 1.5 s after it was released, at 60 steps per second", read=LINKS)
-    about.cause = (
-        "The anchored cables have to carry the bridge. Give each end of each row an AnchoredCable "
-        "of length support_length(row number)."
-    )
+    about.cause = "The anchored cables have to carry the bridge. Give each end of each row an "
+    about.cause += "AnchoredCable of length support_length(row number)."
     places = hung_bridge(90, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
-    expect_between(lowest, 0.01, math.inf, then=": the height of its lowest end, in m")
+    expect_between(lowest, 0.01, math.inf, then=": the height of its lowest end", unit="m")
     over = [math.dist(places[i], places[i + 2]) / 1.9 - 1.0 for i in range(10)]
     for i, (x, _, z) in enumerate(START):
         anchor = (1.1 * x, 6.0, 0.8 * z)
@@ -171,7 +162,8 @@ def middles(rows: list[tuple[Components, Components]]) -> list[tuple[float, floa
 
 def nearest_of(points: list[tuple[float, float]], x: float) -> str:
     """Return what is called: nearest() of a deck through these midpoints, with the ball at x."""
-    return f"a deck whose rows have the midpoints {points}, the ball at x = {x}: nearest()"
+    deck_and_ball = f"rows of a deck with midpoints (x, y) at {points} m; a ball at x = {x:.6g} m"
+    return f"{deck_and_ball}; deck.nearest(), which is (row, height)"
 
 
 @pytest.mark.exercise("B8.5")
@@ -194,15 +186,15 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
                 ((row, points[int(row)][1]),
-                 "You returned the height of the nearest row itself. Between two rows the deck "
+                 "You return the height of the nearest row itself. Between two rows the deck "
                  "slopes, so interpolate between the midpoints on either side of the ball."),
                 ((float(i), height),
-                 "The height is right, but you returned the row before the ball. Return the row "
+                 "The height is right, but you return the row before the ball. Return the row "
                  "whose midpoint is closer to the ball along X."),
                 ((float(i + 1), height),
-                 "The height is right, but you returned the row after the ball. Return the row "
-                 "whose midpoint is closer to the ball along X."),
-                ((row, near), "You interpolated between one end of each row. The two ends of a row "
+                 "The height is right, but you return the row after the ball. Return the row whose "
+                 "midpoint is closer to the ball along X."),
+                ((row, near), "You interpolate between one end of each row. The two ends of a row "
                               "can be at different heights, so use the midpoints of the rows."),
             ]  # fmt: skip
             wanted = (row, height)
@@ -239,18 +231,17 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
             "ball is still above it here. Return None only farther out."
         )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
-        expect_exactly(got is None, False, then=" is None")
+        expect_exactly(got is None, False, then=": is it None")
         slope = heights[i] - heights[1]
-        mistakes = [((float(i), heights[i] + 0.5 * slope), "You extended the line through the last "
-                                                           "two rows. Beyond its first and last "
-                                                           "rows the deck is level, so return the "
-                                                           "height of that row.")]  # fmt: skip
+        mistakes = [((float(i), heights[i] + 0.5 * slope),
+                     "You continue the slope beyond the end of the deck. Beyond its first and last "
+                     "rows the deck is level, so return the height of that row.")]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, (float(i), heights[i]), tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
         about.call = (
-            f"a deck of a single row with its midpoint at {points[0]}, the ball at x = {x}: "
-            "nearest()"
+            f"a deck of a single row with its midpoint (x, y) at {points[0]} m; a ball at x = {x} "
+            "m; deck.nearest(), which is (row, height)"
         )
         about.cause = (
             "A single row is both the first and the last one, so the deck extends 1 m beyond it on "
@@ -280,16 +271,17 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         got = deck((at, 9.0, 0.0), rows, 0.3, 0.0)["nearest"]
         expect_close(got, (float(row), height), tolerance=1e-12)
     about.cause = (
-        "The ball is more than half a SPACING beyond the last row, so there is no deck below it. "
-        "nearest() should return None, and contacts() should return no contacts."
+        "The ball is more than half a SPACING, which is 1 m, beyond the last row, so there is no "
+        "deck below it. Return None from nearest() and no contacts from contacts()."
     )
     for at in (first - 1.001, last + 1.001):
-        about.call = f"a deck whose rows have the midpoints {points}, the ball at ({at}, 1, 0)"
+        about.call = f"a deck whose rows have their midpoints (x, y) at {points} m; a ball at "
+        about.call += f"({at:.6g}, 1, 0) m"
         got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
         nearest = -1.0 if got["nearest"] is None else got["nearest"]
-        expect_close(nearest, -1.0, then=": nearest(), where -1 stands for None")
+        expect_close(nearest, -1.0, then="; deck.nearest(), where -1 stands for None")
         count = len(got["contacts"])
-        expect_exactly(count, 0, then=": the number of contacts")
+        expect_exactly(count, 0, then=": the number of contacts", unit="contacts")
 
 
 @pytest.mark.exercise("B8.5")
@@ -303,9 +295,10 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     for depth in (0.3, 0.01, 0.0):
         center = height + radius - depth
         about.call = (
-            f"a deck whose rows have the midpoints {middles(rows)}; a ball of radius {radius} at "
-            f"({at:g}, {center:.6g}, 0) with restitution {c}; contacts() (particle 0 is the ball, "
-            "3 and 4 are the ends of the nearest row)"
+            f"a deck with restitution {c} whose rows have their midpoints (x, y) at "
+            f"{middles(rows)} m; a ball of radius {radius} m at ({at:g}, {center:.6g}, 0); "
+            "deck.contacts(), where particle 0 is the ball, and 3 and 4 are the ends of the "
+            "nearest row"
         )
         about.cause = (
             "The ball rests on the nearest row, so return one contact for each end of that row. In "
@@ -317,8 +310,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
             about.cause = (
-                "The ball touches the deck, but there are no contacts. Compare the lowest point of "
-                "the ball, which is y - radius, with the height of the deck."
+                "The ball touches the deck, but you return no contacts. Compare the lowest point "
+                "of the ball, which is y - radius, with the height of the deck."
             )
             if not depth:
                 about.cause = (
@@ -327,8 +320,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                 )
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = (
-                "You returned a contact for only one end of the row, so the row would tilt. Return "
-                "one for each end."
+                "You return a contact for only one end of the nearest row, so the row tilts. "
+                "Return one for each end."
             )
         elif ends == [(3, 0), (4, 0)]:
             about.cause = (
@@ -337,25 +330,25 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
         elif len(ends) > 2:
             about.cause = (
-                "You returned contacts for other rows too, but the ball rests on the nearest row "
+                "You return contacts for other rows too, but the ball rests on the nearest row "
                 "alone. Return contacts only for the two ends of that row."
             )
-        expect_exactly(ends, [(0, 3), (0, 4)], then=": ends")
+        expect_exactly(ends, [(0, 3), (0, 4)], then=": particle and other of each contact")
         for _, _, normal, restitution, penetration in list(got):
             about.cause = (
                 "The normal of a contact is wrong. The deck pushes the ball up, so the normal is "
                 "+Y."
             )
-            expect_close(normal, UP, then=": the normal", tolerance=1e-15)
+            expect_close(normal, UP, then=": the normal of a contact", tolerance=1e-15)
             about.cause = (
                 "The restitution or the penetration is wrong. The restitution is self.restitution. "
                 "The penetration is how far the ball's lowest point is below the deck: height + "
                 "radius - y, where height is the height of the deck."
             )
             mistakes = [
-                ((0.0, depth), "The restitution is 0, but it should be the deck's. Pass "
-                               "self.restitution to each contact."),
-                ((c, 0.5 * depth), "You divided the depth between the two contacts. Each gets the "
+                ((0.0, depth), "Your contact has the restitution 0, but it should be the deck's. "
+                               "Pass self.restitution to each contact."),
+                ((c, 0.5 * depth), "You divide the depth between the two contacts. Each gets the "
                                    "full depth, because both ends of the row are below the same "
                                    "ball."),
                 ((c, depth - radius), "You left out the radius, so this is how deep the ball's "
@@ -365,7 +358,11 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             got = (restitution, penetration)
             why = cause_of(got, mistakes, about.cause)
             expect_close(
-                got, (c, depth), then=": restitution, penetration", cause=why, tolerance=1e-12
+                got,
+                (c, depth),
+                then=": the restitution and penetration of a contact",
+                cause=why,
+                tolerance=1e-12,
             )
     level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
     for y, cause in (
@@ -374,27 +371,29 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         (3.5, "The top of the ball is exactly level with the deck, so the penetration is the "
               "diameter. The ball has fallen through only if it is deeper than that."),
     ):  # fmt: skip
-        about(f"a level deck at a height of 4, a ball of radius 0.5 at (2, {y}, 0): ", cause=cause)
-        about.call += "contacts(), and the penetration of each"
+        about(
+            f"a level deck at a height of 4 m; a ball of radius 0.5 m at (2, {y}, 0)", cause=cause
+        )
+        about.call += "; deck.contacts()"
         got = [depth for *_, depth in deck((2.0, y, 0.0), level, 0.5, 0.0)["contacts"]]
-        expect_exactly(len(got), 2, then=": how many")
-        expect_close(got, (4.5 - y,) * 2)
+        expect_exactly(len(got), 2, then=": the number of contacts", unit="contacts")
+        expect_close(got, (4.5 - y,) * 2, then=": the penetration of each", unit="m")
     for where, lift, ends, cause in (
-        ("just above it", radius + 1e-6, 0, "The ball is above the deck and doesn't touch it, so "
+        ("just above", radius + 1e-6, 0, "The ball is above the deck and doesn't touch it, so "
                                             "there should be no contact."),
-        ("whose top is just above it", 1e-6 - radius, 2, "The top of the ball is still above the "
+        ("whose top is just above", 1e-6 - radius, 2, "The top of the ball is still above the "
                                                          "deck, so the ball has not fallen through "
                                                          "yet and is still in contact."),
-        ("whose top is just below it", -1e-6 - radius, 0, "The ball is completely below the deck, "
-                                                          "so it has fallen through. Return no "
-                                                          "contact, or the deck would push it back "
-                                                          "up."),
+        ("whose top is just below", -1e-6 - radius, 0, "The ball is completely below the deck, so "
+                                                          "it has fallen through. Return no "
+                                                          "contact, because a contact pushes it "
+                                                          "back up."),
     ):  # fmt: skip
         about(
-            f"a deck whose rows have the midpoints {middles(rows)}, a ball of radius {radius} "
-            f"{where}: ",
+            f"a deck whose rows have their midpoints (x, y) at {middles(rows)} m; a ball of radius "
+            f"{radius} m {where} the deck; ",
             cause=cause,
         )
-        about.call += "contacts()"
+        about.call += "deck.contacts()"
         count = len(deck((at, height + lift, 0.0), rows, radius, c)["contacts"])
-        expect_exactly(count, ends, then=": how many")
+        expect_exactly(count, ends, then=": the number of contacts", unit="contacts")

@@ -39,7 +39,7 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
             2,
             1,
             "Two particles need one rod, but the formula 3 n - 6 gives 0. It doesn't hold here, "
-            "because a rigid body of two particles has only five ways to move. Handle that case "
+            "because a rigid body of two particles has only five ways to move. Handle this case "
             "separately.",
         ),
         (1, 0, "A single particle has no distance to keep, so it needs no rod."),
@@ -49,23 +49,23 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         got = fewest_rods(count)
         if count == 8:
             mistakes = [
-                (24, "You returned 24, which counts all degrees of freedom of the eight corners. A "
-                     "rigid body keeps six of them, because it can still move along three axes and "
+                (24, "You return 24, which counts all degrees of freedom of the eight corners. A "
+                     "rigid body keeps six of them, because it can move along three axes and "
                      "rotate about them. Subtract 6."),
-                (13, "You returned 2 n - 3, which holds for particles in a plane. In space, use 3 "
-                     "n - 6."),
-                (21, "You returned 3 n - 3. A rigid body can move in three directions and also "
+                (13, "You return 2 n - 3, which holds for particles in a plane. In space, use 3 n "
+                     "- 6."),
+                (21, "You return 3 n - 3. A rigid body can move in three directions and also "
                      "rotate about three axes, so subtract 6 instead of 3."),
             ]  # fmt: skip
             blame(got, mistakes)
-        expect_exactly(got, wanted)
+        expect_exactly(got, wanted, unit="rods")
     count = rng.randint(9, 99)
     about.call = f"fewest_rods({count})"
     about.cause = (
         "Each particle has three degrees of freedom, and a rigid body keeps six in total. Each rod "
         "removes one, so the number is 3 n - 6."
     )
-    expect_exactly(fewest_rods(count), 3 * count - 6)
+    expect_exactly(fewest_rods(count), 3 * count - 6, unit="rods")
 
 
 @pytest.mark.exercise("8.2")
@@ -96,17 +96,20 @@ def test_the_cube_is_rigid() -> None:
         for rod in rods
         if len(rod) != 2 or not all(type(i) is int and 0 <= i < 8 for i in rod) or rod[0] == rod[1]
     ]
-    expect_exactly(wrong, [], then=": the rods that are not such a pair")
+    expect_exactly(wrong, [], then=": the rods that are not such a pair of corners")
     left = motions(CORNERS, rods, HELD)
     different = len({tuple(sorted(rod)) for rod in rods})
     about.cause = (
-        f"You have {different} different rods, but they prevent only {18 - len(left)} of the 18 "
-        "motions that would deform the cube."
+        f"Your {different} different rods prevent only {18 - len(left)} of the 18 motions that "
+        "deform a cube. Add rods until no such motion is left."
     )
     if left:
-        about.cause += f" For example, this motion is still possible: {told(left[0], 'corner')}."
+        about.cause += f" For example, this one is still possible: {told(left[0], 'corner')}."
     expect_exactly(
-        len(left), 0, then=": the number of motions that they allow, besides those of a rigid body"
+        len(left),
+        0,
+        then=": the number of motions that the rods allow, besides those of a rigid body",
+        unit="motions",
     )
 
 
@@ -127,8 +130,8 @@ def draw_rim(rng: Random, count: int) -> tuple[tuple[float, float, float], list]
 def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     hub, rim = draw_rim(rng, count)
     about(
-        f"rods_of(hub, rim) with a rim of {count} particles: the two ends of each rod, where 0 "
-        "is the hub",
+        f"rods_of(hub, rim) with a rim of {count} particles: the two ends of each rod, where 0 is "
+        "the hub",
         read=WHEEL,
     )
     about.cause = (
@@ -140,17 +143,18 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     wanted = sorted([*wanted, (1, count)])
     got = [(i, j) for i, j, _ in rods]
     if missing := [pair for pair in wanted if pair not in got]:
-        about.cause = f"The rod {missing[0]} is missing. {about.cause}"
+        about.cause = f"Particles {missing[0]} are not joined. {about.cause}"
     expect_exactly(got, wanted)
     about.cause = (
-        "The length of this rod is wrong. It should be the current distance between the rod's two "
+        "Your rod has the wrong length. Make it as long as the current distance between its two "
         "ends."
     )
     places = [hub, *rim]
     for i, j, length in rods:
-        about.call = f"rods_of(hub, rim): the length of the rod from {places[i]} to {places[j]}"
+        about.call = "rods_of(hub, rim), where 0 is the hub: the length of the rod from particle "
+        about.call += f"{i} to particle {j}"
         wanted = math.dist(places[i], places[j])
-        expect_close(length, wanted, tolerance=1e-12)
+        expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("8.3b")
@@ -158,19 +162,19 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     about.read = DRIVE
     hub, force, already = components(rng), number(rng), components(rng)
     about.cause = (
-        "The force acts at a right angle to the spoke, in the X-Y plane, and is equally strong at "
-        "every distance from the hub. Take the unit vector along the spoke, rotate it by a right "
-        "angle, and multiply it by the force."
+        "Take the unit vector along the spoke in the X-Y plane, rotate it by a right angle, and "
+        "multiply it by the force. The force is equally strong at every distance from the hub."
     )
     about.call = (
-        "RimDrive(hub at (1, 2, 3), 10).update_force(particle, 0.1) with the particle at (4, 6, 15)"
+        "a drive with a force of 10 N, whose hub is at (1, 2, 3) m; a particle of the rim at (4, "
+        "6, 15) m; drive.update_force(particle, 0.1); the force on the particle"
     )
     got, _ = driven((1.0, 2.0, 3.0), 10.0, [(4.0, 6.0, 15.0)], (0.0, 0.0, 0.0))[0]
     mistakes = [
         ((6.0, 8.0, 0.0), "Your force acts along the spoke, so it can't turn the wheel. Rotate (x, "
-                          "y) by a right angle to get (-y, x)."),
-        ((8.0, -6.0, 0.0), "Your force drives the rim clockwise, because (y, -x) points backward. "
-                           "Use (-y, x) instead."),
+                          "y), the spoke, by a right angle to get (-y, x)."),
+        ((8.0, -6.0, 0.0), "Your force drives the wheel clockwise, because (y, -x) points "
+                           "backward. Use (-y, x) instead."),
         ((-40.0, 30.0, 0.0), "Your force grows with the distance from the hub. Divide (-y, x) by "
                              "the length of the spoke before you multiply it by the force."),
         ((6.0, 8.0, 24.0), "Your force acts along the spoke and along Z, so it can't turn the "
@@ -178,13 +182,12 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
         ((-40.0 / 13.0, 30.0 / 13.0, 0.0), "You divided the direction by a length that includes Z. "
                                            "The wheel rotates in the X-Y plane, so divide by "
                                            "sqrt(x^2 + y^2)."),
-        ((-60.0 / math.sqrt(52.0), 40.0 / math.sqrt(52.0), 0.0), "Your force acts around the "
-                                                                 "origin instead of the hub. "
-                                                                 "Subtract the hub's position from "
-                                                                 "the particle's first."),
+        ((-60.0 / math.sqrt(52.0), 40.0 / math.sqrt(52.0), 0.0),
+         "Your force acts around the origin instead of the hub. Subtract the hub's position from "
+         "the particle's first."),
     ]  # fmt: skip
     seen = cause_of(got, mistakes, about.cause)
-    expect_close(got, (-8.0, 6.0, 0.0), cause=seen)
+    expect_close(got, (-8.0, 6.0, 0.0), unit="N", cause=seen)
     places, wanted = [], []
     for most in (0.1, 0.9, 3.0):  # less than 1 m as well as more
         angle, radius = positive_number(rng, 0.1, 6.0), positive_number(rng, 0.01, most)
@@ -192,29 +195,30 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
         places.append((hub[0] + radius * c, hub[1] + radius * s, hub[2] + number(rng)))
         wanted.append((already[0] - force * s, already[1] + force * c, already[2]))
     about.call = (
-        f"RimDrive(hub at {hub}, {force}).update_force(particle, 0.1), after "
-        f"particle.add_force(Vector3{already}), with the particle at "
+        f"a drive with a force of {force} N, whose hub is at {hub} m; "
+        f"particle.add_force(Vector3{already}); drive.update_force(particle, 0.1); the force in N "
+        "on a particle of the rim at "
     )
     done = driven(hub, force, places, already)
     for place, force_of_all, (got, after) in zip(places, wanted, done, strict=True):
         # The angle of a spoke of a centimeter is rounded to 1e-13.
         name = f"{about.call}{place}"
-        expect_close(got, force_of_all, call=name, tolerance=1e-11)
-        name = f"{about.call}{place}: its position afterward"
+        expect_close(got, force_of_all, call=name, unit="N", tolerance=1e-11)
+        name = f"{about.call}{place}; its position afterward"
         moves = (
-            "update_force has moved the particle, although it should only add a force. The "
+            "Your update_force moves the particle, although it should only add a force. The "
             "operator -= changes a position in place, so work with a new vector."
         )
-        expect_close(after, place, call=name, cause=moves, tolerance=0.0)
+        expect_close(after, place, call=name, cause=moves, unit="m", tolerance=0.0)
     about.cause = (
         "The particle is at the hub, or differs from it only along Z. Its spoke has no length in "
-        "the X-Y plane, and so no direction. Add no force."
+        "the X-Y plane and thus no direction, so add no force."
     )
     start = about.call
     for place in (hub, (hub[0], hub[1], hub[2] + 1.0)):
         about.call = f"{start}{place}"
         got = driven(hub, force, [place], already)[0][0]
-        expect_close(got, already, tolerance=0.0)
+        expect_close(got, already, unit="N", tolerance=0.0)
 
 
 @pytest.mark.exercise("8.3b")
@@ -227,11 +231,11 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         for x, y, _ in rim
     ]
     about.call = (
-        f"spin(hub, rim) of a rim that rotates at {rate} rad/s about a hub, which itself moves at "
-        f"{drift} m/s"
+        f"a rim that rotates at {rate} rad/s about a hub, which itself moves at {drift} m/s; "
+        "spin(hub, rim)"
     )
     about(
-        cause="The hub is moving, and the rim with it. Use positions and velocities relative to "
+        cause="The hub moves, and the rim moves with it. Use positions and velocities relative to "
         "the hub, so that only the rotation remains.",
         read=SPIN,
     )
@@ -241,47 +245,46 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     inertia = math.fsum(m * (x * x + y * y) for m, (x, y) in parts)
     drifting = math.fsum(m * (x * drift[1] - y * drift[0]) for m, (x, y) in parts)
     mistakes = [
-        (-rate, "The sign is wrong. A counter-clockwise rotation counts as positive, so the "
-                "angular momentum is the sum of m (x v_y - y v_x)."),
+        (-rate, "Your spin has the wrong sign. A counter-clockwise rotation counts as positive, so "
+                "the angular momentum is the sum of m (x v_y - y v_x)."),
         (rate * inertia,
-         "This is the angular momentum of the rim. Divide it by the moment of inertia, the sum of "
-         "m (x^2 + y^2), to get the spin."),
-        (rate + drifting / inertia, "You counted the hub's velocity as part of the rotation. "
+         "You return the angular momentum of the rim. Divide it by the moment of inertia, the sum "
+         "of m (x^2 + y^2), to get the spin."),
+        (rate + drifting / inertia, "You count the hub's velocity as part of the rotation. "
                                     "Subtract it from the velocity of each particle."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, rate, tolerance=1e-12)
+    expect_close(got, rate, unit="rad/s", tolerance=1e-12)
     about.call = (
-        "spin(hub, rim) with the hub at rest at (0, 0, 0); 1 kg at (1, 0, 0) with velocity (0, 2, "
-        "0), and 3 kg at (0, 2, 0) with velocity (-2, 0, 0)"
+        "a hub at rest at (0, 0, 0); a rim of 1 kg at (1, 0, 0) m with velocity (0, 2, 0) m/s, and "
+        "3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim)"
     )
     about.cause = (
-        "Divide the angular momentum by the moment of inertia. The angular momentum is the sum of "
-        "m (x v_y - y v_x), which is 14 here, and the moment of inertia is the sum of m (x^2 + "
-        "y^2), which is 13."
+        "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of inertia, the "
+        "sum of m (x^2 + y^2). Here they are 14 and 13."
     )
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
     mistakes = [
-        (1.2, "You left the masses out of both sums, so all particles count the same. Multiply "
-              "each term by m."),
-        (1.5, "This is the mean of the particles' own rates. Heavier and more distant particles "
+        (1.2, "You leave the masses out of both sums, so all particles count the same. Multiply "
+              "each term by the particle's mass."),
+        (1.5, "You return the mean of the particles' own rates. Heavier and more distant particles "
               "should count more, so divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + "
               "y^2)."),
-        (2.0, "You didn't square the distance from the hub in the moment of inertia, which is the "
-              "sum of m (x^2 + y^2): 13 here."),
-        (14.0, "This is the angular momentum of the rim. Divide it by the moment of inertia, the "
-               "sum of m (x^2 + y^2), to get the spin."),
+        (2.0, "You didn't square the distance from the hub in the moment of inertia. It is the sum "
+              "of m (x^2 + y^2), which is 13 here."),
+        (14.0, "You return the angular momentum of the rim. Divide it by the moment of inertia, "
+               "the sum of m (x^2 + y^2), to get the spin."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, 14.0 / 13.0)
+    expect_close(got, 14.0 / 13.0, unit="rad/s")
     v = [components(rng) for _ in rim]
     turning = math.fsum(
         m * (x * w[1] - y * w[0]) for m, (x, y), w in zip(masses, seen, v, strict=True)
     )
-    about.call = f"spin(hub, rim) with the hub at rest at {hub}; "
+    about.call = f"spin(hub, rim) with the hub at rest at {hub} m; "
     about.call += "; ".join(
-        f"{m} kg at ({x:.6g}, {y:.6g}, {z:.6g}) with velocity {w}"
+        f"{m} kg at ({x:.6g}, {y:.6g}, {z:.6g}) m with velocity {w} m/s"
         for m, (x, y, z), w in zip(masses, rim, v, strict=True)
     )
     about.cause = (
@@ -289,7 +292,7 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         "sum of m (x^2 + y^2). In both sums, x and y are relative to the hub."
     )
     got = spun((hub, (0.0, 0.0, 0.0)), list(zip(rim, v, masses, strict=True)))
-    expect_close(got, turning / inertia, tolerance=1e-12)
+    expect_close(got, turning / inertia, unit="rad/s", tolerance=1e-12)
     about.cause = "The moment of inertia is 0 here, so you can't divide by it. Return 0."
     for where, rim in (
         ("no particles", []),
@@ -310,7 +313,8 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
         ("1 %, 4 % and 2 % too long", [(a, 1.01 * a), (b, 1.04 * b), (c, 1.02 * c)], 0.04),
     ):
         about.call = (
-            f"deformation of rods of lengths {[length for length, _ in rods]}, which are {name}"
+            f"rods of {[length for length, _ in rods]} m, whose ends have moved until the rods are "
+            f"{name}; deformation(rods)"
         )
         about.cause = (
             "Return the largest deformation of any rod, where the deformation of a rod is "
@@ -320,14 +324,14 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
         shares = [now / length - 1.0 for length, now in rods]
         mistakes = [
             (max(abs(now - length) for length, now in rods),
-             "This is the largest error in meters. Divide each error by rod.length, so that you "
-             "can compare long rods with short ones."),
+             "You return the largest error in meters. Divide each error by rod.length, so that "
+             "long and short rods count the same."),
             (math.fsum(map(abs, shares)) / len(shares),
-             "This is the mean of the errors, which hides a single rod that is far off. Return the "
-             "largest error instead."),
-            (max(shares), "You missed a rod that is too short, because its error is negative. Take "
+             "You return the mean of the errors, which hides a single rod that is far off. Return "
+             "the largest error instead."),
+            (max(shares), "You miss a rod that is too short, because its error is negative. Take "
                           "abs() of each error before you look for the largest."),
-            (1.0 + max(shares), "This is the ratio length / rod.length, which is 1 for a rod of "
+            (1.0 + max(shares), "You return the ratio length / rod.length, which is 1 for a rod of "
                                 "the right length. Subtract 1 to get the error."),
         ]  # fmt: skip
         blame(got, mistakes)

@@ -19,6 +19,7 @@ from expect import (
     expect_close,
     expect_error,
     expect_exactly,
+    expect_that,
 )
 from rigidity import changed, motions, told
 
@@ -32,13 +33,12 @@ PIVOT = range(6)  # the numbers of its coordinates
 
 @pytest.mark.exercise("B8.6")
 def test_a_platform_can_only_tilt() -> None:
-    about("rods_of(six particles at PLACES): the motions that the rods allow", read=RODS)
-    about.cause = (
-        "Each rod must join two different particles, both among the six that are passed in."
-    )
+    about("rods_of(six particles at PLACES)", read=RODS)
+    about.cause = "Each rod must join two different particles, both among the six that are passed "
+    about.cause += "in."
     joined = [(i, j) for i, j, _ in platform_rods(PLACES)]
     strangers = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
-    expect_exactly(len(strangers), 0, then=": the number of rods that do not")
+    expect_exactly(len(strangers), 0, then="; the rods that join other particles", unit="rods")
     left = motions(PLACES, joined, PIVOT)
     # The tilt turns all about the axis of the pivot, Z: (x, y) moves along (-y, x).
     tilt = [part for x, y, _ in PLACES for part in (-y, x, 0.0)]
@@ -48,18 +48,16 @@ def test_a_platform_can_only_tilt() -> None:
         rest = [a - share * b for a, b in zip(motion, tilt, strict=True)]
         if math.hypot(*rest) > 1e-9:
             i, j = changed(PLACES, rest)
-            about.cause = (
-                f"A rod between particles {i} and {j} would help. Your {len(joined)} rods still "
-                f"allow a motion that changes the distance between them: {told(rest, '')}."
-            )
+            about.cause = f"Your {len(joined)} rods still allow a motion that changes the distance "
+            about.cause += f"between particles {i} and {j}, so the platform can bend. Add a rod "
+            about.cause += "between these two particles."
             pairs = ", ".join(f"{i}-{j}" for i, j in sorted(joined))
-            about.call = (
-                f"rods_of(six particles at PLACES), which joins {pairs}: the number of motions "
-                "that are possible besides the tilt"
-            )
-            expect_exactly(len(left) - 1, 0)
-    about.cause = "Your rods lock the platform, but it has to be able to tilt about its pivot."
-    expect_exactly(len(left), 1, then=": how many")
+            about.call = f"rods_of(six particles at PLACES), which joins the particles {pairs}; "
+            about.call += "the number of possible motions besides the tilt"
+            expect_exactly(len(left) - 1, 0, unit="motions")
+    about.cause = "Your rods lock the platform. Remove those that keep it from tilting about its "
+    about.cause += "pivot."
+    expect_exactly(len(left), 1, then=": the number of motions that the rods allow", unit="motions")
 
 
 @pytest.mark.exercise("B8.6")
@@ -69,79 +67,78 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
     c, s = math.cos(turn), math.sin(turn)
     size = positive_number(rng, 0.5, 2.0)
     places = [(size * (c * x - s * y), size * (s * x + c * y), z) for x, y, z in PLACES]
-    about.call = (
-        f"rods_of(six particles at PLACES, scaled by {size} and rotated by {turn} rad): the length"
-    )
-    about.cause = (
-        "The length of a rod is the current distance between its ends, (b.position - "
-        "a.position).magnitude()."
-    )
+    about.call = f"rods_of(six particles at PLACES, scaled by {size} and rotated by {turn} rad)"
+    about.cause = "Your rod has the wrong length. Make each rod as long as the current distance "
+    about.cause += "between its ends, (b.position - a.position).magnitude()."
     rods = platform_rods(places)
-    expect_exactly(len(rods) > 0, True, then=" of each rod; is there any rod")
+    expect_exactly(len(rods) > 0, True, then="; is there any rod")
     for i, j, length in rods:
         wanted = math.dist(places[i], places[j])
-        old = (
-            "You computed this length from PLACES, but the particles are somewhere else. Use their "
-            "current positions."
-        )
+        old = "You computed the length of the rod from PLACES, but the particles are somewhere "
+        old += "else. Use their current positions."
         seen = cause_of(length, [(math.dist(PLACES[i], PLACES[j]), old)], about.cause)
         expect_close(
-            length, wanted, then=f" of the rod from {i} to {j}", cause=seen, tolerance=1e-12
+            length,
+            wanted,
+            then=f"; the length of the rod from particle {i} to particle {j}",
+            unit="m",
+            cause=seen,
+            tolerance=1e-12,
         )
 
 
 @pytest.mark.exercise("B8.7")
 def test_what_balances_a_platform(rng: Random) -> None:
-    about("balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], -3)", read=BALANCE)
-    about.cause = (
-        "The platform balances when the sum of mass times position is 0. The four masses give 2 kg "
-        "m, so the new one has to give -2 kg m, and at -3 m that takes 2/3 kg."
+    about(
+        "four masses of 1 kg at -3, -3, 4 and 4 m; balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], "
+        "-3)",
+        read=BALANCE,
     )
+    about.cause = "The platform balances when the sum of mass times position is 0. The four masses "
+    about.cause += "give 2 kg m, so the new one has to give -2 kg m, and at -3 m that takes 2/3 kg."
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
         (-2.0 / 3.0,
-         "The sign is wrong. The new mass has to pull the platform the other way, so it is minus "
-         "the sum of mass times position, divided by x."),
-        (14.0 / 3.0, "You counted every position as positive. Those to the left of the pivot are "
+         "Your mass has the wrong sign. The new mass has to pull the platform the other way, so it "
+         "is minus the sum of mass times position, divided by x."),
+        (14.0 / 3.0, "You count every position as positive. Positions to the left of the pivot are "
                      "negative, so keep their signs."),
-        (2.0, "This is the sum of mass times position, which is not a mass yet. Divide it by -x."),
-        (-2.0, "This is minus the sum of mass times position. Divide it by x to get a mass."),
-        (0.5, "This is the mass for the other end. Divide by x, which is -3 m."),
+        (2.0, "You return the sum of mass times position, which is not a mass yet. Divide it by "
+              "-x."),
+        (-2.0, "You return minus the sum of mass times position. Divide it by x to get a mass."),
+        (0.5, "You return the mass that balances the platform at the other end. Divide by x, which "
+              "is -3 m."),
     ]  # fmt: skip
     blame(got, mistakes)
-    expect_close(got, 2.0 / 3.0)
+    expect_close(got, 2.0 / 3.0, unit="kg")
     masses = [positive_number(rng) for _ in range(4)]
     places = [number(rng) for _ in range(4)]
     turn = math.fsum(m * p for m, p in zip(masses, places, strict=True))
     x = -math.copysign(positive_number(rng), turn)
     about(
-        f"balancing_mass({masses}, {places}, {x})",
+        f"balancing_mass(masses={masses}, places={places}, x={x})",
         cause="The platform balances when the new mass cancels the torque of the others, so it is "
         "-(sum of mass times position) / x.",
     )
     got = balancing_mass(masses, places, x)
-    expect_close(got, -turn / x, tolerance=1e-12 * (1 - turn / x))
+    expect_close(got, -turn / x, unit="kg", tolerance=1e-12 * (1 - turn / x))
     masses, places, x = [0.0, *masses], [number(rng), *places], -2.0 * x
-    about.call = f"balancing_mass({masses}, {[-place for place in places]}, {x})"
-    about.cause = (
-        "On either side of the pivot, the new mass is -(sum of mass times position) / x. Masses of "
-        "0 kg are valid and add nothing to the sum."
-    )
+    about.call = f"balancing_mass(masses={masses}, places={[-place for place in places]}, x={x})"
+    about.cause = "On either side of the pivot, the new mass is -(sum of mass times position) / x. "
+    about.cause += "Masses of 0 kg are valid and add nothing to the sum."
     got = balancing_mass(masses, [-place for place in places], x)
-    expect_close(got, turn / x, tolerance=1e-12 * (1 + turn / x))
+    expect_close(got, turn / x, unit="kg", tolerance=1e-12 * (1 + turn / x))
     for place, x, wanted in (
         (0.5, -0.25, 2.0),
         (-0.5, 0.25, 2.0),
         (0.5, -1.0, 0.5),
         (-0.5, 1.0, 0.5),
     ):
-        about.call = f"balancing_mass([1.0], [{place}], {x})"
-        about.cause = (
-            "A mass at x can balance the platform, because x is on the side that rises. That is "
-            "true even very close to the pivot, so don't raise an error."
-        )
+        about.call = f"balancing_mass(masses=[1.0], places=[{place}], x={x})"
+        about.cause = "A mass at x can balance the platform, because x is on the side that rises. "
+        about.cause += "That is true even very close to the pivot, so don't raise an error."
         got = balancing_mass([1.0], [place], x)
-        expect_close(got, wanted)
+        expect_close(got, wanted, unit="kg")
     for masses, places, x, why in (
         ([2.0, 1.0], [-1.0, 2.0], 5.0, "The platform is already balanced, so it needs no mass. "
          "Return 0."),
@@ -149,9 +146,9 @@ def test_what_balances_a_platform(rng: Random) -> None:
         "even though x is 0. Return 0 before you divide by x."),
         ([], [], 3.0, "There are no masses, so the platform is balanced and the answer is 0."),
     ):  # fmt: skip
-        about(f"balancing_mass({masses}, {places}, {x})", cause=why)
+        about(f"balancing_mass(masses={masses}, places={places}, x={x})", cause=why)
         got = balancing_mass(masses, places, x)
-        expect_close(got, 0.0, tolerance=0.0)
+        expect_close(got, 0.0, unit="kg", tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.7")
@@ -163,7 +160,7 @@ def test_what_cannot_be_balanced_is_refused() -> None:
         balancing_mass([1.0, 2.0], [-1.0, 2.0], -3.0)
 
     for masses, places, x, error, cause in (
-        ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "Only a mass of -1 kg would balance the "
+        ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "Only a mass of -1 kg could balance the "
                                                    "platform here. On the side that sinks, no mass "
                                                    "can help, so raise ValueError."),
         ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "The left side sinks here, and x = -3 is on "
@@ -197,7 +194,7 @@ def test_what_cannot_be_balanced_is_refused() -> None:
         ([1.0, "2"], [-1.0, 2.0], -3.0, TypeError, "One of the masses is a string. A mass must be "
          "a number, so raise TypeError."),
     ):  # fmt: skip
-        about(f"balancing_mass({masses}, {places}, {x})", cause=cause)
+        about(f"balancing_mass(masses={masses}, places={places}, x={x})", cause=cause)
         expect_error(
             lambda masses=masses, places=places, x=x: balancing_mass(masses, places, x),
             error,
@@ -215,15 +212,11 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
     about.read = WEIGHT
     for x in (-3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
         mass = positive_number(rng)
-        about.call = (
-            f"platform.put_weight({mass}, {x}): the masses of the two particles of the left end "
-            "and of the right end"
-        )
-        about.cause = (
-            "The right end carries mass * (x + 3) / 7, and the left end carries the rest. Each end "
-            "consists of two particles, so each particle gets half of its end's load on top of its "
-            "own 1 kg."
-        )
+        about.call = f"platform.put_weight(mass={mass}, x={x}): the masses of the left end's two "
+        about.call += "particles and of the right end's two"
+        about.cause = "The right end carries mass * (x + 3) / 7, and the left end carries the "
+        about.cause += "rest. Give each of an end's two particles half of that load in addition to "
+        about.cause += "its own 1 kg."
         right = mass * (x + 3.0) / 7.0
         wanted = _masses(1.0, mass - right, right)
         got, _ = weighed([(mass, x)])
@@ -232,38 +225,35 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         mistakes = [
             (_masses(1.0, right, left), "The loads of the two ends are swapped. The end nearer the "
                                         "weight carries more."),
-            (_masses(1.0, 2.0 * left, 2.0 * right), "You gave each particle of an end the whole "
-                                                    "load. Give each of them half."),
-            (_masses(0.0, left, right), "You overwrote the particles' own mass. Add MASS to the "
-                                        "load that each of them carries."),
+            (_masses(1.0, 2.0 * left, 2.0 * right), "You give both particles of an end the whole "
+                                                    "load of that end. Give each of them half."),
+            (_masses(0.0, left, right), "You overwrite the particles' own mass. Add MASS to the "
+                                        "load that each particle carries."),
             (_masses(1.0, near, far), "You put the whole weight on the nearer end, but a weight "
-                                      "between the ends rests on both. Divide it between them "
-                                      "according to the distances."),
+                                      "between the ends rests on both. Divide it between the two "
+                                      "ends according to the distances."),
         ]  # fmt: skip
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
-        expect_close(got[2:], wanted, tolerance=1e-12)
-        about.call = f"platform.put_weight({mass}, {x}): the masses of the pivot"
-        about.cause = (
-            "You changed the mass of the pivot. The ends carry the weight, and the pivot stays "
-            "immovable."
-        )
-        expect_exactly(got[:2], [math.inf, math.inf])
-        about.call = (
-            f"platform.put_weight(7.0, 1.0), then put_weight({mass}, {x}): the masses of the ends"
-        )
-        about.cause = (
-            "The old weight still counts, but the new weight should replace it. Compute the masses "
-            "from MASS and the new weight alone."
-        )
+        expect_close(got[2:], wanted, unit="kg", tolerance=1e-12)
+        about.call = f"platform.put_weight(mass={mass}, x={x}): the masses of the pivot's two "
+        about.call += "particles"
+        about.cause = "You change the mass of the pivot. Change only the masses of the ends, "
+        about.cause += "because the pivot stays immovable."
+        expect_exactly(got[:2], [math.inf, math.inf], unit="kg")
+        about.call = f"platform.put_weight(mass=7, x=1), then put_weight(mass={mass}, x={x}): the "
+        about.call += "masses of the four particles of the ends"
+        about.cause = "The old weight still counts, but the new weight should replace it. Compute "
+        about.cause += "the masses from MASS and the new weight alone."
         got, _ = weighed([(7.0, 1.0), (mass, x)])
-        expect_close(got[2:], wanted, tolerance=1e-12)
-    about.call = "platform.put_weight(3.0, 1.0), then put_weight(0.0, 1.0): the masses of the ends"
+        expect_close(got[2:], wanted, unit="kg", tolerance=1e-12)
+    about.call = "platform.put_weight(mass=3, x=1), then put_weight(mass=0, x=1): the masses of "
+    about.call += "the four particles of the ends"
     got, _ = weighed([(3.0, 1.0), (0.0, 1.0)])
     expect_close(
         got[2:],
         [1.0] * 4,
         cause="The old weight still counts. A weight of 0 kg replaces it, so each particle of the "
-        "ends is back to its own mass.",
+        "ends has only its own mass again.",
     )
 
 
@@ -272,11 +262,11 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
 def test_a_weight_that_is_none_is_refused() -> None:
     about.read = WEIGHT
     about(
-        "platform.put_weight(3.0, 1.0)",
+        "platform.put_weight(mass=3, x=1)",
         cause="A weight of 3 kg between the ends is valid, so don't raise an error.",
     )
     before, error = weighed([(3.0, 1.0)])
-    expect_exactly(error, "", then=": the name of the error ('' if there was none)")
+    expect_exactly(error, "no error", then=": the error that it raises")
     for mass, x, error in (
         (-1.0, 1.0, "ValueError"),
         (math.nan, 1.0, "ValueError"),
@@ -286,18 +276,14 @@ def test_a_weight_that_is_none_is_refused() -> None:
         (1.0, math.nan, "ValueError"),
         ("1", 1.0, "TypeError"),
     ):
-        about.call = f"platform.put_weight(3.0, 1.0), then put_weight({mass!r}, {x!r})"
-        about.cause = (
-            "The mass must be finite and not negative, and x must lie between LEFT and RIGHT. "
-            "Raise an error for anything else."
-        )
+        about.call = f"platform.put_weight(mass=3, x=1), then put_weight(mass={mass!r}, x={x!r})"
+        about.cause = "The mass must be finite and not negative, and x must lie between LEFT and "
+        about.cause += "RIGHT. Raise an error for anything else."
         got, name = weighed([(3.0, 1.0), (mass, x)])
-        expect_exactly(name, error, then=": the name of the error ('' if there was none)")
-        about.cause = (
-            "The call raised an error, but it has changed the masses. Check both arguments before "
-            "you change a mass, so that the old weight stays."
-        )
-        expect_exactly(got, before, then=": the masses")
+        expect_exactly(name, error, then=": the error that it raises")
+        about.cause = "The call raises an error, but only after it has changed a mass. Check both "
+        about.cause += "arguments first, so that the old weight stays."
+        expect_exactly(got, before, then=": the masses of all six particles", unit="kg")
 
 
 @pytest.mark.exercise("B8.7")
@@ -306,44 +292,56 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     x = -round(rng.uniform(1.5, 3.0), 3)
     limit = 2.0 / -x  # the ends turn it by 2 kg (4 m - 3 m) to the right
     mass = limit * (1.5 if side == "heavy enough" else 0.5)
-    about(f"platform.put_weight({mass}, {x}), then 30 steps of 1/60 s: the left end", read=WEIGHT)
+    about(
+        f"platform.put_weight(mass={mass:.6g}, x={x}), then 30 steps of 1/60 s; the left end",
+        read=WEIGHT,
+    )
     about.cause = (
-        f"The left end should sink if the weight at {x} m is more than {limit:.3f} kg, and stay up "
-        "if it is less. At exactly that mass the platform is balanced."
+        f"The left end should sink if the weight at {x} m is more than {limit:.3f} kg, and rise if "
+        "it is less. Check how put_weight divides the mass between the ends."
     )
     places = tipped(mass, x, 30, 1.0 / 60.0)
     sinks = places[2][1] < places[4][1]
-    expect_exactly(sinks, side == "heavy enough", then=": is it below the right end")
+    seen, right = (
+        f"{'below' if low else 'above'} the right end" for low in (sinks, side != "too light")
+    )
+    expect_that(seen == right, seen, right)
     length = math.dist(places[2], places[4])
     about.cause = (
-        "The platform has changed its length, so its rods have no effect. Add them to the world's "
-        "contact generators."
+        "Your platform changes its length, because its rods have no effect. Add the rods to the "
+        "world's contact generators."
     )
-    expect_close(length, 7.0, then=": its distance from the right end, to 1 cm", tolerance=0.01)
+    expect_close(length, 7.0, then=": its distance from the right end", unit="m", tolerance=0.01)
 
 
 @pytest.mark.exercise("8.1")
 def test_a_free_pivot_is_like_the_other_particles() -> None:
-    about("platform.free_pivot(): the masses of the six particles", read=FREE)
+    about(
+        "platform.free_pivot(): the masses of the six particles, of which the first two are the "
+        "pivot",
+        read=FREE,
+    )
     done = freed(0, 0.1)
-    about.cause = "Both particles of the pivot should now be free to move. Set each mass to MASS."
-    expect_close(done["masses"], [1.0] * 6, tolerance=1e-12)
-    about.call = "platform.put_weight(7.0, 4.0), then free_pivot(): the masses of the six particles"
+    about.cause = "Both particles of the pivot should be free to move after free_pivot(). Set the "
+    about.cause += "mass of each to MASS."
+    expect_close(done["masses"], [1.0] * 6, unit="kg", tolerance=1e-12)
+    about.call = "platform.put_weight(mass=7, x=4), then free_pivot(): the masses of the six "
+    about.call += "particles"
     about.cause = (
-        "free_pivot() has changed the load that the ends carry. Change only the masses of the two "
+        "Your free_pivot() changes the load that the ends carry. Change only the masses of the two "
         "particles of the pivot."
     )
     wanted = [1.0, 1.0, 1.0, 1.0, 4.5, 4.5]
     got = freed(0, 0.1, weight=7.0)["masses"]
-    expect_close(got, wanted, tolerance=1e-12)
+    expect_close(got, wanted, unit="kg", tolerance=1e-12)
     got = [coordinate for place in done["before"] for coordinate in place]
     wanted = [coordinate for place in PLACES for coordinate in place]
     about(
         "platform.free_pivot(): the positions of its particles",
-        cause="free_pivot() has moved a particle. It should only change masses and add a rod; the "
-        "next step moves the platform.",
+        cause="Your free_pivot() moves a particle. It should only change masses and add a rod, "
+        "because the next step moves the platform.",
     )
-    expect_close(got, wanted, tolerance=0.0)
+    expect_close(got, wanted, unit="m", tolerance=0.0)
     for name in ("rods", "in world"):
         where = "platform.rods" if name == "rods" else "world.contact_generators"
         about.call = (
@@ -355,24 +353,25 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         # plane: 0, 1 and 2 are no line.
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
         about.cause = (
-            "The two particles of the pivot can move now, so they need a rod between them. Keep "
-            "all the other rods, and add the new one to both lists."
+            "After free_pivot() the two particles of the pivot can move, so they need a rod "
+            "between them. Keep all the other rods, and add the new one to both lists."
         )
         if left:
-            about.cause += f" They still allow this motion: {told(left[0], 'particle')}."
-        expect_exactly(len(left), 0)
-    about.cause = "The length of this rod is wrong. It should be the distance between its ends."
+            about.cause += f" Your rods still allow this motion: {told(left[0], 'particle')}."
+        expect_exactly(len(left), 0, unit="motions")
+    about.cause = "Your rod has the wrong length. Make it as long as the distance between its ends."
     for i, j, length in done["rods"]:
-        about.call = f"platform.free_pivot(): the length of the rod from {i} to {j}"
+        about.call = f"platform.free_pivot(): the length of the rod from particle {i} to particle "
+        about.call += f"{j}"
         wanted = math.dist(PLACES[i], PLACES[j])
-        expect_close(length, wanted, tolerance=1e-12)
+        expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("8.1")
 def test_a_free_platform_slides_and_stays_rigid() -> None:
     about("platform.free_pivot(), then 45 steps of 1/60 s", read=FREE)
     about.cause = (
-        "The center of mass should not move along X or Z, because the ground has no friction. "
+        "Your platform's center of mass moves along X or Z, although the ground has no friction. "
         "Check that free_pivot only changes masses and adds a rod."
     )
     done = freed(45, 1.0 / 60.0)
@@ -381,20 +380,20 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         got = math.fsum(place[axis] for place in after) / 6.0
         wanted = math.fsum(place[axis] for place in before) / 6.0
         # The impulses of rods are equal and opposite, to rounding, however many there are.
-        expect_close(got, wanted, then=f": {name} of the center of mass", tolerance=1e-9)
+        expect_close(got, wanted, then=f": {name} of the center of mass", unit="m", tolerance=1e-9)
     about.cause = (
-        "The platform has changed its shape, so some of its rods are missing or have the wrong "
-        "length. Together they should keep every distance between its particles the same."
+        "Your platform changes its shape, so a rod is missing or has the wrong length. Together "
+        "the rods should keep every distance between two particles the same."
     )
     off = max(
         abs(math.dist(after[i], after[j]) - math.dist(before[i], before[j]))
         for i, j in combinations(range(6), 2)
     )
     # A hundred iterations leave 0.4 mm with this time step.
-    expect_between(off, 0.0, 0.01, then=": the largest change of a distance, in m")
+    expect_between(off, 0.0, 0.01, then=": the largest change of a distance", unit="m")
     moved = after[0][0] - before[0][0]
     about.cause = (
         "The platform falls to the right, so its pivot should slide to the left along the ground. "
         "Check that both particles of the pivot can move."
     )
-    expect_between(moved, -math.inf, -0.01, then=": how far the pivot has moved, in m along X")
+    expect_between(moved, -math.inf, -0.01, then=": how far the pivot moves along X", unit="m")

@@ -10,7 +10,7 @@ import pytest
 
 from ch08_mass_aggregate.trebuchet_probes import beam, lets_go, my_design, throw
 from draw import positive_number
-from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly
+from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, expect_that
 from lever import thrown
 from rigidity import motions, told
 
@@ -46,43 +46,44 @@ def named_design(design: Sequence[float]) -> str:
 def test_a_beam_is_rigid(rng: Random) -> None:
     design = draw_design(rng)
     about(
-        f"Trebuchet(Design{design}).beam(): the number of ways in which the beam can bend",
+        f"Trebuchet({named_design(design)}).beam(); the number of ways in which the beam can bend",
         read=BEAM,
     )
     about.cause = (
-        "Each rod must join two of these three particles: the pivot, the counterweight and the tip."
+        "A rod joins something else. Each rod must join two of these three particles: the pivot, "
+        "the counterweight and the tip."
     )
     rods, places = beam(design)
     joined = [(i, j) for i, j, _ in rods]
     strange = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
-    expect_exactly(len(strange), 0, then=": the number of rods that do not")
+    expect_exactly(len(strange), 0, then="; the rods that join something else", unit="rods")
     # Held are the pivot, the plane and the fall of the counterweight. A rigid beam cannot move.
     left = motions(places, joined, (0, 1, 2, 4, 5, 8))
     about.cause = (
-        "The beam has to be rigid. Join its three particles with three rods, because a triangle "
-        "can't bend."
+        "The beam has to be rigid. Join the pivot, the counterweight and the tip with three rods, "
+        "because a triangle can't bend."
     )
     if left:
         about.cause += (
-            f" Your rods still allow this motion: {told(left[0], '')} (0 is the pivot, 1 the "
-            "counterweight, 2 the tip)."
+            " Your rods still allow this motion (0 is the pivot, 1 the counterweight, 2 the tip): "
+            f"{told(left[0], 'particle')}."
         )
-    expect_exactly(len(left), 0)
+    expect_exactly(len(left), 0, unit="ways")
     parts = ("pivot", "counterweight", "tip")
     for i, j, length in rods:
-        about.call = f"Trebuchet({named_design(design)}).beam(): the length of the rod from "
+        about.call = f"Trebuchet({named_design(design)}).beam(); the length of the rod from "
         about.call += f"{parts[i]} to {parts[j]}"
         about.cause = (
-            "The length of this rod is wrong. It should be the current distance between the rod's "
+            "Your rod has the wrong length. Make it as long as the current distance between its "
             "two ends."
         )
         straight = (
-            "Your length is short_arm + long_arm, which is right for a straight beam. This one is "
-            "bent at the pivot, so use the current distance between the rod's own ends."
+            "Your rod is short_arm + long_arm long, which is right for a straight beam. This beam "
+            "is bent at the pivot, so use the current distance between the ends of the rod."
         )
         blame(length, [(design[1] + design[2], straight)])
         wanted = math.dist(places[i], places[j])
-        expect_close(length, wanted, tolerance=1e-12)
+        expect_close(length, wanted, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("P8.2a")
@@ -91,7 +92,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     angle = design[4]
     speed, height = positive_number(rng, 5.0, 30.0), positive_number(rng, 0.01, 3.0)
     about(
-        f"a trebuchet with a release angle of {angle} degrees; lets_go() with the projectile ",
+        f"a trebuchet with a release angle of {angle} degrees; trebuchet.lets_go() with a "
+        "projectile that flies ",
         read=LETS_GO,
     )
 
@@ -100,60 +102,60 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         return above, (speed * math.cos(radians), speed * math.sin(radians), 0.0)
 
     steep = (
-        "The projectile is still flying too steeply, so the sling should not let go yet. "
-        "release_angle is in degrees and math.atan2 returns radians, so convert one of them before "
-        "you compare."
+        "The projectile still flies too steeply, so the sling should not let go yet. release_angle "
+        "is in degrees but math.atan2 returns radians, so convert one of them before you compare."
     )
     lower = (
-        "The projectile is flying at the release angle or lower, so the sling should let go. The "
-        "angle above the horizontal is atan2(v.y, v.x)."
+        "The projectile flies at the release angle or lower, so the sling should let go. Compare "
+        "release_angle with the angle above the horizontal, which is atan2(v.y, v.x)."
     )
     about.cause = lower
     if not lets_go(design, [flight(angle - 0.1)])[0]:
         steep = (
             "Your sling lets go above the release angle, so your comparison is the wrong way "
-            "around. The sling should let go at the release angle or lower."
+            "around. Let go when the projectile flies at the release angle or lower."
         )
     forward = (
-        "The projectile is not flying forward, so the sling should not let go. Check that v.x > 0."
+        "The projectile doesn't fly forward, so the sling should not let go. Check that v.x > 0."
     )
     high = (
-        "The projectile is not above the pivot, so the sling should not let go. Check its height "
-        "too."
+        "The projectile is not above the pivot, so the sling should not let go. Compare its height "
+        "with the pivot's."
     )
     for what, how, wanted, cause in (
-        ("a little above the angle", flight(angle + 0.1), False, steep),
-        ("a little below the angle", flight(angle - 0.1), True, lower),
-        ("just above the pivot", flight(angle - 1.0, 0.01), True, "The projectile is above the "
-                                                                  "pivot, no matter how far, so "
-                                                                  "the sling should let go."),
+        ("slightly above the release angle", flight(angle + 0.1), False, steep),
+        ("slightly below the release angle", flight(angle - 0.1), True, lower),
+        ("below the release angle, just above the pivot", flight(angle - 1.0, 0.01), True,
+         "The projectile is above the pivot, so the sling should let go. It doesn't matter how far "
+         "above."),
         ("forward and down", flight(-50.0), True, "A projectile that flies downward is below the "
                                                   "release angle too, so the sling should let go."),
         ("steeply backward", flight(180.0 - angle), False, forward),
         ("backward and down", flight(-150.0), False, forward),
         ("straight down", (height, (0.0, -speed, 0.0)), False, forward),
-        ("slowly forward", (height, (0.25, -speed, 0.0)), True, "The projectile is flying forward, "
-                                                                "so the sling should let go. Any "
-                                                                "v.x above 0 counts as forward."),
-        ("at the pivot's height", flight(angle - 1.0, 0.0), False, high),
-        ("below the pivot", flight(angle - 1.0, -height), False, high),
+        ("slowly forward", (height, (0.25, -speed, 0.0)), True,
+         "The projectile flies forward, so the sling should let go. Count any v.x above 0 as "
+         "forward."),
+        ("below the release angle, at the pivot's height", flight(angle - 1.0, 0.0), False, high),
+        ("below the release angle, below the pivot", flight(angle - 1.0, -height), False, high),
     ):  # fmt: skip
         about.cause = cause
+        vx, vy, _ = how[1]
         expect_exactly(
             lets_go(design, [how])[0],
             wanted,
-            then=f"{what}: {how[0]} m above the pivot, velocity {how[1]}",
+            then=f"{what}: height {how[0]} m above the pivot, velocity ({vx:.6g}, {vy:.6g}, 0) m/s",
         )
     about.call = (
-        f"a trebuchet with a release angle of 0; lets_go() with the projectile {height} m above "
-        f"the pivot, velocity ({speed}, 0, 0)"
+        f"a trebuchet with a release angle of 0; trebuchet.lets_go() with a projectile {height} m "
+        f"above the pivot that flies at ({speed}, 0, 0) m/s"
     )
     got = lets_go((*design[:4], 0.0), [(height, (speed, 0.0, 0.0))])[0]
     expect_exactly(
         got,
         True,
-        cause="The projectile is flying at exactly the release angle. The sling should let go at "
-        "that angle too, so compare with <=.",
+        cause="The projectile flies at exactly the release angle, and the sling should let go at "
+        "that angle too. Compare with <=.",
     )
 
 
@@ -163,8 +165,9 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     weight = positive_number(rng, 100.0, 300.0)
     design = (weight, 1.5, 3.0, 1.0, 30.0)
     about.call = (
-        f"Trebuchet(Design{design}).throw(), where the sling lets go in the first step, at (2, 8, "
-        "0) with (30, 10, 0) m/s, and the counterweight has sunk by 4 m"
+        f"Trebuchet({named_design(design)}).throw(); in the first step the sling lets go of the "
+        "projectile at (2, 8, 0) m with velocity (30, 10, 0) m/s, and the counterweight has sunk "
+        "by 4 m"
     )
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
     about.cause = (
@@ -173,58 +176,64 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     )
     distance, share, frames, flies, _ = throw(design, "up")
     seen = (
-        "The sling let go in the first step, but your throw continued. Check self.flies after each "
-        "call of self.step(STEP), and stop as soon as it is true."
+        "The sling lets go in the first step, but your throw continues. Check self.flies after "
+        "each call of self.step(STEP), and stop as soon as it is true."
     )
     seen = cause_of(
         frames,
         [
             (
                 4,
-                "Your throw took steps of 1/60 s, which is too long for a trebuchet. Call "
-                "self.step(STEP) instead.",
+                "Your throw takes steps of 1/60 s, which is too long for a trebuchet. Call "
+                "self.step(STEP), which takes 1/250 s.",
             )
         ],
         seen,
     )
-    expect_exactly(frames, 1, then=": time until then, in units of STEP", cause=seen)
+    expect_exactly(
+        frames, 1, then="; the time of all steps, in units of STEP (1/250 s)", cause=seen
+    )
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
-        (wanted - 2.0, "Your range starts at the point of release, but the range of a throw starts "
-                       "at x = 0. Add the projectile's x at the release."),
+        (wanted - 2.0, "You measure the range from the point of release, but it should start at x "
+                       "= 0. Add the projectile's x at the release."),
         (2.0 + 30.0 * 20.0 / G,
-         "This is the range of a throw that starts on the ground. The projectile is released 8 m "
-         "above the ground, so it flies for longer."),
+         "You return the range of a throw that starts on the ground. The projectile is released 8 "
+         "m above the ground, so it flies for longer."),
         (600.0 / G,
-         "This is the range of a throw that starts on the ground below the pivot. The projectile "
-         "is released at (2, 8), so both coordinates count."),
+         "You return the range of a throw that starts on the ground below the pivot. The "
+         "projectile is released at (2, 8), so both coordinates count."),
     ]  # fmt: skip
     blame(distance, mistakes)
-    expect_close(distance, wanted, then=": range", tolerance=1e-9)
+    expect_close(distance, wanted, then="; the range", unit="m", tolerance=1e-9)
     about.cause = (
-        "The share is a ratio of two energies. Divide what the projectile has gained, m v^2 / 2 "
-        "plus m g times its rise, by what the counterweight has lost, M g times its fall."
+        "Divide the energy that the projectile has gained by the energy that the counterweight has "
+        "lost. The projectile gains m v^2 / 2 plus m g times its rise, and the counterweight loses "
+        "M g times its fall."
     )
     gained = 0.5 * 5.0 * 1000.0 + 5.0 * G * (8.0 - start)
     lost = 4.0 * weight * G
     wanted = gained / lost
     mistakes = [
-        (2500.0 / lost, "You left out the projectile's potential energy. The throw has also lifted "
-                        "it, so add m g times its rise."),
-        ((gained - 2500.0) / lost, "You left out the projectile's kinetic energy. Add m v^2 / 2 to "
-                                   "the energy gained."),
-        (gained / (4.0 * 5.0 * G), "You computed the energy lost with the projectile's mass. It is "
-                                   "the counterweight that falls, so use its mass."),
+        (2500.0 / lost, "You leave out the projectile's potential energy. The throw also lifts the "
+                        "projectile, so add m g times its rise."),
+        ((gained - 2500.0) / lost, "You leave out the projectile's kinetic energy. Add m v^2 / 2 "
+                                   "to the energy gained."),
+        (gained / (4.0 * 5.0 * G), "You compute the lost energy with the projectile's mass. Use "
+                                   "the mass of the counterweight, because it is the counterweight "
+                                   "that falls."),
         (1.0 / wanted, "Your fraction is upside down. Divide the energy that the projectile gained "
                        "by the energy that the counterweight lost."),
-        (100.0 * wanted, "Your share is a percentage. Return a fraction, where 1 means all of the "
-                         "energy."),
+        (100.0 * wanted, "Your share is a percentage. Return a fraction, where 1 means that the "
+                         "projectile gets all of the energy."),
     ]  # fmt: skip
     blame(share, mistakes)
-    expect_close(share, wanted, then=": share", tolerance=1e-9)
+    expect_close(
+        share, wanted, then="; the share of the energy that the projectile gets", tolerance=1e-9
+    )
     about.call = (
-        f"Trebuchet(Design{design}).throw(), where the sling lets go at (2, 8, 0) with (30, -10, "
-        "0) m/s: the range"
+        f"Trebuchet({named_design(design)}).throw(); the sling lets go of the projectile at (2, 8, "
+        "0) m with velocity (30, -10, 0) m/s; the range"
     )
     wanted = 2.0 + 30.0 * (-10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     about.cause = (
@@ -232,12 +241,12 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
         "the sign of v_y in the formula."
     )
     got = throw(design, "down")[0]
-    expect_close(got, wanted, tolerance=1e-9)
+    expect_close(got, wanted, unit="m", tolerance=1e-9)
     about.cause = (
         "trebuchet.flies is still False after the throw. Call self.step(STEP), which removes the "
         "sling and sets flies when the sling lets go."
     )
-    about.call = f"Trebuchet(Design{design}).throw(); trebuchet.flies"
+    about.call = f"Trebuchet({named_design(design)}).throw(); trebuchet.flies"
     expect_exactly(flies, True)
 
 
@@ -246,10 +255,10 @@ def test_a_throw_agrees_with_lagrange(
     rng: Random, on_chart: Callable[[float, float], None]
 ) -> None:
     design = draw_design(rng)
-    about(f"Trebuchet(Design{design}).throw()", read=THROW)
+    about(f"Trebuchet({named_design(design)}).throw()", read=THROW)
     about.cause = (
-        "Your throw is more than 10 % off the solution of Lagrange's equations. Call "
-        "self.step(STEP) until self.flies is true, and check that the beam is rigid."
+        "Your throw is more than 10 % off the solution of Lagrange's equations for a rigid beam. "
+        "Call self.step(STEP) until self.flies is true, and check that the beam is rigid."
     )
     distance, share, *_, resolved = throw(design)
     true_distance, true_share = thrown(*design)
@@ -258,47 +267,55 @@ def test_a_throw_agrees_with_lagrange(
         on_chart(resolved, abs(distance / true_distance - 1.0))
     # The error is of first order. With steps of 1/250 s, range and share are up to 8.0 % too
     # small, for every design that is drawn and both kinds of rods.
-    expect_close(distance, true_distance, then=": range", tolerance=0.1 * true_distance)
-    expect_close(share, true_share, then=": share", tolerance=0.1 * true_share)
+    expect_close(
+        distance, true_distance, then="; the range", unit="m", tolerance=0.1 * true_distance
+    )
+    expect_close(
+        share,
+        true_share,
+        then="; the share of the energy that the projectile gets",
+        tolerance=0.1 * true_share,
+    )
 
 
 @pytest.mark.exercise("P8.2a")
 def test_what_never_lets_go_is_no_throw() -> None:
     about.read = THROW
     design = (100.0, 1.5, 3.0, 3.75, 30.0)  # the projectile starts 0.22 m up
-    about.call = f"Trebuchet(Design{design}).throw(), where nothing moves: the range and the share"
+    about.call = f"Trebuchet({named_design(design)}).throw(), in which nothing ever moves; the "
+    about.call += "range in m, and the share"
     about.cause = (
-        "The sling never lets go, so nothing is thrown. Stop after TIME_LIMIT and return "
-        "Throw(0.0, 0.0)."
+        "Your throw returns a range although the sling never lets go. Stop after TIME_LIMIT and "
+        "return Throw(0.0, 0.0)."
     )
     got = throw(design, "nothing")
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     about.cause = (
-        "The number of steps is wrong. The simulation should stop after TIME_LIMIT, which is 4 s, "
-        "so with a STEP of 1/250 s it takes 1000 steps."
+        "Your throw stops at the wrong time. It should stop after TIME_LIMIT, which is 4 s, so "
+        "with a STEP of 1/250 s it takes 1000 steps."
     )
     # One more or less if the time is added up with rounding.
-    expect_close(got[2], 1000.0, then=": steps", tolerance=1.0)
+    expect_close(got[2], 1000.0, then="; the number of steps", unit="steps", tolerance=1.0)
     heavy = (1.0, 1.5, 3.0, 3.9, 30.0)  # the projectile starts 0.07 m up
     about.call = (
-        f"Trebuchet(Design{heavy}).throw(), where the projectile sinks into the ground: the range "
-        "and the share"
+        f"Trebuchet({named_design(heavy)}).throw(), in which the projectile sinks into the ground; "
+        "the range in m, and the share"
     )
     about.cause = (
-        "The projectile has hit the ground while it is still in the sling. Stop when its height is "
-        "0 or less, and return Throw(0.0, 0.0)."
+        "The projectile hits the ground while it is still in the sling, so the throw is over. Stop "
+        "when its height is 0 or less, and return Throw(0.0, 0.0)."
     )
     got = throw(heavy)
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     # It is there after 0.13 s.
-    expect_exactly(got[2] < 100, True, then=": has it ended within 100 steps")
+    expect_that(got[2] < 100, f"a throw of {got[2]} steps", "a throw of fewer than 100 steps")
     about.call = (
-        f"Trebuchet(Design{design}).throw(), where the projectile is on the ground after one step: "
-        "the range, the share, and the number of steps"
+        f"Trebuchet({named_design(design)}).throw(), in which the projectile is on the ground "
+        "after one step; the range in m, the share, and the number of steps"
     )
     about.cause = (
-        "The projectile has hit the ground while it is still in the sling. Check this after each "
-        "step, and return Throw(0.0, 0.0) at once."
+        "The projectile hits the ground while it is still in the sling. Check its height after "
+        "each step, and return Throw(0.0, 0.0) at once."
     )
     got = throw(design, "ground")
     expect_close(got[:3], (0.0, 0.0, 1.0), tolerance=0.0)
@@ -338,12 +355,12 @@ def test_your_own_trebuchet(meters: int, percent: int) -> None:
     design = my_design()
     about.call = f"my_design(), which is {named_design(design)}"
     about.cause = (
-        "Your design exceeds the limits. The counterweight may weigh at most 400 kg, and the two "
-        "arms together may be at most 5 m long."
+        "Your design exceeds the limits. Choose a counterweight of at most 400 kg, and two arms "
+        "that together are at most 5 m long."
     )
-    expect_between(design[0], 0.0, 400.0, then=": the counterweight, in kg")
+    expect_between(design[0], 0.0, 400.0, then="; the counterweight", unit="kg")
     arms = design[1] + design[2]
-    expect_between(arms, 0.0, 5.0, then=": both arms together, in m", tolerance=1e-9)
+    expect_between(arms, 0.0, 5.0, then="; both arms together", unit="m", tolerance=1e-9)
     distance, share = thrown(*design)
     about.cause = (
         f"According to Lagrange's equations, your design throws {distance:.1f} m, and {share:.0%} "
@@ -351,5 +368,10 @@ def test_your_own_trebuchet(meters: int, percent: int) -> None:
     )
     if distance < meters or share < 0.01 * percent:
         about.cause += better(design, distance)
-    expect_between(distance, meters, math.inf, then=": its range, in m")
-    expect_between(share, 0.01 * percent, math.inf, then=": the share of the energy")
+    expect_between(distance, meters, math.inf, then="; its range", unit="m")
+    expect_between(
+        share,
+        0.01 * percent,
+        math.inf,
+        then="; the share of the energy that reaches the projectile",
+    )

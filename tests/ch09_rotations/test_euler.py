@@ -35,6 +35,7 @@ from turning import (
     quad,
     rijk,
     same_sign,
+    short,
     transposed,
     turned,
 )
@@ -79,7 +80,7 @@ def test_one_turn_after_another(rng: Random) -> None:
         "belongs on the left of the product."
     )
     for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z), (x, far, z)):
-        about.call = f"euler_to_quaternion{angles}"
+        about.call = f"euler_to_quaternion{short(angles)}"
         wanted = in_order(*angles)
         got = same_sign(rijk(euler_to_quaternion(*angles)), wanted)
         turns = [quad(axis, t) for axis, t in zip((X_AXIS, Y_AXIS, Z_AXIS), angles, strict=True)]
@@ -90,13 +91,13 @@ def test_one_turn_after_another(rng: Random) -> None:
             for names in ("XYZ", "XZY", "YXZ", "YZX", "ZXY")
             for last in [turns["XYZ".index(names[2])]]
         }
-        slips["the result with the wrong sign of the angles"] = same_sign(
+        slips["Your angles have the wrong sign."] = same_sign(
             in_order(*(-t for t in angles)), wanted
         )
-        slips["the result for angles in degrees"] = same_sign(
+        slips["You treat the angles as degrees."] = same_sign(
             in_order(*map(math.radians, angles)), wanted
         )
-        slips["the result with x and z swapped"] = same_sign(in_order(*angles[::-1]), wanted)
+        slips["You swap x and z."] = same_sign(in_order(*angles[::-1]), wanted)
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
@@ -108,11 +109,10 @@ def test_what_the_rates_make(rng: Random) -> None:
     steep = (0.4, math.pi - tilt, -1.9)
     for x, y, z in (drawn, tuple(-a for a in drawn), steep, (0.4, 0.5 * math.pi, -0.7)):
         wanted = map_of(x, y, z)
-        about.call = f"rate_map({x}, {y}, {z})"
+        about.call = f"rate_map({x}, {y:.6g}, {z}), row by row"
         about.cause = (
-            "Each column of the map is the axis about which one of the three angles turns the "
-            "object. For z, that is the Z axis itself, because this rotation comes last. For y, it "
-            "is the Y axis after the rotation by z, and for x, the X axis after those by y and z."
+            "The columns of the map are the three axes of rotation: X rotated by y and then z, Y "
+            "rotated by z, and Z itself."
         )
         got = entries(rate_map(x, y, z))
         slips = {
@@ -136,7 +136,7 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     drawn = draw_angles(rng)  # first for a plain message, last for the code after the loop
     for angles in (drawn, (0.4, 2.5, 0.7), (0.4, -2.5, 0.7), (0.4, 4.0, 0.7), drawn):
         x, y, z = angles
-        about.call = f"euler_rates({x}, {y}, {z}, Vector3{w})"
+        about.call = f"euler_rates({x}, {y}, {z}, Vector3{short(w)})"
         about.cause = (
             "The rates are defined everywhere except at gimbal lock, where cos y is 0. Raise an "
             "error only if |cos y| is at most SINGULAR."
@@ -151,23 +151,25 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "You multiplied the angular velocity by the rate map instead of its inverse.": applied(
+            "You multiply the angular velocity by the rate map instead of its inverse.": applied(
                 there, w
             ),
-            "the transpose of the map times the angular velocity, which is right only for a "
-            "rotation": applied(transposed(there), w),
+            "You multiply by the transpose of the map, which is right only for a "
+            "rotation.": applied(transposed(there), w),
         }
         about.cause = named(rates, about.cause, slips)
         got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
-        expect_close(got, w, then=": the angular velocity of these rates", tolerance=1e-11)
+        expect_close(
+            got, w, then="; the angular velocity that these rates produce", tolerance=1e-11
+        )
     expect_unchanged("angular_velocity", xyz(velocity), w, cause=UNCHANGED)
     step = 1e-6
     x, y, z = (angle + step * rate for angle, rate in zip(angles, rates, strict=True))
     q = in_order(*angles)
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
-    about.call += f"; when the angles change by these rates for {step} s: the rotation per second"
+    about.call += f"; the angles change by these rates for {step} s; the rotation per second"
     about.cause = (
-        "These rates don't give the angular velocity that you were passed. Multiply the angular "
+        "Your rates don't produce the angular velocity that was passed in. Multiply the angular "
         "velocity by the inverse of the rate map."
     )
     # First order in the step: 1e-6 of the square of rates of up to some 50.
@@ -184,10 +186,10 @@ def draw_locked(rng: Random) -> tuple[float, float, Components]:
 @scoped
 def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> None:
     """Expect rates when the second angle is ``off`` a quarter turn."""
-    about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{w})", read=BACK)
+    about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{short(w)})", read=BACK)
     about.cause = (
-        f"The angles are close to gimbal lock but still usable: |cos y| is {abs(off)}, which is "
-        "greater than SINGULAR (1e-13), so return the rates."
+        "The angles are close to gimbal lock, but the rates exist. Return them, because |cos y| is "
+        f"{abs(off)}, which is greater than SINGULAR (1e-13)."
     )
     rates = euler_rates(x, 0.5 * math.pi + off, z, Vector3(*w))
     expect_vector(rates)
@@ -209,9 +211,9 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
     for off in (5e-13, -5e-13):
         expect_rates_near_lock(x, z, w, off)
     about.cause = (
-        "At a quarter turn about Y two of the axes line up, so there are no rates to return. Raise "
-        "an error unless abs(cos y) > SINGULAR. Do that check yourself, because Matrix3.inverse "
-        "doesn't catch all of these cases."
+        "At a quarter turn about Y two of the axes line up, so there are no rates. Raise "
+        "ValueError unless abs(cos y) > SINGULAR. Check this yourself, because Matrix3.inverse "
+        "doesn't catch all such cases."
     )
     for y, turn in (
         (quarter, z),
@@ -226,7 +228,7 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
         expect_error(
             lambda y=y, turn=turn: euler_rates(x, y, turn, Vector3(*w)),
             ValueError,
-            call=f"euler_rates({x}, {y}, {turn}, Vector3{w})",
+            call=f"euler_rates({x}, {y}, {turn}, Vector3{short(w)})",
             allowed=lambda: [
                 euler_rates(x, near, z, Vector3(*w))
                 for near in (quarter - 1e-6, 1e-6 - quarter, quarter - 5e-13, quarter + 5e-13)
@@ -255,7 +257,7 @@ def test_angles_that_are_none_are_refused() -> None:
         expect_error(
             lambda bad=bad: euler_rates(1, 1, 1, Vector3(*bad)),
             error,
-            call=f"euler_rates(1, 1, 1, Vector3{bad})",
+            call=f"euler_rates(1, 1, 1, Vector3{short(bad)})",
             allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
             read=ANGLES,
         )

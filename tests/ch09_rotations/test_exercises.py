@@ -41,6 +41,7 @@ from turning import (
     quad,
     rijk,
     same_sign,
+    short,
     turned,
 )
 
@@ -60,7 +61,7 @@ def test_two_turns_end_where_two_others_do() -> None:
     about.call, about.cause = "two_other_turns()", "Return a and b as a pair, in degrees."
     a, b = two_other_turns()
     both = hamilton(quad(X_AXIS, math.radians(b)), quad(Z_AXIS, math.radians(a)))
-    about.cause = "The axes stay fixed, all rotations are right-handed, and the angles are in "
+    about.cause = "The axes X and Z stay fixed, rotations are right-handed, and angles are in "
     about.cause += "degrees. Pick up a book, and follow its axes through both rotations."
     slips = {
         "the right pair in the wrong order": (90.0, -90.0),
@@ -74,8 +75,8 @@ def test_two_turns_end_where_two_others_do() -> None:
         ("Y", Y_AXIS, (1.0, 0.0, 0.0)),
         ("Z", Z_AXIS, (0.0, -1.0, 0.0)),
     ):
-        about.call = f"two_other_turns(); the object's {name} axis after {a} degrees about Z and "
-        about.call += f"then {b} degrees about X"
+        about.call = f"a, b = two_other_turns(); the object's {name} axis after a rotation by a = "
+        about.call += f"{a:.6g} degrees about Z and then by b = {b:.6g} degrees about X"
         got = tuple(round(component, 9) for component in turned(both, axis))
         expect_close(got, wanted, tolerance=0.0)
 
@@ -86,7 +87,7 @@ def test_the_angles_are_within_half_a_turn() -> None:
     about.call = "two_other_turns()"
     about.cause = "Give both angles in degrees from -180 to 180. For example, 270 becomes -90."
     for letter, angle in zip("ab", two_other_turns(), strict=True):
-        expect_between(angle, -180.0, 180.0, then=f", {letter}")
+        expect_between(angle, -180.0, 180.0, then=f"; the angle {letter}, in degrees")
 
 
 # 9.2 One rotation back to the reference
@@ -95,21 +96,21 @@ def test_the_angles_are_within_half_a_turn() -> None:
 @scoped
 def way_back(q: Quad) -> tuple:
     """Return the axis and angle of back_to_reference as plain numbers."""
-    about(f"back_to_reference(Quaternion{q})", read=BACK)
+    about(f"q = Quaternion{short(q)}; back_to_reference(q)", read=BACK)
     about.cause = "Return a pair (axis, angle) of a unit Vector3 and an angle in radians."
     orientation = Quaternion(*q)
     axis, angle = back_to_reference(orientation)
     expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
-    unit = expect_vector(axis, then=", the axis")
+    unit = expect_vector(axis, then="; the axis")
     length = math.hypot(*unit)
-    expect_close(length, 1.0, then=", the axis's length", tolerance=TIGHT)
-    about.cause = "The angle must be from -pi to pi. If yours is larger, use the smaller angle "
+    expect_close(length, 1.0, then="; the length of the axis", tolerance=TIGHT)
+    about.cause = "The angle must be from -pi to pi. If yours is outside, use the smaller angle "
     about.cause += "about the opposite axis."
     turn = math.degrees(2.0 * math.atan2(math.hypot(*q[1:]), abs(q[0])))
     slips = {"the angle in degrees": turn, "the angle in degrees, about the opposite axis": -turn}
     if angle:
         about.cause = named(angle, about.cause, slips)
-    expect_between(angle, -math.pi, math.pi, then=", the angle", tolerance=1e-12)
+    expect_between(angle, -math.pi, math.pi, then="; the angle in radians", tolerance=1e-12)
     return unit, angle
 
 
@@ -117,18 +118,18 @@ def way_back(q: Quad) -> tuple:
 def test_one_turn_leads_back(rng: Random) -> None:
     about.read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
-    about.cause = "The conjugate of a quaternion undoes its rotation, because it has the same axis "
-    about.cause += "and the opposite angle. Convert the conjugate to an axis and an angle."
+    about.cause = "The conjugate of q undoes the rotation of q, because it has the same axis and "
+    about.cause += "the opposite angle. Convert the conjugate to an axis and an angle."
     drawn = [draw_quad(rng), quad(axis, small), quad(axis, large), quad(axis, -small)]
     for q in ((0.5, 0.5, 0.5, 0.5), *drawn):
         unit, angle = way_back(q)
-        about.call = f"back_to_reference(Quaternion{q}); the orientation after rotating by {angle} "
-        about.call += f"about {unit}"
+        about.call = f"q = Quaternion{short(q)}; back_to_reference(q); the orientation after q is "
+        about.call += f"rotated by {angle:.6g} about {short(unit)}"
         reference = (1.0, 0.0, 0.0, 0.0)
         got = same_sign(hamilton(quad(unit, angle), q), reference)
         slips = {
-            "the result of rotating further instead of back": same_sign(hamilton(q, q), reference),
-            "the result of half the angle": same_sign(quad(q[1:], math.acos(q[0])), reference),
+            "You rotate further instead of back.": same_sign(hamilton(q, q), reference),
+            "You rotate by half the angle.": same_sign(quad(q[1:], math.acos(q[0])), reference),
         }
         why = named(got, about.cause, slips)
         expect_close(got, reference, cause=why, tolerance=TIGHT)
@@ -143,15 +144,14 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
     )
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
         _, angle = way_back(q)
-        about.call = f"back_to_reference(Quaternion{q}), the angle"
+        about.call = f"q = Quaternion{short(q)}; back_to_reference(q); the angle in radians"
         expect_close(angle, 0.0, tolerance=0.0)
     axis, near = turned(draw_quad(rng), X_AXIS), math.pi - 2e-7
-    about.cause = "A half-turn is undone by another half-turn about the same axis, in either "
-    about.cause += "direction."
+    about.cause = "Undo a half-turn by another half-turn about the same axis, in either direction."
     for q, turn in (((0.0, *axis), math.pi), (quad(axis, near), near)):
         unit, angle = way_back(q)
         got, wanted = (abs(angle), *same_sign(unit, axis)), (turn, *axis)
-        about.call = f"back_to_reference(Quaternion{q}); the absolute value of the angle, the axis"
+        about.call = f"q = Quaternion{short(q)}; back_to_reference(q); |angle| and axis"
         expect_close(got, wanted, tolerance=TIGHT)
 
 
@@ -164,7 +164,7 @@ def test_no_way_back_from_what_is_no_orientation() -> None:
         expect_error(
             lambda numbers=numbers: back_to_reference(Quaternion(*numbers)),
             ValueError,
-            call=f"back_to_reference(Quaternion{numbers})",
+            call=f"back_to_reference(Quaternion{short(numbers)})",
             allowed=lambda: back_to_reference(Quaternion(0.6, 0.8, 0.0, 0.0)),
             read=BACK,
         )
@@ -199,7 +199,7 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
-    name = f"{about.call}: the number of multiplications (up to four count as four)"
+    name = f"{about.call}; the number of multiplications (fewer than 4 also count as 4)"
     about.cause = "The general product a * b takes sixteen multiplications, but most of its terms "
     about.cause += "are zero here. Leave those terms out, so that four multiplications remain."
     got = max(4, multiplications((r, i), (s, j)))
@@ -212,15 +212,15 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
     about.read = PLANE
     r, i, n = number(rng), number(rng), number(rng)
     good = (r, i, 0.0, 0.0)
-    about.cause = "If j or k is not zero, your result would lose it. Raise ValueError in that "
-    about.cause += "case, and for NaN too, because NaN is not zero."
+    about.cause = "If j or k is not zero, your result loses it. Raise ValueError in that case, and "
+    about.cause += "for NaN too, because NaN is not zero."
     pairs = [(n, 0.0), (-n, 0.0), (0.0, n), (0.0, -n), (n, n), (n, -n), (math.nan, 0.0)]
     for bad in ((r, i, *pair) for pair in (*pairs, (0.0, math.nan), (1e-12, 0.0), (0.0, -1e-12))):
         for a, b in ((bad, good), (good, bad)):
             expect_error(
                 lambda a=a, b=b: product_without_j_and_k(Quaternion(*a), Quaternion(*b)),
                 ValueError,
-                call=f"product_without_j_and_k(Quaternion{a}, Quaternion{b})",
+                call=f"product_without_j_and_k(Quaternion{short(a)}, Quaternion{short(b)})",
                 allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
             )
     for which, attempt in (
@@ -247,28 +247,28 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
     for q, rate in (((0.5, 0.5, 0.5, 0.5), size), (draw_quad(rng), -size), (draw_quad(rng), 0.0)):
         duration = positive_number(rng, 0.5, 3.0)
         orientation = Quaternion(*q)
-        about.call = f"turned_by_sense(Quaternion{q}, {rate}, {duration})"
-        about.cause = "Rotate only once, by rate * duration about the world's X axis. That "
-        about.cause += "rotation acts after the old one, so it belongs on the left of the product."
+        about.call = f"turned_by_sense(Quaternion{short(q)}, rate={rate}, duration={duration})"
+        about.cause = "Rotate once, by rate * duration about the world's X axis. This rotation "
+        about.cause += "acts after the old one, so it belongs on the left of the product."
         if rate == 0.0:
             about.cause = "With a rate of 0 nothing rotates, so the result should equal q."
         turn = quad(X_AXIS, rate * duration)
         wanted = hamilton(turn, q)
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
         slips = {
-            "the rotation on the right of the product, about the object's own X": hamilton(q, turn),
+            "You rotate about the object's own X instead of the world's.": hamilton(q, turn),
             "the rotation alone, without the orientation before it": turn,
-            "a rotation by half the angle": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
-            "a rotation by the rate, without the duration": hamilton(quad(X_AXIS, rate), q),
-            "a rotation in the opposite direction": hamilton(quad(X_AXIS, -rate * duration), q),
-            "one step of Eq. 9.5 instead of a rotation": stepped(q, rate, duration, 1),
+            "You rotate by half the angle.": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
+            "You rotate by the rate alone, without the duration.": hamilton(quad(X_AXIS, rate), q),
+            "You rotate in the opposite direction.": hamilton(quad(X_AXIS, -rate * duration), q),
+            "You make a step of Eq. 9.5. Make a rotation instead.": stepped(q, rate, duration, 1),
         }
         slips = {name: same_sign(slip, wanted) for name, slip in slips.items()}
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
-    about.call = f"q = Quaternion{q}; turned_by_sense(q, 0, 1).r = 9.0; q"
-    about.cause = "You returned q itself, so changing one changes the other. Return a new "
+    about.call = f"q = Quaternion{short(q)}; turned_by_sense(q, 0, 1).r = 9.0; q"
+    about.cause = "You return q itself, so a change of the result also changes q. Return a new "
     about.cause += "quaternion, even if nothing rotates."
     turned_by_sense(orientation, 0.0, 1.0).r = 9.0
     expect_unchanged("q", rijk(orientation), q)
@@ -295,26 +295,26 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
     ):
         rate, duration = share * positive_number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
         orientation = Quaternion(*q)
-        about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration}, {steps})"
+        call = f"turned_by_steps(Quaternion{short(q)}, rate={rate:.6g}, duration={duration}"
+        about.call = f"{call}, steps={steps})"
         about.cause = "Work on a copy of q. In each step, call its add_scaled with duration / "
         about.cause += "steps. Normalize the copy only once, at the end."
         if steps == 1:
-            about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration})"
+            about.call = f"{call})"
             result, error = turned_by_steps(orientation, rate, duration)
         else:
             result, error = turned_by_steps(orientation, rate, duration, steps)
         wanted = stepped(q, rate, duration, steps)
         got = same_sign(rijk(result), wanted)
-        name = f"{about.call}, the orientation"
+        name = f"{about.call}; the orientation"
         half = 0.5 * rate * duration / steps
         size = (1.0 + half * half) ** (0.5 * steps)
         slips = {
-            "the result of steps that each take the whole duration": stepped(
-                q, rate, duration * steps, steps
-            ),
-            "the result of a single step over the whole duration": stepped(q, rate, duration, 1),
-            "the result without normalizing": [size * component for component in wanted],
-            "the exact rotation, not that of Eq. 9.5": hamilton(quad(X_AXIS, rate * duration), q),
+            "Your steps each take the whole duration.": stepped(q, rate, duration * steps, steps),
+            "You make a single step over the whole duration.": stepped(q, rate, duration, 1),
+            "You don't normalize the result.": [size * component for component in wanted],
+            "You make the exact rotation instead of steps of Eq. 9.5. In each step, call "
+            "add_scaled with duration / steps.": hamilton(quad(X_AXIS, rate * duration), q),
             "the old orientation": q,
         }
         slips = {label: same_sign(slip, wanted) for label, slip in slips.items()}
@@ -322,8 +322,8 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         expect_close(got, wanted, call=name, cause=why, tolerance=TIGHT)
         turn = abs(rate * duration)
         missing = turn - 2.0 * steps * math.atan(0.5 * turn / steps)
-        about.cause = "The error is the angle between the two results, in radians and at least 0."
-        name = f"{about.call}, the error"
+        about.cause = "The error is the angle to the exact rotation, in radians and at least 0."
+        name = f"{about.call}; the error in radians"
         slips = {
             "half of the angle": 0.5 * missing,
             "the angle with a negative sign": -missing,
@@ -331,7 +331,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         }
         why = named(error, about.cause, slips)
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
-            why = f"For an angle this small, acos loses half of the digits. {about.cause}"
+            why = f"You use acos, which loses half of the digits here. {about.cause}"
         expect_close(error, missing, call=name, cause=why, tolerance=1e-11)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
 
@@ -340,9 +340,9 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
 def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)
-    about.call = f"turned_by_steps(Quaternion{q}, 3, 2), the error"
-    about.cause = "A rotation by more than pi is a smaller rotation in the opposite direction, "
-    about.cause += "so the error is at most pi."
+    about.call = f"turned_by_steps(Quaternion{short(q)}, rate=3, duration=2); the error in radians"
+    about.cause = "A rotation by more than pi is a smaller rotation in the opposite direction. "
+    about.cause += "Return the smaller angle, which is at most pi."
     # Of 6 rad it rotates by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 the other way round.
     wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
     got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]
@@ -367,7 +367,7 @@ def test_a_turn_of_nothing_is_refused() -> None:
         bad,
         read=BY_STEPS,
     )
-    about.cause = "The number of steps must be whole. Check it with whole from arguments.py."
+    about.cause = "Check with whole from arguments.py that the number of steps is positive."
     for steps, error in ((0, ValueError), (-1, ValueError), (2.0, TypeError)):
         expect_error(
             lambda steps=steps: turned_by_steps(Quaternion(), 1.0, 2.0, steps),

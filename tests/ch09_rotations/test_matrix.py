@@ -20,6 +20,7 @@ from turning import (
     draw_matrix,
     entries,
     named,
+    short,
     times,
     transposed,
     written,
@@ -42,7 +43,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     about.read = TIMES
     m, a = draw_matrix(rng), components(rng)
     v = Vector3(*a)
-    about.call = f"{written(m)}.transform(Vector3{a})"
+    about.call = f"m = {written(m)}; m.transform(Vector3{short(a)})"
     about.cause = (
         "Each component of the result is the scalar product of one row of the matrix and the "
         "vector."
@@ -50,17 +51,17 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
-        "You multiplied the vector by the columns of the matrix instead of its rows.": applied(
+        "You multiply the vector by the columns of the matrix instead of its rows.": applied(
             transposed(m), a
         ),
-        "You overwrote the old x before you computed y and z from it. Keep all three old "
-        "components until the result is complete.": in_place(m, a),
+        "You overwrite the old x before you compute y and z from it. Keep all three old components "
+        "until the result is complete.": in_place(m, a),
     }
     why = named(got, about.cause, slips)
     # Three products of numbers up to 90.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
-    about.call = f"{written(m)} @ Vector3{a}, which calls Matrix3.transform"
+    about.call = f"m = {written(m)}; m @ Vector3{short(a)}, which calls m.transform"
     got = xyz(Matrix3(*m) @ v)
     expect_close(got, wanted, tolerance=1e-11)
 
@@ -69,28 +70,28 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
 def test_a_matrix_times_a_matrix(rng: Random) -> None:
     about.read = TIMES
     m, n = draw_matrix(rng), draw_matrix(rng)
-    about.call = f"{written(m)}.product({written(n)})"
+    about.call = f"a = {written(m)}; b = {written(n)}; a.product(b), row by row"
     about.cause = (
-        "Each entry of the product is the scalar product of a row of self and a column of m. The "
+        "Each number of a.product(b) is the scalar product of a row of a and a column of b. The "
         "order of the factors matters."
     )
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
     slips = {
         "the product in the other order": times(n, m),
-        "You multiplied each number by the one in the same position, which is not the matrix "
+        "You multiply each number by the one in the same position, which is not the matrix "
         "product.": [p * q for p, q in zip(m, n, strict=True)],
-        "You multiplied the rows of self by the rows of m instead of its columns.": times(
+        "You multiply the rows of a by the rows of b instead of its columns.": times(
             m, transposed(n)
         ),
-        "You multiplied the columns of self by the columns of m.": times(transposed(m), n),
+        "You multiply the columns of a by the columns of b.": times(transposed(m), n),
         "the transpose of the product": transposed(times(m, n)),
     }
     why = named(got, about.cause, slips, times(m, n))
     expect_close(got, times(m, n), cause=why, tolerance=1e-11)
-    expect_unchanged("the first matrix", entries(first), m, cause=UNCHANGED)
-    expect_unchanged("the second matrix", entries(second), n, cause=UNCHANGED)
-    about.call = f"{written(m)} @ {written(n)}, which calls Matrix3.product"
+    expect_unchanged("a", entries(first), m, cause=UNCHANGED)
+    expect_unchanged("b", entries(second), n, cause=UNCHANGED)
+    about.call = f"a = {written(m)}; b = {written(n)}; a @ b, which calls a.product, row by row"
     got = entries(first @ second)
     expect_close(got, times(m, n), tolerance=1e-11)
 
@@ -123,7 +124,7 @@ def test_rows_become_columns(rng: Random) -> None:
     about.read = "book 9.4.3"
     m = draw_matrix(rng)
     matrix = Matrix3(*m)
-    about.call = f"{written(m)}.transpose()"
+    about.call = f"m = {written(m)}; m.transpose(), row by row"
     about.cause = (
         "The rows of the matrix become the columns of the transpose, so the number in row i and "
         "column j moves to row j and column i."
@@ -162,15 +163,15 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         "+ c (d h - e g)": c * (d * h - e * g),
     }
     signs = {
-        f"the determinant with the wrong sign of one term, {name} (the rows are a b c, d e f and g "
-        "h i)": right - 2.0 * product
+        f"Your determinant has the wrong sign in the term {name}. Change it, where the rows are a "
+        "b c, d e f and g h i.": right - 2.0 * product
         for name, product in products.items()
     }
     return signs | {
-        "the determinant with the wrong sign": -right,
-        "This is only the product of the three numbers on the diagonal, but the others count "
+        "Your determinant has the wrong sign.": -right,
+        "You return only the product of the three numbers on the diagonal, but the others count "
         "too.": a * e * i,
-        "You added all six products, but three of them need a minus sign.": a * e * i
+        "You add all six products, but three of them need a minus sign.": a * e * i
         + b * f * g
         + c * d * h
         + c * e * g
@@ -184,19 +185,19 @@ def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
     about.cause = (
-        "If you treat the rows as vectors, the determinant is first . (second x third). It can be "
+        "With the rows as vectors, the determinant is first . (second x third). It can be "
         "negative, so don't take the absolute value."
     )
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
-        about.call = f"{written(n)}.determinant()"
+        about.call = f"n = {written(n)}; n.determinant()"
         got = Matrix3(*n).determinant()
         # Six products of up to 700.
         why = named(got, about.cause, determinant_slips(n))
         expect_close(got, determinant(n), cause=why, tolerance=1e-10)
     about.cause += " Zeros on the diagonal don't make it zero."
     for n in ring_and_swap():
-        about.call = f"{written(n)}.determinant()"
+        about.call = f"n = {written(n)}; n.determinant()"
         got = Matrix3(*n).determinant()
         expect_close(got, determinant(n))
     about.cause = (
@@ -204,7 +205,7 @@ def test_the_determinant(rng: Random) -> None:
         "zero."
     )
     n = tuple(number * 1e-7 for number in m)
-    about.call = f"{written(n)}.determinant()"
+    about.call = f"n = {written(n)}; n.determinant()"
     got = Matrix3(*n).determinant()
     expect_close(got, determinant(n), tolerance=1e-31)
 
@@ -230,7 +231,7 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     ):
         n = tuple(number * scale for number in rows)
         matrix = Matrix3(*n)
-        about.call = f"m = {written(n)}; m @ m.inverse()"
+        about.call = f"m = {written(n)}; m @ m.inverse(), row by row"
         about.cause = (
             f"The determinant is {determinant(n):.4g}, so the matrix has an inverse. Don't raise "
             "an error."
@@ -244,15 +245,15 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
             "You divided by the determinant twice instead of once.": [
                 one / determinant(n) for one in IDENTITY
             ],
-            "the result without the sign of the determinant": [-one for one in IDENTITY],
-            "m times its transpose": times(n, transposed(n)),
-            "m times m": times(n, n),
+            "You divide by the absolute value of the determinant.": [-one for one in IDENTITY],
+            "You return the transpose instead of the inverse.": times(n, transposed(n)),
+            "You return the matrix itself instead of its inverse.": times(n, n),
         }
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
                 slips[
-                    "You swapped the rows and columns of the inverse, which gives its transpose."
+                    "You swap the rows and columns of the inverse, which gives its transpose."
                 ] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
@@ -262,7 +263,7 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         "have an inverse. Only the determinant decides."
     )
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
-        about.call = f"m = {written(n)}; m @ m.inverse()"
+        about.call = f"m = {written(n)}; m @ m.inverse(), row by row"
         got = entries(Matrix3(*n).inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         expect_close(product, IDENTITY, tolerance=TIGHT)
@@ -273,7 +274,7 @@ def expect_no_inverse(m: Nine) -> None:
     expect_error(
         lambda: Matrix3(*m).inverse(),
         ValueError,
-        call=f"{written(m)}.inverse()",
+        call=f"m = {written(m, exact=True)}; m.inverse()",
         allowed=lambda: Matrix3(2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 4.0).inverse(),
         read=INVERSE,
     )
@@ -283,15 +284,14 @@ def expect_no_inverse(m: Nine) -> None:
 @pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     about.cause = (
-        "The rows lie in a plane, or one of them is zero, so the determinant is 0 and there is no "
-        "inverse. Reject a determinant that equals the limit, too."
+        "The determinant of this matrix is 0, so it has no inverse. Raise ValueError, also if the "
+        "absolute value of the determinant equals the limit."
     )
     expect_no_inverse((0.0,) * 9)
     expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
     about.cause = (
         "This matrix is singular, but rounding errors keep its determinant from being exactly 0. "
-        "It is about 1e-15 times the product of the row lengths, so compare it with SINGULAR times "
-        "that product."
+        "Compare the determinant with SINGULAR times the product of the row lengths."
     )
     for scale in (1.0, 1e6):
         for _ in range(6):
@@ -309,17 +309,17 @@ def test_how_near_to_singular_is_too_near() -> None:
     for small, regular in ((1.1e-13, True), (1e-13, False), (0.9e-13, False)):
         m = (2.0, 0.0, 0.0, 4.0, 4.0 * small, 0.0, 0.0, 0.0, 8.0)
         about.cause = (
-            "|determinant| is more than 1e-13 of the product of the row lengths, so this matrix "
-            "has an inverse."
+            f"The absolute value of the determinant is {small} times the product of the row "
+            "lengths. That is more than SINGULAR (1e-13), so this matrix has an inverse."
         )
         if not regular:
             about.cause = (
-                f"|determinant| is only {small} of the product of the row lengths. That is not "
-                "more than 1e-13, so reject the matrix."
+                f"The absolute value of the determinant is only {small} times the product of the "
+                "row lengths. That is not more than SINGULAR (1e-13), so raise ValueError."
             )
             expect_no_inverse(m)
             continue
-        about.call = f"{written(m)}.inverse().entries[0]"
+        about.call = f"m = {written(m)}; m.inverse().entries[0]"
         got = entries(Matrix3(*m).inverse())[0]
         expect_close(got, 0.5)
 

@@ -24,6 +24,7 @@ from turning import (
     joined,
     moved,
     named,
+    short,
     subtracted,
     times,
     transposed,
@@ -42,27 +43,30 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     m, p, a = draw_matrix(rng), components(rng), components(rng)
     twelve = joined(m, p)
     v = Vector3(*a)
-    about.call = f"{written(twelve)}.transform(Vector3{a})"
+    about.call = f"m = {written(twelve)}; m.transform(Vector3{short(a)})"
     about.cause = (
-        "Each row of the matrix gives one component of the result. Take the scalar product of the "
-        "vector and the first three numbers of the row, and then add the fourth number."
+        "For each row, take the scalar product of its first three numbers and the vector, and then "
+        "add its fourth number."
     )
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
-        "You left out the translation.": applied(m, a),
-        "You translated the point before you rotated it, so the translation got rotated "
-        "too.": applied(m, added(a, p)),
-        "the result with rows and columns swapped": moved(transposed(m), p, a),
-        "You subtracted the translation from the rotated point instead of adding it.": subtracted(
+        "You leave out the translation.": applied(m, a),
+        "You translate the point before you rotate it, so you rotate the translation too.": applied(
+            m, added(a, p)
+        ),
+        "You multiply the vector by the columns of the matrix instead of its rows.": moved(
+            transposed(m), p, a
+        ),
+        "You subtract the translation from the rotated point instead of adding it.": subtracted(
             applied(m, a), p
         ),
-        "You used the first nine entries as the rotation, but every fourth entry belongs to the "
+        "You use the first nine entries as the rotation, but every fourth entry belongs to the "
         "translation.": applied(twelve[:9], a),
     }
     why = named(got, about.cause, slips)
     expect_close(got, moved(m, p, a), cause=why, tolerance=LOOSE)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
-    about.call = f"{written(twelve)} @ Vector3{a}, which calls Matrix4.transform"
+    about.call = f"m = {written(twelve)}; m @ Vector3{short(a)}, which calls m.transform"
     got = xyz(Matrix4(*twelve) @ v)
     expect_close(got, moved(m, p, a), tolerance=LOOSE)
 
@@ -73,32 +77,31 @@ def test_one_transformation_after_another(rng: Random) -> None:
     m, p, n, q = draw_matrix(rng), components(rng), draw_matrix(rng), components(rng)
     first, second = joined(m, p), joined(n, q)
     one, other = Matrix4(*first), Matrix4(*second)
-    about.call = f"{written(first)}.product({written(second)})"
+    about.call = f"a = {written(first)}; b = {written(second)}; a.product(b), row by row"
     about.cause = (
-        "The matrix m acts first, and self then transforms every point, including the one that m "
-        "has moved the origin to. So apply self to the translation of m to get the last column."
+        "In a.product(b), b acts first, and then a transforms every point, including the "
+        "translation of b. So the last column is a applied to the translation of b."
     )
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
     slips = {
-        "The last column is wrong: you only added the two translations.": joined(
+        "You only add the two translations to get the last column.": joined(
             times(m, n), added(p, q)
         ),
-        "The last column is wrong: it lacks the translation of self.": joined(
-            times(m, n), applied(m, q)
-        ),
-        "The last column is wrong: it is only the translation of self.": joined(times(m, n), p),
-        "The last column is wrong: it is only the translation of m.": joined(times(m, n), q),
-        "The last column is wrong: you rotated both translations.": joined(
+        "Your last column lacks the translation of a.": joined(times(m, n), applied(m, q)),
+        "Your last column is only the translation of a.": joined(times(m, n), p),
+        "Your last column is only the translation of b.": joined(times(m, n), q),
+        "You rotate both translations to get the last column.": joined(
             times(m, n), applied(m, added(p, q))
         ),
         "the product in the other order": joined(times(n, m), moved(n, q, p)),
     }
     why = named(got, about.cause, slips, wanted)
     expect_close(got, wanted, cause=why, tolerance=LOOSE)
-    expect_unchanged("the first matrix", entries(one), first, cause=UNCHANGED)
-    expect_unchanged("the second matrix", entries(other), second, cause=UNCHANGED)
-    about.call = f"{written(first)} @ {written(second)}, which calls Matrix4.product"
+    expect_unchanged("a", entries(one), first, cause=UNCHANGED)
+    expect_unchanged("b", entries(other), second, cause=UNCHANGED)
+    about.call = f"a = {written(first)}; b = {written(second)}; a @ b, which calls a.product, row "
+    about.call += "by row"
     got = entries(one @ other)
     expect_close(got, wanted, tolerance=LOOSE)
 
@@ -143,7 +146,7 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and E-28"
     m, p = draw_mirror(rng), components(rng)
     twelve = joined(m, p)
-    about.call = f"{written(twelve)}.determinant()"
+    about.call = f"m = {written(twelve)}; m.determinant()"
     about.cause = (
         "A translation doesn't change volumes, so the determinant is that of the nine numbers to "
         "the left of the last column."
@@ -152,8 +155,8 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     slips = {
         "the book's determinant, with a plus in place of a minus (E-28)": printed_determinant(m),
         "the determinant of the first nine entries": determinant(twelve[:9]),
-        "the determinant with the wrong sign": -determinant(m),
-        "the product of the diagonal only": m[0] * m[4] * m[8],
+        "Your determinant has the wrong sign.": -determinant(m),
+        "You return only the product of the diagonal.": m[0] * m[4] * m[8],
     }
     why = named(got, about.cause, slips)
     expect_close(got, determinant(m), cause=why, tolerance=1e-10)
@@ -162,7 +165,7 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
         "zero."
     )
     small = tuple(1e-7 * number for number in m)
-    about.call = f"{written(joined(small, p))}.determinant()"
+    about.call = f"m = {written(joined(small, p))}; m.determinant()"
     got = Matrix4(*joined(small, p)).determinant()
     expect_close(got, determinant(small), tolerance=1e-31)
 
@@ -175,7 +178,7 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
     listing = (
         "A Matrix4 has only the entries 0 to 11, but the book's listing also reads entry 15 "
-        "(E-13). Don't copy that listing."
+        "(E-13). Don't copy the listing."
     )
     tiny = (
         "A matrix isn't singular just because its numbers are small. Call Matrix3.inverse on the "
@@ -190,12 +193,12 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         twelve = joined(m, p)
         matrix = Matrix4(*twelve)
         there = moved(m, p, a)
-        about(f"m = {written(twelve)}; m.inverse() @ (m @ Vector3{a})")
+        about(f"m = {written(twelve)}; m.inverse() @ (m @ Vector3{short(a)})")
         about.cause = how
         got = entries(matrix.inverse())
         about.cause = (
-            "Invert the nine numbers to the left of the last column with Matrix3.inverse. If the "
-            "inverse is I and the translation is p, the new translation is -I p."
+            "Invert the nine numbers to the left of the last column with Matrix3.inverse. With "
+            "this inverse I and the translation p, the new translation is -I p."
         )
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
@@ -205,21 +208,22 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 applied(transposed(m), subtracted(there, p)),
             )
             slips = {
-                "the result of the translation -p": subtracted(plain, p),
-                "the result of the translation p": added(plain, p),
-                "the result of the translation I p, without the minus": added(
+                "Your inverse has the translation -p.": subtracted(plain, p),
+                "Your inverse has the translation p.": added(plain, p),
+                "Your inverse has the translation I p, without the minus.": added(
                     plain, applied(linear, p)
                 ),
-                "the result without a translation": plain,
-                "the result of the transpose, which is right only for a rotation": turned_back,
-                "the result without dividing by the determinant": [
+                "Your inverse has no translation.": plain,
+                "You use the transpose of the rotation, which is right only for a "
+                "rotation.": turned_back,
+                "You don't divide by the determinant.": [
                     determinant(m) * component for component in a
                 ],
-                "the result of the book's determinant, with a plus in place of a minus (E-28)": [
+                "You divide by the book's determinant, with a plus in place of a minus (E-28).": [
                     determinant(m) / printed_determinant(m) * component for component in a
                 ],
-                "This is the result of the book's listing, which reads entries that it has already "
-                "overwritten (E-30). Compute all entries before you store "
+                "You use the book's listing, which reads entries that it has already overwritten "
+                "(E-30). Compute all entries before you store "
                 "them.": moved(*overwritten(m, p), there),
             }
             about.cause = named(got, about.cause, slips)
@@ -233,8 +237,8 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     about.read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
     about.cause = (
-        "The nine numbers to the left of the last column are singular, so there is no inverse, "
-        "whatever the translation is. Call Matrix3.inverse, which rejects them."
+        "The nine numbers to the left of the last column are singular, so there is no inverse. "
+        "Call Matrix3.inverse for them, which raises ValueError."
     )
     planes = []
     for _ in range(6):  # rows in one plane, apart from rounding errors, which may be zero
@@ -247,7 +251,7 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
         expect_error(
             lambda twelve=twelve: Matrix4(*twelve).inverse(),
             ValueError,
-            call=f"{written(twelve)}.inverse()",
+            call=f"m = {written(twelve, exact=True)}; m.inverse()",
             allowed=lambda: Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))).inverse(),
         )
 
@@ -263,8 +267,8 @@ def test_only_vectors_and_matrices_of_twelve() -> None:
     about.read = FIRST_LINES
     matrix, nine, three = small_pair()
     about.cause = (
-        "This argument has the wrong type. Raise TypeError, whether it is a tuple or the wrong "
-        "kind of matrix or vector."
+        "The argument has the wrong type. Raise TypeError for a tuple, and also for the wrong kind "
+        "of matrix or vector."
     )
     v = Vector3(1.0, 2.0, 3.0)
     for name, attempt, allowed in (

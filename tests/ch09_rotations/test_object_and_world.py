@@ -28,6 +28,7 @@ from turning import (
     named,
     quad,
     rijk,
+    short,
     subtracted,
     times,
     transposed,
@@ -47,32 +48,34 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     about.read = "book 9.4.4"
     q, p = draw_quad(rng), components(rng)
     place, orientation = Vector3(*p), Quaternion(*q)
-    about.call = f"Matrix4.from_orientation_and_position(Quaternion{q}, Vector3{p})"
+    about.call = f"q = Quaternion{short(q)}; p = Vector3{short(p)}; "
+    about.call += "Matrix4.from_orientation_and_position(q, p), row by row"
     about.cause = (
-        "The first three columns are the rotation, which is Matrix3.from_quaternion(q), and the "
-        "last column is the position."
+        "The first three columns should be the rotation, Matrix3.from_quaternion(q), and the last "
+        "column the position p."
     )
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     m = matrix_of(q)
     wanted = joined(m, p)
     slips = {
-        "The last column is wrong: you rotated the position.": joined(m, applied(m, p)),
-        "The last column is wrong: the position has the wrong sign.": joined(
+        "You rotate the position before you put it into the last column.": joined(m, applied(m, p)),
+        "Your last column is the position with the wrong sign.": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
-        "You put the position after the nine numbers of the rotation. The entries go row by row, "
-        "so each component of the position belongs at the end of its row.": (
+        "You put the position after the nine numbers of the rotation. The entries are stored row "
+        "by row, so each component of the position belongs at the end of its row.": (
             *m,
             *p,
         ),
-        "the transposed rotation, as the book prints it (E-11)": joined(transposed(m), p),
+        "You transpose the rotation, as the book prints it (E-11).": joined(transposed(m), p),
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
     expect_unchanged("p", xyz(place), p, cause=UNCHANGED)
     near = tuple(component * (1.0 + 5e-7) for component in q)
     orientation = Quaternion(*near)
-    about.call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
+    about.call = f"q = Quaternion{short(near)}, of length 1 + 5e-7; p = Vector3{short(p)}; "
+    about.call += "Matrix4.from_orientation_and_position(q, p), row by row"
     about.cause = "The length of this quaternion is close enough to 1 for is_unit(), so accept it."
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     expect_close(got, wanted, tolerance=1e-5)
@@ -86,7 +89,7 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
     p, q = Vector3(1.0, 2.0, 3.0), Quaternion(0.6, 0.0, 0.8, 0.0)
     off = (
         "The length of this quaternion is not 1, so it is not an orientation. Call "
-        "Matrix3.from_quaternion, which rejects it."
+        "Matrix3.from_quaternion, which raises ValueError."
     )
     for name, attempt, error, cause in (
         (
@@ -101,8 +104,8 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
                 Quaternion(0.6000012, 0.0, 0.8000016, 0.0), p
             ),
             ValueError,
-            "The length of this quaternion is 1 + 2e-6, which is too far from 1 for is_unit, so "
-            "reject it.",
+            "The length of this quaternion is 1 + 2e-6, which is too far from 1 for is_unit(). "
+            "Raise ValueError.",
         ),
         (
             "Quaternion(nan, 0, 0, 0), Vector3(1, 2, 3)",
@@ -150,11 +153,11 @@ def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
         "the vector rotated back first and then translated back": subtracted(applied(back, a), p),
         "the vector rotated back first and then translated forward": moved(back, p, a),
         "the vector translated forward and then rotated back": applied(back, added(a, p)),
-        "You used a general inverse, which is slower and also undoes this matrix's scale of 1 + "
-        "4e-6. Subtract the translation and rotate back by the transpose "
+        "You use a general inverse, which is slower and also undoes the small scale (1 + 4e-6) of "
+        "this matrix. Subtract the translation and rotate back by the transpose "
         "instead.": applied(inverse, subtracted(a, p)),
-        "You used a general inverse, which is slower and also undoes this matrix's scale of 1 + "
-        "4e-6. Rotate back by the transpose instead.": applied(inverse, a),
+        "You use a general inverse, which is slower and also undoes the small scale (1 + 4e-6) of "
+        "this matrix. Rotate back by the transpose instead.": applied(inverse, a),
     }
 
 
@@ -183,7 +186,7 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)
-    about.call = f"{written(twelve)}.{method}(Vector3{a})"
+    about.call = f"m = {written(twelve)}; m.{method}(Vector3{short(a)})"
     got = xyz(getattr(matrix, method)(v))
     why = named(got, about.cause, world_slips(m, p, a))
     # Rounding of numbers up to 30.
@@ -201,7 +204,7 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
     expect_error(
         lambda: getattr(matrix, method)(a),
         TypeError,
-        call=f"{written(twelve)}.{method}({a})",
+        call=f"m = {written(twelve)}; m.{method}({a})",
         allowed=lambda: getattr(matrix, method)(Vector3(*a)),
         cause="The check passed a tuple. Raise TypeError for anything but a Vector3.",
         read=FIRST_LINES,
@@ -213,10 +216,11 @@ def test_a_turn_told_in_other_axes() -> None:
     about.read = BASIS
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
-    about.call = f"change_basis({written(about_z)}, {written(z_to_x)})"
+    about.call = f"m = {written(about_z)}; basis = {written(z_to_x)}; change_basis(m, basis), row "
+    about.call += "by row"
     about.cause = (
-        "The result is the product basis * m * basis^-1. This basis takes Z to X, so a rotation "
-        "about Z becomes a rotation about X."
+        "Return the product basis * m * basis^-1. This basis takes Z to X, so a rotation about Z "
+        "becomes a rotation about X."
     )
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
     wanted = matrix_of(quad((1.0, 0.0, 0.0), 0.5 * math.pi))
@@ -239,15 +243,16 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     about.read = BASIS
     m, basis = draw_matrix(rng), draw_mirror(rng)
     one, other = Matrix3(*m), Matrix3(*basis)
-    about.call = f"change_basis({written(m)}, {written(basis)}) @ basis"
+    about.call = f"m = {written(m)}; basis = {written(basis)}; change_basis(m, basis) @ basis, row "
+    about.call += "by row"
     about.cause = (
-        "The result is the product basis * m * basis^-1. The new axes don't have to be at right "
-        "angles, so use the inverse, not the transpose."
+        "Return the product basis * m * basis^-1. The new axes don't have to be at right angles, "
+        "so use the inverse, not the transpose."
     )
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
     by_transpose = times(times(times(basis, m), transposed(basis)), basis)
-    slips = {"the result with the transpose of the basis instead of its inverse": by_transpose}
+    slips = {"You use the transpose of the basis instead of its inverse.": by_transpose}
     why = named(product, about.cause, slips)
     expect_close(product, times(basis, m), cause=why, tolerance=LOOSE)
     expect_unchanged("m", entries(one), m, cause=UNCHANGED)
@@ -260,9 +265,10 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
     m, p, basis, q = draw_matrix(rng), components(rng), draw_mirror(rng), components(rng)
     first, second = joined(m, p), joined(basis, q)
     a = components(rng)
-    about.call = f"change_basis({written(first)}, {written(second)}) @ (basis @ Vector3{a})"
+    about.call = f"m = {written(first)}; basis = {written(second)}; change_basis(m, basis) @ "
+    about.call += f"(basis @ Vector3{short(a)})"
     about.cause = (
-        "The result is the product basis * m * basis^-1. Both matrices have a translation here, so "
+        "Return the product basis * m * basis^-1. Both matrices have a translation here, so "
         "multiply complete Matrix4s, not just their rotations."
     )
     told = change_basis(Matrix4(*first), Matrix4(*second))
@@ -302,8 +308,8 @@ def test_a_basis_must_fit(rng: Random) -> None:
             "Matrix3(...), a Matrix3 of zeros",
             lambda: change_basis(small, flat),
             ValueError,
-            "This basis is singular, so it has no inverse. inverse() raises ValueError, so let "
-            "that error through.",
+            "This basis is singular, so it has no inverse. basis.inverse() raises ValueError, so "
+            "let this error through.",
         ),
     ):
         about.cause = cause

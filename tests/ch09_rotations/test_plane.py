@@ -37,10 +37,10 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
                 slips = {
                     "an angle from 0 to 2 pi": angle % math.tau,
                     "the original angle": angle + turns * math.tau,
-                    "You subtracted only one turn. The angle can contain many, so subtract as many "
+                    "You subtract only one turn. The angle can contain many, so subtract as many "
                     "as needed.": angle + (turns - 1) * math.tau,
-                    "You added only one turn. The angle can be many turns below the range, so add "
-                    "as many as needed.": angle + (turns + 1) * math.tau,
+                    "You add only one turn. The angle can be many turns below the range, so add as "
+                    "many as needed.": angle + (turns + 1) * math.tau,
                     "the angle in degrees": math.degrees(angle),
                 }
                 why = named(got, about.cause, slips)
@@ -106,10 +106,10 @@ def test_the_direction_of_an_angle(rng: Random) -> None:
         wanted = (math.cos(t), math.sin(t))
         taken = math.radians(t)
         slips = {
-            "the result with sine and cosine swapped": (math.sin(t), math.cos(t)),
-            "the result for an angle in degrees": (math.cos(taken), math.sin(taken)),
-            "the result with the wrong sign of the sine": (math.cos(t), -math.sin(t)),
-            "the result with the wrong sign of the cosine": (-math.cos(t), math.sin(t)),
+            "You swap sine and cosine.": (math.sin(t), math.cos(t)),
+            "You treat the angle as degrees.": (math.cos(taken), math.sin(taken)),
+            "Your sine has the wrong sign.": (math.cos(t), -math.sin(t)),
+            "Your cosine has the wrong sign.": (-math.cos(t), math.sin(t)),
         }
         expect_close(got, wanted, cause=named(got, about.cause, slips))
 
@@ -118,20 +118,20 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     """Return the results of likely mistakes when a point is rotated and moved."""
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     ends = {
-        "a clockwise rotation": place + start / turn,
-        "You moved the point before you rotated it, so the object's position got rotated too.": (
+        "Your rotation is clockwise.": place + start / turn,
+        "You move the point before you rotate it, so you rotate the object's position too.": (
             start + place
         )
         * turn,
-        "You rotated the point but didn't add the object's position.": start * turn,
-        "You added the object's position but didn't rotate the point.": place + start,
-        "This is a rotation about origin. The point is given relative to the object, so rotate it "
-        "about (0, 0) first and then add origin.": place + (start - place) * turn,
-        "the result for an angle in degrees": place + start * cmath.rect(1.0, math.radians(angle)),
+        "You rotate the point but don't add the object's position.": start * turn,
+        "You add the object's position but don't rotate the point.": place + start,
+        "You rotate the point about origin. The point is given relative to the object, so rotate "
+        "it about (0, 0) first and then add origin.": place + (start - place) * turn,
+        "You treat the angle as degrees.": place + start * cmath.rect(1.0, math.radians(angle)),
     }
     # y computed from an x that has been changed already.
     x = turn.real * point[0] - turn.imag * point[1]
-    ends["You computed y from the new x. Keep the old x until you have both results."] = (
+    ends["You compute y from the new x. Keep the old x until you have both results."] = (
         place + complex(x, turn.imag * x + turn.real * point[1])
     )
     return {name: (end.real, end.imag) for name, end in ends.items()}
@@ -139,7 +139,11 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
 
 @pytest.mark.exercise("B9.2")
 def test_the_headlight_of_the_book() -> None:
-    about("rotate_point((1.5, -0.75), 3 pi / 8, (4, 3.85))", read=POINT)
+    about(
+        "rotate_point(point=(1.5, -0.75), angle=3 pi / 8, origin=(4, 3.85)), for a headlight of "
+        "a car at (4, 3.85)",
+        read=POINT,
+    )
     about.cause = (
         "The point is given relative to the car. Rotate it counter-clockwise about (0, 0) first, "
         "and then add the position of the car."
@@ -156,7 +160,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
     for sign in (1.0, -1.0, 1.0):
         x, y, across, up = (number(rng) for _ in range(4))
         angle = sign * positive_number(rng, 0.3, 2.9)
-        about.call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
+        about.call = f"rotate_point(point=({x}, {y}), angle={angle}, origin=({across}, {up}))"
         about.cause = (
             "Rotate the point first, which gives (x cos t - y sin t, x sin t + y cos t) for an "
             "angle t, and then add origin."
@@ -188,16 +192,16 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     )
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
-        "You returned the sums of m x and m y without dividing them by the total mass.": (
+        "You return the sums of m x and m y without dividing them by the total mass.": (
             8.0,
             16.0,
         ),
-        "You divided the sums of m x and m y by the number of masses instead of the total mass.": (
+        "You divide the sums of m x and m y by the number of masses instead of the total mass.": (
             4.0,
             8.0,
         ),
-        "This is the plain mean of the positions, which ignores the masses.": (2.0, 4.0),
-        "the result with the masses swapped": (3.0, 6.0),
+        "You return the plain mean of the positions, which ignores the masses.": (2.0, 4.0),
+        "You swap the masses.": (3.0, 6.0),
     }
     expect_close(got, (1.0, 2.0), cause=named(got, about.cause, slips))
 
@@ -220,10 +224,10 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         got = center_of_mass([*masses], [*positions])
         last = dict(pairs)
         slips = {
-            "The result is rounded down to a whole number, as // does. Divide with / instead.": [
+            "Your result is rounded down to a whole number, as // does. Divide with / instead.": [
                 math.floor(w) for w in wanted
             ],
-            "You lost equal masses, probably because you used the masses as dictionary keys. Use "
+            "You lose equal masses, probably because you used the masses as dictionary keys. Use "
             "zip to go through both lists together.": [
                 math.fsum(m * p[axis] for m, p in last.items()) / math.fsum(last) for axis in (0, 1)
             ],
@@ -232,7 +236,7 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         after = masses_after(masses, positions)
         cause_lists = (
-            "The call has changed a list that it should only read. If you need to sort a list or "
+            "Your function changes a list that it should only read. If you need to sort a list or "
             "remove something from it, work on a copy."
         )
         for name, now, before in (("masses", after[0], masses), ("positions", after[1], positions)):
@@ -248,8 +252,8 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
     about.read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
     about.cause = (
-        "These lists are not valid. There must be at least one mass and exactly one position for "
-        "each mass, so raise ValueError."
+        "These lists are not valid, so raise ValueError. There must be at least one mass, and "
+        "exactly one position for each mass."
     )
     for masses, positions in (
         ([], []),

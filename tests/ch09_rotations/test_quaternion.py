@@ -11,13 +11,13 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 from draw import number
 from expect import UNCHANGED, about, expect_close, expect_error, expect_exactly, expect_unchanged
-from turning import Quad, draw_quad, hamilton, named, rijk
+from turning import Quad, draw_quad, hamilton, named, rijk, short
 
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
 NORMALIZE = "book 9.4.8, and the docstring of normalize"
 PRODUCT = "book 9.4.9"
 ONLY_LOOKS = (
-    "This method has changed the quaternion, although it should only read it. Use local variables "
+    "Your method changes the quaternion, although it should only read it. Use local variables "
     "instead."
 )
 
@@ -44,7 +44,7 @@ def test_the_length_of_four_components(rng: Random) -> None:
     }
     expect_close(got, 6.0, cause=named(got, about.cause, slips))
     q = draw_four(rng)
-    about.call = f"Quaternion{q}.magnitude()"
+    about.call = f"Quaternion{short(q)}.magnitude()"
     quaternion = Quaternion(*q)
     got = quaternion.magnitude()
     expect_close(got, math.hypot(*q))
@@ -65,7 +65,7 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
         (-3.0, False),
     ):
         scaled = tuple(component * length for component in q)
-        about.call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
+        about.call = f"q = Quaternion{short(scaled)}, whose length is {abs(length)}; q.is_unit()"
         about.cause = (
             "Accept a quaternion if its length differs from 1 by at most UNIT_TOLERANCE (1e-6) in "
             "either direction."
@@ -100,24 +100,24 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
             "components by it."
         )
         quaternion = Quaternion(*q)
-        about.call = f"q = Quaternion{q}; q.normalize(); q"
+        about.call = f"q = Quaternion{short(q)}; q.normalize(); q"
         returned = quaternion.normalize()
         wanted = tuple(component / length for component in q)
         got = rijk(quaternion)
         slips = {
-            "The quaternion hasn't changed. Assign the new values to the components of self; a new "
-            "quaternion would be lost.": q,
-            "the result of dividing by the squared length": [c / length**2 for c in q],
+            "The quaternion hasn't changed. Assign the new values to the components of self, "
+            "because a new quaternion is lost when the method returns.": q,
+            "You divide by the squared length instead of the length.": [c / length**2 for c in q],
         }
         if length != 1.0 and abs(length - 1.0) < 1e-6:
-            slips = {"the original quaternion, whose length is not exactly 1": q}
+            slips = {"You leave the quaternion as it is.": q}
             about.cause = (
-                "is_unit accepts this length, but it is not exactly 1. Divide by it in this case "
-                "too."
+                "is_unit() accepts its length, but the length is not exactly 1. Divide by it in "
+                "this case too."
             )
         expect_close(got, wanted, cause=named(got, about.cause, slips))
-    about.cause = "This method works in place, so it shouldn't return anything."
-    about.call = f"Quaternion{q}.normalize()"
+    about.cause = "normalize works in place, so it shouldn't return anything."
+    about.call = f"Quaternion{short(q)}.normalize()"
     expect_exactly(returned, None)
 
 
@@ -125,8 +125,8 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
 def test_zero_becomes_the_reference() -> None:
     about("q = Quaternion(0, 0, 0, 0); q.normalize(); q", read=NORMALIZE)
     about.cause = (
-        "The zero quaternion has a length of 0, so you can't divide by it. Set it to (1, 0, 0, 0), "
-        "which is the rotation by 0."
+        "The zero quaternion has a length of 0, so you can't divide by its length. Set it to (1, "
+        "0, 0, 0), which is the rotation by 0."
     )
     quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
     quaternion.normalize()
@@ -140,11 +140,11 @@ def test_what_is_huge_or_not_finite_is_no_turn(rng: Random) -> None:
     q = draw_quad(rng)
     about.cause = (
         "Every comparison with NaN is False, so a test for a length far from 1 doesn't catch NaN. "
-        "Test whether the length is close to 1 instead."
+        "Test for a length close to 1 instead."
     )
     for length in (math.nan, math.inf):
         scaled = tuple(component * length for component in q)
-        about.call = f"Quaternion{scaled}.is_unit()"
+        about.call = f"Quaternion{short(scaled)}.is_unit()"
         got = Quaternion(*scaled).is_unit()
         expect_exactly(got, False)
     about.call = "Quaternion(1e200, 0, 0, 1e200).is_unit()"
@@ -168,11 +168,11 @@ def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
     )
     for scale in (1e200, 1e-200):
         scaled = tuple(component * scale for component in q)
-        about.call = f"Quaternion{scaled}.magnitude() / {scale}"
+        about.call = f"q = Quaternion{short(scaled)}; q.magnitude() / {scale}"
         got = Quaternion(*scaled).magnitude() / scale
         expect_close(got, length)
         quaternion = Quaternion(*scaled)
-        about.call = f"q = Quaternion{scaled}; q.normalize(); q"
+        about.call = f"q = Quaternion{short(scaled)}; q.normalize(); q"
         quaternion.normalize()
         expect_close(rijk(quaternion), wanted)
 
@@ -182,7 +182,7 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     about.read = "the docstring of conjugate"
     q = draw_four(rng)
     quaternion = Quaternion(*q)
-    about.call = f"q = Quaternion{q}; q.conjugate()"
+    about.call = f"q = Quaternion{short(q)}; q.conjugate()"
     about.cause = (
         "The conjugate keeps r and reverses the signs of i, j and k. Return it as a new quaternion."
     )
@@ -190,13 +190,13 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     r, i, j, k = q
     wanted = (r, -i, -j, -k)
     slips = {
-        "You reversed all four signs, which gives -q, the same orientation as q.": (
+        "You reverse all four signs, which gives -q, the same orientation as q.": (
             -r,
             -i,
             -j,
             -k,
         ),
-        "You reversed the sign of r instead of those of i, j and k.": (-r, i, j, k),
+        "You reverse the sign of r instead of those of i, j and k.": (-r, i, j, k),
         "the original quaternion": q,
     }
     why = named(got, about.cause, slips)
@@ -220,13 +220,13 @@ def test_the_table_of_i_j_and_k() -> None:
     products = []
     for first, a in units.items():
         for second, b in units.items():
-            about.call = f"Quaternion{a} * Quaternion{b}, which is {first} {second}"
+            about.call = f"Quaternion{short(a)} * Quaternion{short(b)}, which is {first} {second}"
             one, other = Quaternion(*a), Quaternion(*b)
             products.append((about.call, a, b, rijk(one * other)))
             expect_unchanged("the first factor", rijk(one), a, cause=UNCHANGED)
             expect_unchanged("the second factor", rijk(other), b, cause=UNCHANGED)
     if all(got == hamilton(b, a) for _, a, b, got in products):
-        about.cause = f"This is the product in the other order. {about.cause}"
+        about.cause = f"Your result is the product in the other order. {about.cause}"
     for call, a, b, got in products:
         about.call = call
         expect_close(got, hamilton(a, b), tolerance=0.0)
@@ -237,10 +237,10 @@ def test_the_product_of_any_two(rng: Random) -> None:
     about.read = PRODUCT
     a, b = draw_four(rng), draw_four(rng)
     first, second = Quaternion(*a), Quaternion(*b)
-    about.call = f"a, b = Quaternion{a}, Quaternion{b}; a * b"
+    about.call = f"a, b = Quaternion{short(a)}, Quaternion{short(b)}; a * b"
     about.cause = (
-        "With vector parts v and v', the scalar part is r r' - v . v', and the vector part is r "
-        "v' + r' v + v x v'. Return a new quaternion."
+        "With the vector parts v and v', the scalar part of the product is r r' - v . v', and the "
+        "vector part is r v' + r' v + v x v'. Return a new quaternion."
     )
     got = rijk(first * second)
     # Four products of up to 90.
@@ -255,14 +255,14 @@ def test_a_quaternion_times_a_number_is_refused(rng: Random) -> None:
     about.read = "the docstring at the top of quaternion.py"
     q = draw_four(rng)
     about.cause = (
-        "The factor q is not a Quaternion, so return NotImplemented. Python then raises the "
-        "TypeError for you."
+        "The factor on the right is not a Quaternion, so return NotImplemented. Python then raises "
+        "the TypeError for you."
     )
     for other in (2.0, "2", None, (1.0, 0.0, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)):
         name = "Vector3(1, 2, 3)" if isinstance(other, Vector3) else repr(other)
         expect_error(
             lambda other=other: Quaternion(*q) * other,
             TypeError,
-            call=f"Quaternion{q} * {name}",
+            call=f"Quaternion{short(q)} * {name}",
             allowed=lambda: Quaternion(*q) * Quaternion(),
         )

@@ -30,6 +30,7 @@ from turning import (
     matrix_of,
     moved,
     named,
+    short,
     subtracted,
     transposed,
     written,
@@ -45,19 +46,22 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     m, p = draw_slight_turn(rng), components(rng)
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
-    about.call = f"read_off({written(twelve)})"
+    about.call = f"m = {written(twelve)}; read_off(m)"
     about.cause = (
-        "Return the first three columns as the rotation, a Matrix3, and the last column as the "
-        "position, a Vector3."
+        "Return the first three columns as the rotation (a Matrix3) and the last column as the "
+        "position (a Vector3)."
     )
     rotation, position = read_off(matrix)
-    name = f"{about.call}, the rotation"
+    name = f"{about.call}; the rotation, row by row"
     got = entries(rotation)
-    slips = {"the transpose of the rotation": transposed(m), "the first nine entries": twelve[:9]}
+    slips = {
+        "the transpose of the rotation": transposed(m),
+        "You return the first nine entries.": twelve[:9],
+    }
     why = named(got, about.cause, slips)
     # If you compute it from transformed points, numbers up to 11 are rounded.
     expect_close(got, m, call=name, cause=why, tolerance=TIGHT)
-    name = f"{about.call}, the position"
+    name = f"{about.call}; the position"
     got = xyz(position)
     x, y, z = applied(transposed(m), p)
     slips = {
@@ -78,10 +82,10 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     m, p = draw_slight_turn(rng), components(rng)
     good = joined(m, p)
     near = tuple(n * (1.0 + 4e-6) for n in m)
-    about.call = f"len(read_off({written(joined(near, p))}))"
+    about.call = f"m = {written(joined(near, p))}; len(read_off(m))"
     about.cause = (
-        "The rows of this rotation have a length of 1 + 4e-6, which is_rotation() accepts, so your "
-        "function should accept it too."
+        "The rows of this rotation have a length of 1 + 4e-6, which is_rotation() accepts. Accept "
+        "every matrix that is_rotation() accepts."
     )
     expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
     about.cause = (
@@ -100,7 +104,7 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
         expect_error(
             lambda twelve=twelve: read_off(Matrix4(*twelve)),
             ValueError,
-            call=f"read_off({written(twelve)})",
+            call=f"m = {written(twelve)}; read_off(m)",
             allowed=lambda: [read_off(Matrix4(*good)), read_off(Matrix4(*joined(near, p)))],
         )
     for name, other in (("a tuple of twelve numbers", good), ("Matrix3(...)", Matrix3(*m))):
@@ -119,10 +123,10 @@ def test_the_easy_inverse(rng: Random) -> None:
     m, p = matrix_of(draw_quad(rng)), components(rng)
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
-    about.call = f"easy_inverse({written(twelve)})"
+    about.call = f"m = {written(twelve)}; easy_inverse(m), row by row"
     about.cause = (
-        "The inverse of a rotation is its transpose T, so the inverse matrix consists of the "
-        "rotation T and the position -T p."
+        "The inverse consists of the transposed rotation T and the position -T p, where p is the "
+        "position of m."
     )
     got = entries(easy_inverse(matrix))
     t = transposed(m)
@@ -137,8 +141,8 @@ def test_the_easy_inverse(rng: Random) -> None:
         f"{last} rotated forward instead of back": joined(
             t, subtracted((0.0, 0.0, 0.0), turned_on)
         ),
-        "The position is right, but you didn't transpose the rotation.": joined(m, (-x, -y, -z)),
-        "You didn't transpose the rotation, and the position is only -p.": joined(
+        "Your position is right, but you don't transpose the rotation.": joined(m, (-x, -y, -z)),
+        "You don't transpose the rotation, and your position is only -p.": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
     }
@@ -169,11 +173,10 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
     m, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), components(rng)
     for linear in (m, (0.0,) * 9):
         twelve = joined(linear, p)
-        about.call = f"easy_inverse({written(twelve)}), which is not a rotation"
+        about.call = f"m = {written(twelve)}, which is not a rotation; easy_inverse(m), row by row"
         about.cause = (
-            "This matrix is not a rotation, but easy_inverse doesn't check that: it always uses "
-            "the transpose. Perhaps you used a general inverse, which divides by the determinant "
-            "and gives a different result."
+            "You probably use a general inverse, which divides by the determinant. Use the "
+            "transpose, even though it is not the inverse of this matrix."
         )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)
@@ -188,7 +191,7 @@ def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     m, p, a = matrix_of(draw_quad(rng)), components(rng), components(rng)
     twelve = joined(m, p)
     there = moved(m, p, a)
-    about.call = f"m = {written(twelve)}; easy_inverse(m) @ (m @ Vector3{a})"
+    about.call = f"m = {written(twelve)}; easy_inverse(m) @ (m @ Vector3{short(a)})"
     about.cause = (
         "The inverse undoes the two steps in reverse order: it first subtracts the position and "
         "then rotates back."

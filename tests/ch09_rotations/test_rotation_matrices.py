@@ -34,6 +34,7 @@ from turning import (
     quad,
     rijk,
     same_sign,
+    short,
     transposed,
     written,
 )
@@ -48,15 +49,15 @@ HALF_TURN = tuple(n / 9.0 for n in (-1.0, 8.0, 4.0, 8.0, -1.0, 4.0, 4.0, 4.0, -7
 @scoped
 def expect_rotation(m: Nine, wanted: bool) -> None:
     """Expect is_rotation to accept or refuse a matrix."""
-    about(f"{written(m)}.is_rotation()", read=IS_ROTATION)
+    about(f"m = {written(m)}; m.is_rotation()", read=IS_ROTATION)
     expect_exactly(Matrix3(*m).is_rotation(), wanted)
 
 
 @pytest.mark.exercise("B9.6")
 def test_rotations_are_known(rng: Random) -> None:
     about.cause = (
-        "The rows have length 1, are at right angles to each other and are right-handed, so this "
-        "matrix is a rotation. Return True."
+        "This matrix is a rotation, because its rows have length 1, are at right angles to each "
+        "other and are right-handed. Return True."
     )
     expect_rotation(IDENTITY, True)
     about.cause += (
@@ -111,13 +112,13 @@ def test_what_is_no_rotation(rng: Random) -> None:
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
     limit = (
-        "Compare the scalar products of the rows with 1 and 0, and allow differences of up to "
-        "ROTATION_TOLERANCE (1e-5)."
+        "The scalar product of each row with itself must be 1, and that of two different rows 0, "
+        "to within ROTATION_TOLERANCE (1e-5)."
     )
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
         about.cause = (
             f"{limit} Here the product of each row with itself is off by {2.0 * scale:.2g}. The "
-            "determinant serves only to rule out reflections, so it just has to be positive."
+            "determinant only has to be positive, to rule out reflections."
         )
         expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted)
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
@@ -131,8 +132,8 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
 def test_what_is_huge_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     about.cause = (
-        "The square of 1e200 is too large for a float. ** then raises OverflowError, so multiply "
-        "with * instead."
+        "The square of 1e200 is too large for a float, and ** raises OverflowError then. Multiply "
+        "with * instead, which gives inf."
     )
     expect_rotation(tuple(1e200 * number for number in m), False)
 
@@ -143,7 +144,7 @@ def test_what_is_huge_is_no_rotation(rng: Random) -> None:
 def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
     about.cause = (
         "Every comparison with NaN is False, so a test for products that are too far off doesn't "
-        "catch NaN. Test whether each product is close enough instead."
+        "catch NaN. Test for products that are close enough instead."
     )
     for place in range(9):
         m = [*IDENTITY]
@@ -171,15 +172,16 @@ def test_ninety_degrees_about_each_axis() -> None:
     about.read = FROM
     half = math.sqrt(0.5)
     about.cause = (
-        "The columns of the matrix are the axes X, Y and Z after the rotation. Compare each column "
-        "with the axis that it should match."
+        "The columns of the matrix should be the axes X, Y and Z after the rotation. Compare each "
+        "column with its axis."
     )
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
         ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
         ((half, 0.0, 0.0, half), "Z", (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)),
     ):
-        about.call = f"Matrix3.from_quaternion(Quaternion{q}), which is 90 degrees about {axes}"
+        about.call = f"q = Quaternion{short(q)}, a rotation by 90 degrees about {axes}; "
+        about.call += "Matrix3.from_quaternion(q), row by row"
         got = entries(Matrix3.from_quaternion(Quaternion(*q)))
         why = named(got, about.cause, from_slips(q), wanted)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -188,13 +190,14 @@ def test_ninety_degrees_about_each_axis() -> None:
 @pytest.mark.exercise("B9.12")
 def test_the_matrix_of_any_quaternion(rng: Random) -> None:
     about(
-        cause="Check the sign and the factor of 2 in every term of the nine numbers.",
+        cause="Your matrix is wrong. Check the sign and the factor 2 in every term of its nine "
+        "numbers.",
         read=FROM,
     )
     for scale in (1.0, -1.0, 1.0 + 5e-7, -1.0 - 5e-7):
         q = tuple(scale * component for component in draw_quad(rng))
         quaternion = Quaternion(*q)
-        about.call = f"Matrix3.from_quaternion(Quaternion{q})"
+        about.call = f"q = Quaternion{short(q)}; Matrix3.from_quaternion(q), row by row"
         got = entries(Matrix3.from_quaternion(quaternion))
         # A length that is off by 5e-7 is accepted, and may be corrected or not.
         near = TIGHT if abs(scale) == 1.0 else 1e-5
@@ -209,8 +212,8 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
     about.read = "the docstring of from_quaternion"
     q = draw_quad(rng)
     about.cause = (
-        "The length of this quaternion is not 1. Call is_unit() first, which allows rounding "
-        "errors of up to 1e-6."
+        "The length of this quaternion is not 1, so it is not a rotation. Call is_unit() first, "
+        "and raise ValueError if the answer is False."
     )
 
     def of_length(length: float) -> object:
@@ -220,7 +223,7 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
         expect_error(
             lambda length=length: of_length(length),
             ValueError,
-            call=f"Matrix3.from_quaternion(q) for a q of length {length}",
+            call=f"Matrix3.from_quaternion(q) with a q whose length is {length}",
             allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
         )
     about.cause = "The check passed a tuple. Raise TypeError for anything but a Quaternion."
@@ -244,12 +247,12 @@ def expect_back(q: Quad) -> None:
     """Expect q or -q from the matrix of the quaternion q."""
     about.read = TO
     m = matrix_of(q)
-    about.call = f"{written(m)}.to_quaternion()"
+    about.call = f"m = {written(m)}; m.to_quaternion()"
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
     r, i, j, k = q
     slips = {
         "Either the sign of r is wrong, or the signs of i, j and k are wrong.": (-r, i, j, k),
-        "All four components are positive, so you lost their signs in a square root.": [
+        "You lose the signs of the components in a square root, because all four are positive.": [
             abs(component) for component in q
         ],
         "twice the quaternion": [2.0 * component for component in q],
@@ -261,8 +264,8 @@ def expect_back(q: Quad) -> None:
     # If r is nearly 0, the conjugate cannot be told apart from the right result.
     slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
     signs = (
-        "The signs of the components come from the numbers off the diagonal, because h - f = 4 i "
-        "r, c - g = 4 j r and d - b = 4 k r."
+        "With the rows a b c, d e f and g h i, take the signs from h - f = 4 i r, c - g = 4 j r "
+        "and d - b = 4 k r."
     )
     why = named(got, signs, slips)
     if why != signs:
@@ -274,8 +277,8 @@ def expect_back(q: Quad) -> None:
 @pytest.mark.exercise("B9.13", weight=2)
 def test_back_from_a_matrix(rng: Random) -> None:
     about.cause = (
-        "The sum of the diagonal is 4 r^2 - 1, which gives r. The numbers off the diagonal then "
-        "give the other three: h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
+        "The sum of the diagonal is 4 r^2 - 1, which gives r. With the rows a b c, d e f and g h "
+        "i, use h - f = 4 i r, c - g = 4 j r and d - b = 4 k r for the others."
     )
     expect_back((1.0, 0.0, 0.0, 0.0))
     for longest in range(3):
@@ -297,8 +300,8 @@ def test_back_from_a_matrix(rng: Random) -> None:
 @pytest.mark.exercise("B9.13")
 def test_back_from_a_half_turn(rng: Random) -> None:
     about.cause = (
-        "Here r is 0 or almost 0, so you can't divide by it. Find the largest of the four "
-        "components, and divide by that one."
+        "Here r is 0 or almost 0, so you can't divide by r. Find the largest of the four "
+        "components r, i, j and k, and divide by that one."
     )
     for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
         expect_back((0.0, *axis))
@@ -306,11 +309,11 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         axis = [0.1 * component for component in components(rng)]
         axis[longest] = 10.0
         expect_back(half_turn(axis))
-        for short in (1e-3, 1e-9, -1e-9):
-            expect_back(quad(axis, math.pi - short))
+        for less in (1e-3, 1e-9, -1e-9):
+            expect_back(quad(axis, math.pi - less))
     about.cause = (
-        "Two or three components are equally large here. You can divide by any of them, so check "
-        "that your comparison always picks one."
+        "Two or three of the components are equally large here. You can divide by any of these, so "
+        "check that your comparison always picks one."
     )
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
         expect_back(half_turn(axis))
@@ -322,15 +325,15 @@ def test_back_from_a_half_turn(rng: Random) -> None:
 @pytest.mark.exercise("B9.13")
 def test_what_comes_back_has_length_one(rng: Random) -> None:
     cause = (
-        "The matrix may be slightly off from a rotation. Normalize the quaternion, so that its "
-        "length is 1."
+        "This matrix is slightly off from a rotation, so your quaternion is too long or too short. "
+        "Normalize the quaternion before you return it."
     )
     about(cause=cause, read=TO)
     half_turns = [(0.0, 0.8, 0.6, 0.0), (0.0, 0.0, 0.8, 0.6), (0.0, 0.6, 0.0, 0.8)]
     half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
     for q in (draw_quad(rng), quad(components(rng), 0.3), *half_turns):
         m = tuple(number * (1.0 + 3e-6) for number in matrix_of(q))
-        about.call = f"{written(m)}.to_quaternion(); its length"
+        about.call = f"m = {written(m)}; the length of m.to_quaternion()"
         got = math.hypot(*rijk(Matrix3(*m).to_quaternion()))
         expect_close(got, 1.0, tolerance=TIGHT)
 
@@ -353,6 +356,6 @@ def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
         expect_error(
             lambda n=n: Matrix3(*n).to_quaternion(),
             ValueError,
-            call=f"{written(n)}.to_quaternion()",
+            call=f"n = {written(n)}; n.to_quaternion()",
             allowed=lambda: Matrix3(*m).to_quaternion(),
         )

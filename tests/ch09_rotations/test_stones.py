@@ -18,6 +18,7 @@ from turning import TIGHT, named
 CENTER = "the docstring of center_of_stones"
 OFFSET = "the docstring of balance_offset"
 BESIDE = "the docstring of masses_beside, and E-32"
+SIDES = "masses_beside(stones, angle={}), the masses on the left and the right"
 DATA = "exercise 9.7, and the docstring at the top of stones.py"
 
 Stones = list[tuple[str, float, float, float]]
@@ -45,6 +46,16 @@ def draw_telling_stones(rng: Random) -> Stones:
         ("quartz", a, 0.66, 0.55),
         ("the box", d, 0.49, 0.18),
     ]
+
+
+def listed(stones: Stones) -> str:
+    """Return stones as they are written in a call, with six digits for each number."""
+    return f"[{', '.join(f'({name!r}, {m:.6g}, {x:.6g}, {y:.6g})' for name, m, x, y in stones)}]"
+
+
+def with_stones(stones: Stones, call: str) -> str:
+    """Return what is called: a function of these stones."""
+    return f"stones, each with name, mass, x and y: {listed(stones)}; {call}"
 
 
 def middle(stones: Stones) -> complex:
@@ -78,15 +89,17 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
         "the mean of the positions, which ignores the masses": middle(
             [(n, 1.0, x, y) for n, _, x, y in stones]
         ),
-        "the result without the first stone, or with only one stone per name": middle(
+        "You leave out the first stone, or you keep only one stone per name.": middle(
             stones[1:] or stones
         ),
-        "the result without the last stone": middle(stones[:-1] or stones),
-        "the sum of mass times position, before the division": middle(stones)
+        "You leave out the last stone.": middle(stones[:-1] or stones),
+        "You return the sum of mass times position, without dividing by the total mass.": middle(
+            stones
+        )
         * sum(m for _, m, _, _ in stones),
     }
     slips = {name: (z.real, z.imag) for name, z in ends.items()}
-    return {"the result with x and y swapped": swapped} | slips
+    return {"You swap x and y.": swapped} | slips
 
 
 @pytest.mark.exercise("9.7")
@@ -95,7 +108,7 @@ def test_the_center_of_a_box_with_stones(rng: Random) -> None:
     about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     for count in (1, 4):
         stones = draw_stones(rng, count)
-        about.call = f"center_of_stones({stones})"
+        about.call = with_stones(stones, "center_of_stones(stones)")
         got = center_of_stones(stones)
         wanted = middle(stones)
         why = named(got, about.cause, center_slips(stones))
@@ -110,14 +123,14 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     half = 0.5 * math.fsum(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     return {
-        "You measured the offset to the right instead of the left, so its sign is wrong.": -left_of(
+        "You measure the offset to the right instead of the left, so its sign is wrong.": -left_of(
             center, angle
         ),
-        "You measured the distance along the edge instead of to the left of it.": left_of(
+        "You measure the distance along the edge instead of to the left of it.": left_of(
             center, angle - 0.5 * math.pi
         ),
-        "the result for an angle in degrees": left_of(center, math.radians(angle)),
-        "This edge has equal masses on both sides, but the box doesn't balance on it "
+        "You treat the angle as degrees.": left_of(center, math.radians(angle)),
+        "Your edge has equal masses on both sides, but the box doesn't balance on it "
         "(E-32).": offset,
     }
 
@@ -127,53 +140,56 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     about.read = OFFSET
     stones = draw_stones(rng)
     cause = (
-        "The box balances on an edge that passes below its center of mass. This edge is parallel "
-        "to X, so the offset is the center of mass's y."
+        "The box balances on an edge below its center of mass. With an edge parallel to X, the "
+        "offset is the y of the center of mass."
     )
-    about(f"balance_offset({stones}, 0)", cause=cause)
+    about(with_stones(stones, "balance_offset(stones, angle=0)"), cause=cause)
     got = balance_offset(stones, 0.0)
     why = named(got, about.cause, offset_slips(stones, 0.0))
-    expect_close(got, middle(stones).imag, cause=why, tolerance=TIGHT)
+    expect_close(got, middle(stones).imag, cause=why, unit="m", tolerance=TIGHT)
     about.cause = (
         "The offset is measured to the left of the edge, so it is the scalar product of the center "
         "of mass and (-sin(angle), cos(angle))."
     )
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
-        about.call = f"balance_offset({stones}, {angle})"
+        about.call = with_stones(stones, f"balance_offset(stones, angle={angle})")
         wanted = left_of(middle(stones), angle)
         got = balance_offset(stones, angle)
         why = named(got, about.cause, offset_slips(stones, angle))
-        expect_close(got, wanted, cause=why, tolerance=TIGHT)
+        expect_close(got, wanted, cause=why, unit="m", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
 def test_it_balances_though_the_masses_differ() -> None:
     about.read = BESIDE
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
-    about.call = f"masses_beside({stones}, 0)"
+    about.call = with_stones(stones, SIDES.format(0))
     about.cause = (
         "The edge is at y = 0.5. There is 1 kg on its left, where y is larger, and 3 kg on its "
         "right."
     )
     got = masses_beside(stones, 0.0)
     slips = {
-        "You divided the mass equally between the two sides, as the book does (E-32).": (
+        "You divide the mass equally between the two sides, as the book does (E-32).": (
             2.0,
             2.0,
         ),
-        "the result with left and right swapped": (3.0, 1.0),
-        "the number of stones on each side instead of their mass": (1.0, 1.0),
-        "the result for a line through the corner instead of the center of mass": (4.0, 0.0),
+        "You swap left and right.": (3.0, 1.0),
+        "You return the number of stones on each side instead of their mass.": (1.0, 1.0),
+        "You use a line through the corner instead of a line through the center of mass.": (
+            4.0,
+            0.0,
+        ),
     }
     why = named(got, about.cause, slips)
-    expect_close(got, (1.0, 3.0), cause=why, tolerance=TIGHT)
-    about.call = f"masses_beside({stones}, pi / 2)"
+    expect_close(got, (1.0, 3.0), cause=why, unit="kg", tolerance=TIGHT)
+    about.call = with_stones(stones, SIDES.format("pi / 2"))
     about.cause = (
         "The edge is at x = 0.3 and is parallel to Y, so stones with a smaller x are on its left."
     )
     got = masses_beside(stones, 0.5 * math.pi)
-    expect_close(got, (3.0, 1.0), tolerance=TIGHT)
+    expect_close(got, (3.0, 1.0), unit="kg", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
@@ -190,9 +206,9 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
         if min(abs(side) for side, _ in from_edge(stones, angle)) > 1e-3:
             cases.append((stones, angle))
     for stones, angle in cases:
-        about.call = f"masses_beside({stones}, {angle})"
+        about.call = with_stones(stones, SIDES.format(angle))
         got, wanted = tuple(masses_beside(stones, angle)), beside(stones, angle)
-        expect_close(got, wanted, tolerance=TIGHT)
+        expect_close(got, wanted, unit="kg", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
@@ -206,22 +222,22 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
         ("left of it", 0.7, x + across.real, y + across.imag),
         ("right of it", 0.7, x - across.real, y - across.imag),
     ]
-    about.call = f"masses_beside({stones}, {angle})"
+    about.call = with_stones(stones, SIDES.format(angle))
     about.cause = (
-        "Rounding puts this stone 1e-16 m to one side of the edge. A stone within 1e-9 m of the "
-        "edge counts as on it."
+        "Rounding puts the stone over the edge 1e-16 m to one side of it. A stone within 1e-9 m of "
+        "the edge counts as on it, so add it to neither side."
     )
     got = tuple(masses_beside(stones, angle))
-    expect_close(got, (0.7, 0.7), tolerance=TIGHT)
+    expect_close(got, (0.7, 0.7), unit="kg", tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
         about.cause = (
-            f"A stone within 1e-9 m of the edge counts as on it. Here {off:.0e} m is "
-            f"{'less' if off < 1e-9 else 'more'}."
+            f"A stone within 1e-9 m of the edge counts as on it. These stones are {off:.0e} m "
+            f"away, which is {'less' if off < 1e-9 else 'more'}."
         )
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
-        about.call = f"masses_beside({stones}, 0); stones {off} m from the edge"
+        about.call = with_stones(stones, SIDES.format(0)) + f"; each stone is {off} m from the edge"
         got = tuple(masses_beside(stones, 0.0))
-        expect_close(got, wanted, tolerance=TIGHT)
+        expect_close(got, wanted, unit="kg", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7", weight=0.5)
@@ -229,10 +245,11 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
 def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     about.read = "the docstring at the top of exercises.py"
     stones = draw_telling_stones(rng)
-    about.call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
+    angle = "" if name == "center_of_stones" else ", angle=0.3"
+    about.call = with_stones(stones, f"{name}(stones{angle})")
     about.cause = (
-        "The call has changed its list, which it should only read. If you need to sort the list or "
-        "remove something from it, work on a copy."
+        "Your function changes its list, which it should only read. If you need to sort the list "
+        "or remove something from it, work on a copy."
     )
     center = middle(stones)
     wanted = {

@@ -31,6 +31,7 @@ from turning import (
     quad,
     rijk,
     same_sign,
+    short,
     turned,
 )
 
@@ -44,29 +45,27 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
     """Return the results of likely mistakes in from_axis_angle."""
     cosine, sine, length = math.cos(0.5 * angle), math.sin(0.5 * angle), math.hypot(*axis)
     return {
-        "You used the whole angle instead of half of it.": quad(axis, 2.0 * angle),
-        "the result for the whole angle, with an axis that is not normalized": (
+        "You use the whole angle instead of half of it.": quad(axis, 2.0 * angle),
+        "You use the whole angle instead of half of it, and you don't normalize the axis.": (
             math.cos(angle),
             *(component * math.sin(angle) for component in axis),
         ),
-        "You didn't normalize the axis.": (cosine, *(c * sine for c in axis)),
-        "the result for an angle in degrees": quad(axis, math.radians(angle)),
-        "the result with sine and cosine swapped": (sine, *(c / length * cosine for c in axis)),
-        "You used the axis as is, without multiplying it by the sine.": (
+        "You don't normalize the axis.": (cosine, *(c * sine for c in axis)),
+        "You treat the angle as degrees.": quad(axis, math.radians(angle)),
+        "You swap sine and cosine.": (sine, *(c / length * cosine for c in axis)),
+        "You use the axis as it is, without multiplying it by the sine.": (
             cosine,
             *(c / length for c in axis),
         ),
-        "a rotation in the opposite direction": quad(axis, -angle),
+        "Your rotation goes in the opposite direction.": quad(axis, -angle),
     }
 
 
 @pytest.mark.exercise("B9.9")
 def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
     about("Quaternion.from_axis_angle(Vector3(1, 2, 3), 1.2)", read=MAKE)
-    about.cause = (
-        "The scalar part is cos(angle / 2), and the vector part is the normalized axis times "
-        "sin(angle / 2)."
-    )
+    about.cause = "The scalar part is cos(angle / 2), and the vector part is the normalized axis "
+    about.cause += "times sin(angle / 2)."
     got = rijk(Quaternion.from_axis_angle(Vector3(1.0, 2.0, 3.0), 1.2))
     why = named(got, about.cause, make_slips((1.0, 2.0, 3.0), 1.2))
     # Eight decimals of SciPy's Rotation.from_rotvec.
@@ -75,7 +74,7 @@ def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
     axis, angle = draw_turn(rng)
     for t in (angle, -angle, 2.0 * math.pi + angle):
         v = Vector3(*axis)
-        about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {t})"
+        about.call = f"Quaternion.from_axis_angle(Vector3{short(axis)}, {t})"
         wanted = quad(axis, t)
         got = rijk(Quaternion.from_axis_angle(v, t))
         if t > math.pi:  # a rotation by t - 2 pi is the same, and has the opposite quaternion
@@ -91,24 +90,27 @@ def expect_any_length(rng: Random, scale: float, cause: str) -> None:
     about(cause=cause, read=MAKE)
     axis, angle = draw_turn(rng)
     scaled = tuple(component * scale for component in axis)
-    about.call = f"Quaternion.from_axis_angle(Vector3{scaled}, {angle})"
+    about.call = f"Quaternion.from_axis_angle(Vector3{short(scaled)}, {angle})"
     got = rijk(Quaternion.from_axis_angle(Vector3(*scaled), angle))
     expect_close(got, quad(axis, angle), tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.9")
 def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
-    expect_any_length(rng, 1e-3, "The call has changed the axis. Normalize a copy of it instead.")
+    expect_any_length(
+        rng,
+        1e-3,
+        "Normalize the axis before you use it, because it can have any "
+        "length. Work on a copy, so that the axis stays as it is.",
+    )
 
 
 @pytest.mark.exercise("B9.9")
 @pytest.mark.robust
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
-        about.cause = (
-            "The squares of these components don't fit into a float. Call Vector3's normalized, "
-            "which handles such vectors."
-        )
+        about.cause = "The squares of these components don't fit into a float. Call Vector3's "
+        about.cause += "normalized, which handles such vectors."
         expect_any_length(rng, scale, about.cause)
 
 
@@ -124,19 +126,17 @@ def test_no_axis_or_no_angle_is_refused() -> None:
         ((0.0, 1.0, 1.0), math.inf, ValueError),
         ((0.0, 1.0, 1.0), "1.0", TypeError),
     ):
-        about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {angle!r})"
-        about.cause = (
-            "A zero axis has no direction, and all numbers must be finite. Raise ValueError for a "
-            "zero axis, and check the arguments with finite_vector and finite from arguments.py."
-        )
+        about.call = f"Quaternion.from_axis_angle(Vector3{short(axis)}, {angle!r})"
+        about.cause = "A zero axis has no direction, and all numbers must be finite. Raise "
+        about.cause += "ValueError for a zero axis, and check the arguments with finite_vector and "
+        about.cause += "finite from arguments.py."
         expect_error(
             lambda axis=axis, angle=angle: Quaternion.from_axis_angle(Vector3(*axis), angle),
             error,
             allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
         )
-    about.cause = (
-        "The check passed a tuple as the axis. Raise TypeError for anything but a Vector3."
-    )
+    about.cause = "The check passed a tuple as the axis. Raise TypeError for anything but a "
+    about.cause += "Vector3."
     expect_error(
         lambda: Quaternion.from_axis_angle((0.0, 1.0, 1.0), 1.0),
         TypeError,
@@ -149,7 +149,7 @@ def test_no_axis_or_no_angle_is_refused() -> None:
 @scoped
 def axis_angle_of(q: Quad) -> tuple:
     """Return the result of to_axis_angle as plain numbers."""
-    about(f"Quaternion{q}.to_axis_angle()", read=BACK)
+    about(f"q = Quaternion{short(q)}; q.to_axis_angle()", read=BACK)
     quaternion = Quaternion(*q)
     axis, angle = quaternion.to_axis_angle()
     got = expect_vector(axis, then=", the axis")
@@ -162,43 +162,42 @@ def expect_small_turn(unit: Components, small: float) -> None:
     """Expect the axis and angle of a rotation by a very small angle."""
     about.read = BACK
     x, y, z = (component * 0.5 * small for component in unit)
-    about.call = f"Quaternion{(1.0, x, y, z)}.to_axis_angle(), "
+    about.call = f"q = Quaternion{short((1.0, x, y, z))}; q.to_axis_angle(), "
     got, turn = axis_angle_of((1.0, x, y, z))
     # The sine differs from the angle by its cube only, 1e-11 of it or less here.
     near = 1e-10 * small
-    expect_close(turn, small, then="the angle", tolerance=near)
+    expect_close(turn, small, then="the angle in radians", tolerance=near)
     expect_close(got, unit, then="the axis", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.9", weight=2)
 def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
     about.read = BACK
-    about.cause = (
-        "The angle is 2 atan2(|(i, j, k)|, |r|), and the axis is the normalized (i, j, k)."
-    )
+    about.cause = "The angle is 2 atan2(|(i, j, k)|, |r|), and the axis is (i, j, k), normalized."
     for sign in (1.0, -1.0, 1.0 + 1e-14):  # the last is a length after rounding
         axis, angle = draw_turn(rng)
         length = math.hypot(*axis)
         wanted = tuple(component / length for component in axis)
         r, i, j, k = (sign * component for component in quad(axis, angle))
-        about.call = f"Quaternion{(r, i, j, k)}.to_axis_angle(), "
+        about.call = f"q = Quaternion{short((r, i, j, k))}; q.to_axis_angle(), "
         if r < 0.0:
             about.cause += (
-                " If r is negative, use -q, which is the same rotation, and so reverse the axis."
+                " If r is negative, use -q, which is the same rotation and reverses the axis."
             )
         got, turn = axis_angle_of((r, i, j, k))
         slips = {
             "half of the angle": 0.5 * angle,
-            "This angle is greater than pi, so it is the longer way around.": math.tau - angle,
+            "Your angle is greater than pi, so it is the longer way around. If r is negative, use "
+            "-q, which is the same rotation by the smaller angle.": math.tau - angle,
             "the angle in degrees": math.degrees(angle),
-            "the angle with the wrong sign": -angle,
-            "This is half of the angle for the longer way around.": math.pi - 0.5 * angle,
+            "Your angle has the wrong sign.": -angle,
+            "You return half of the angle for the longer way around.": math.pi - 0.5 * angle,
         }
         why = named(turn, about.cause, slips)
-        expect_close(turn, angle, then="the angle", cause=why, tolerance=TIGHT)
+        expect_close(turn, angle, then="the angle in radians", cause=why, tolerance=TIGHT)
         slips = {
-            "The axis points the wrong way for this angle.": [-c for c in wanted],
-            "This is (i, j, k) without normalizing it.": (i, j, k),
+            "Your axis points the wrong way for this angle.": [-c for c in wanted],
+            "You return (i, j, k) without normalizing it.": (i, j, k),
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, then="the axis", cause=why, tolerance=TIGHT)
@@ -210,37 +209,36 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    about.cause = (
-        "This quaternion is a rotation by 0, so its axis could be anything. By convention, return "
-        "the X axis and the angle 0."
-    )
+    about.cause = "This quaternion is a rotation by 0, so it has no particular axis. By "
+    about.cause += "convention, return the X axis and the angle 0."
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
-        about.call = f"Quaternion{q}.to_axis_angle(), "
+        about.call = f"q = Quaternion{short(q)}; q.to_axis_angle(), "
         got, turn = axis_angle_of(q)
-        expect_close(turn, 0.0, then="the angle", tolerance=0.0)
+        expect_close(turn, 0.0, then="the angle in radians", tolerance=0.0)
         expect_close(got, X_AXIS, then="the axis", tolerance=0.0)
     about.cause = "Here r is 0, so the angle is pi. The axis may point in either direction."
     by_asin = (
-        "This angle has too few correct digits. asin loses half of them near pi, and acos near 0, "
+        "Your angle has too few correct digits. asin loses half of them near pi, and acos near 0, "
         "so use atan2."
     )
     q = (0.0, *unit)
-    about.call = f"Quaternion{q}.to_axis_angle(), "
+    about.call = f"q = Quaternion{short(q)}; q.to_axis_angle(), "
     got, turn = axis_angle_of(q)
     why = by_asin if isinstance(turn, float) and abs(turn - math.pi) < 1e-6 else about.cause
-    expect_close(turn, math.pi, then="the angle", cause=why, tolerance=TIGHT)
+    expect_close(turn, math.pi, then="the angle in radians", cause=why, tolerance=TIGHT)
     got = same_sign(got, unit)
     expect_close(got, unit, then="the axis", tolerance=TIGHT)
     about.cause = by_asin
     for less in (1e-3, 1e-6):
         q = quad(unit, math.pi - less)
-        about.call = f"Quaternion{q}.to_axis_angle(), "
+        about.call = f"q = Quaternion{short(q)}; q.to_axis_angle(), "
         got, turn = axis_angle_of(q)
         wanted = math.pi - less
-        expect_close(turn, wanted, then="the angle", tolerance=TIGHT)
+        expect_close(turn, wanted, then="the angle in radians", tolerance=TIGHT)
         expect_close(got, unit, then="the axis", tolerance=TIGHT)
     about.cause = (
-        "Near 0 the cosine of the angle rounds to 1, so acos can't recover the angle. Use atan2."
+        "Near 0 the cosine of the angle rounds to 1, so acos can't recover the angle. Use atan2 "
+        "instead."
     )
     for small in (1e-5, 1e-9):
         expect_small_turn(unit, small)
@@ -272,10 +270,10 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     for off in (1.0 + 5e-7, 1.0 - 5e-7):
         for whole in (drawn, (0.0, *unit), (1.0, 0.0, 0.0, 0.0)):
             q = tuple(component * off for component in whole)
-            about.call = f"Quaternion{q}.to_axis_angle(), "
+            about.call = f"q = Quaternion{short(q)}; q.to_axis_angle(), "
             got, turn = axis_angle_of(q)
             wanted = 2.0 * math.atan2(math.hypot(*q[1:]), q[0])
-            expect_close(turn, wanted, then="the angle", tolerance=1e-5)
+            expect_close(turn, wanted, then="the angle in radians", tolerance=1e-5)
             axis = X_AXIS if whole[0] == 1.0 else unit
             got = same_sign(got, axis)
             expect_close(got, axis, then="the axis", tolerance=TIGHT)
@@ -287,8 +285,8 @@ def test_each_axis_is_a_new_vector() -> None:
     about.call = "axis, _ = Quaternion().to_axis_angle(); axis.invert(); "
     about.call += "Quaternion().to_axis_angle()[0]"
     about.cause = (
-        "All calls return the same axis, so a caller that changes it changes it for everyone. "
-        "Return a new vector on every call."
+        "All calls return the same vector as the axis, so a caller that changes it changes the "
+        "results of all calls. Return a new vector on every call."
     )
     first, _ = Quaternion().to_axis_angle()
     first.invert()
@@ -300,8 +298,8 @@ def test_each_axis_is_a_new_vector() -> None:
 def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
     """Expect a quaternion to be refused if its length is off by 2e-6, but not by 5e-7."""
     about(
-        cause="The length of this quaternion is not 1. Call is_unit() first, which allows rounding "
-        "errors of up to 1e-6.",
+        cause="The length of this quaternion is not 1, so it is not a rotation. Call is_unit() "
+        "first, and raise ValueError if the answer is False.",
         read=read,
     )
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
@@ -309,7 +307,7 @@ def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
         expect_error(
             lambda scaled=scaled: use(Quaternion(*scaled)),
             ValueError,
-            call=f"Quaternion{scaled}{what}, a quaternion of length {length}",
+            call=f"q = Quaternion{short(scaled)}, whose length is {length}; q{what}",
             allowed=lambda: [
                 use(Quaternion(*(component * near for component in q)))
                 for near in (1.0 + 5e-7, 1.0 - 5e-7)
@@ -341,22 +339,23 @@ def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
 def test_a_vector_is_turned(rng: Random) -> None:
     about.read = ROTATE
     half = math.sqrt(0.5)
-    about.call = f"Quaternion({half}, 0, 0, {half}).rotate(Vector3(1, 0, 0)), 90 degrees about Z"
+    about.call = f"q = Quaternion({half:.6g}, 0, 0, {half:.6g}), a rotation by 90 degrees about Z; "
+    about.call += "q.rotate(Vector3(1, 0, 0))"
     about.cause = (
-        "The result is q (0, v) q*, where q* is the conjugate of q. This rotation by 90 degrees "
-        "about Z takes X to Y."
+        "Compute q (0, v) q*, where q* is the conjugate of q. This rotation by 90 degrees about Z "
+        "takes X to Y."
     )
     got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
     why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
     expect_close(got, (0.0, 1.0, 0.0), cause=why, tolerance=TIGHT)
     about.cause = (
-        "The result is the vector part of q (0, v) q*. With u = (i, j, k), this is v + 2 r (u x "
-        "v) + 2 u x (u x v)."
+        "Return the vector part of q (0, v) q*. With u = (i, j, k), it is v + 2 r (u x v) + 2 u x "
+        "(u x v)."
     )
     for sign in (1.0, -1.0, 1.0 + 5e-7):
         q, a = tuple(sign * component for component in draw_quad(rng)), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
-        about.call = f"q = Quaternion{q}; q.rotate(Vector3{a})"
+        about.call = f"q = Quaternion{short(q)}; q.rotate(Vector3{short(a)})"
         got = xyz(quaternion.rotate(v))
         # Rounding of a vector of length up to 17, or the effect of a length that is off by 5e-7.
         near = 1e-11 if abs(sign) == 1.0 else 1e-4
@@ -364,10 +363,10 @@ def test_a_vector_is_turned(rng: Random) -> None:
         expect_close(got, turned(q, a), cause=why, tolerance=near)
         expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
         expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
-    about.call = f"v = Vector3{a}; Quaternion().rotate(v).invert(); v"
+    about.call = f"v = Vector3{short(a)}; Quaternion().rotate(v).invert(); v"
     about.cause = (
-        "You returned v itself, so changing one changes the other. Return a new vector, even if "
-        "nothing rotates."
+        "You return v itself, so a change of the result also changes v. Return a new vector, even "
+        "if nothing rotates."
     )
     same = Quaternion().rotate(v)
     same.invert()
@@ -392,7 +391,7 @@ def test_only_a_vector_is_turned(rng: Random) -> None:
         expect_error(
             lambda other=other: Quaternion(*q).rotate(other),
             TypeError,
-            call=f"Quaternion{q}.rotate({other})",
+            call=f"Quaternion{short(q)}.rotate({other})",
             allowed=lambda: [
                 Quaternion(*q).rotate(Vector3(*any_will_do))
                 for any_will_do in ((1.0, 2.0, 3.0), (math.inf, math.nan, 0.0))

@@ -21,7 +21,7 @@ from expect import (
     scoped,
     xyz,
 )
-from turning import TIGHT, Quad, draw_quad, hamilton, named, quad, rijk, same_sign
+from turning import TIGHT, Quad, draw_quad, hamilton, named, quad, rijk, same_sign, short
 
 BY_VECTOR = "book 9.4.10, the docstring of rotate_by, and E-12"
 ADD = "Eq. 9.5, the docstring of add_scaled, and E-31"
@@ -41,26 +41,24 @@ def stepped(q: Quad, change: Quad, scale: float) -> Quad:
 def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
     """Return the results of likely mistakes in rotate_by."""
     left, right, size = hamilton((0.0, *a), q), hamilton(q, (0.0, *a)), math.hypot(*a)
-    product = (
-        "This is q times (0, vector), as in the book's listing. (0, vector) is not a rotation "
-        "(E-12), so make one from the vector with from_axis_angle."
-    )
+    book = "as in the book's listing. (0, vector) is not a rotation (E-12), so make one from the "
+    book += "vector with from_axis_angle."
+    first_order = "which is only accurate to first order (E-12). Make an exact rotation from the "
+    first_order += "vector with from_axis_angle instead, and multiply it by q."
     return {
-        product: right,
-        f"the normalized product {product}": unit(right),
+        f"You multiply q by (0, vector), {book}": right,
+        f"You multiply q by (0, vector) and normalize the product, {book}": unit(right),
         "(0, vector) times q, where (0, vector) is not a rotation (E-12)": left,
         "(0, vector) times q, normalized, where (0, vector) is not a rotation (E-12)": unit(left),
-        "Eq. 9.9, which is only accurate to first order (E-12)": stepped(q, left, 0.5),
-        "Eq. 9.9, normalized, which is only accurate to first order (E-12)": unit(
-            stepped(q, left, 0.5)
-        ),
+        f"You use Eq. 9.9, {first_order}": stepped(q, left, 0.5),
+        f"You use Eq. 9.9 and normalize, {first_order}": unit(stepped(q, left, 0.5)),
         "q times the rotation, which is about the object's own axis": hamilton(q, quad(a, size)),
-        "a rotation by half the angle": hamilton(quad(a, 0.5 * size), q),
-        "a rotation by twice the angle": hamilton(quad(a, 2.0 * size), q),
-        "a rotation by 1 radian, no matter how long the vector is": hamilton(quad(a, 1.0), q),
-        "a rotation in the opposite direction": hamilton(quad(a, -size), q),
-        "The quaternion hasn't changed. Assign the new values to the components of self; a new "
-        "quaternion would be lost.": q,
+        "You rotate by half the angle.": hamilton(quad(a, 0.5 * size), q),
+        "You rotate by twice the angle.": hamilton(quad(a, 2.0 * size), q),
+        "You rotate by 1 radian, no matter how long the vector is.": hamilton(quad(a, 1.0), q),
+        "You rotate in the opposite direction.": hamilton(quad(a, -size), q),
+        "The quaternion hasn't changed. Assign the new values to the components of self, because a "
+        "new quaternion is lost when the method returns.": q,
     }
 
 
@@ -68,14 +66,13 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
 def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     about.cause = (
-        "The vector's length is the angle, and its direction is the axis. Make a rotation from the "
-        "two with from_axis_angle, and put it on the left of q in the product, because the axis is "
-        "given in world coordinates."
+        "Make a rotation from the vector with from_axis_angle: its length is the angle. Put the "
+        "rotation on the left of q, because the axis is given in world coordinates."
     )
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))
         quaternion, v = Quaternion(*q), Vector3(*a)
-        about.call = f"q = Quaternion{q}; q.rotate_by(Vector3{a}); q"
+        about.call = f"q = Quaternion{short(q)}; q.rotate_by(Vector3{short(a)}); q"
         returned = quaternion.rotate_by(v)
         wanted = hamilton(quad(a, math.hypot(*a)), q)
         got = same_sign(rijk(quaternion), wanted)
@@ -83,7 +80,7 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-11)
         expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
-        about.call = f"Quaternion{q}.rotate_by(Vector3{a})"
+        about.call = f"Quaternion{short(q)}.rotate_by(Vector3{short(a)})"
         cause_none = "This method works in place, so it shouldn't return anything."
         expect_exactly(returned, None, cause=cause_none)
 
@@ -92,8 +89,8 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
 def test_a_steady_turn_is_exact_in_any_parts() -> None:
     about.read = BY_VECTOR
     about.cause = (
-        "Each part should be an exact rotation by the length of its vector, so that all parts "
-        "together give the same result, however many there are."
+        "Each call should rotate by exactly the length of its vector. Then all calls together give "
+        "the same result, however many there are."
     )
     for parts in (1, 7, 100):
         about.call = f"{parts} times q.rotate_by(Vector3(0.3, -0.5, 0.8) * 2 / {parts}), from "
@@ -110,8 +107,8 @@ def expect_tiny_turn(tiny: float) -> None:
     """Expect rotate_by to add half of a very small vector."""
     about.read = BY_VECTOR
     about.cause = (
-        "You treated this small angle as 0. Rotate by it as usual, so that the vector part becomes "
-        "half of the vector."
+        "You treat this small angle as 0. Rotate by it as usual, so that (i, j, k) becomes half of "
+        "the vector."
     )
     quaternion = Quaternion()
     about.call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
@@ -125,10 +122,9 @@ def test_turned_on_by_next_to_nothing(rng: Random) -> None:
     about.read = BY_VECTOR
     q = draw_quad(rng)
     quaternion = Quaternion(*q)
-    about.call = f"q = Quaternion{q}; q.rotate_by(Vector3(0, 0, 0)); q"
+    about.call = f"q = Quaternion{short(q)}; q.rotate_by(Vector3(0, 0, 0)); q"
     about.cause = (
-        "The vector is zero, so it has no direction and the angle is 0. Leave the quaternion as it "
-        "is."
+        "A zero vector has no direction and means an angle of 0. Leave the quaternion as it is."
     )
     quaternion.rotate_by(Vector3(0.0, 0.0, 0.0))
     # Normalizing at the end causes a rounding error here.
@@ -149,27 +145,27 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
     for place in range(4):
         in_turn[place] += 0.5 * scale * hamilton((0.0, *a), in_turn)[place]
     return {
-        "You left out the factor 1/2 of Eq. 9.5.": stepped(q, left, scale),
-        "You didn't multiply the vector by the scale.": stepped(q, left, 0.5),
-        "The factors are in the wrong order, so the step rotates about an axis of the object "
+        "You leave out the factor 1/2 of Eq. 9.5. Add scale/2 times the product (0, vector) q to "
+        "q.": stepped(q, left, scale),
+        "You don't multiply the vector by the scale.": stepped(q, left, 0.5),
+        "Your factors are in the wrong order, so the step rotates about an axis of the object "
         "instead of the world.": stepped(q, right, 0.5 * scale),
-        "You normalized the result. A step of Eq. 9.5 changes the length a little (E-31), but the "
-        "exercises measure that error, so add_scaled should not correct "
-        "it.": unit(stepped(q, left, 0.5 * scale)),
-        "This is the exact rotation that rotate_by makes. add_scaled makes the first-order step of "
-        "Eq. 9.5, which adds scale/2 times (0, vector) q to q.": hamilton(
+        "You normalize the result. A step of Eq. 9.5 changes the length a little (E-31), and the "
+        "exercises measure this error, so don't correct it.": unit(stepped(q, left, 0.5 * scale)),
+        "You make the exact rotation that rotate_by makes. Make the first-order step of Eq. 9.5 "
+        "instead, which adds scale/2 times (0, vector) q to q.": hamilton(
             quad(a, scale * math.hypot(*a)), q
         ),
-        "You computed this from components that you had already changed. Compute all four from the "
-        "old q before you assign them.": in_turn,
-        "You lost the old q. Add the change to its components instead of replacing them.": stepped(
+        "You compute components from others that you have already changed. Compute all four from "
+        "the old q before you assign them.": in_turn,
+        "You lose the old q. Add the change to its components instead of replacing them.": stepped(
             (0.0, 0.0, 0.0, 0.0), left, 0.5 * scale
         ),
-        "You added (0, vector) alone, without multiplying it by q.": stepped(
+        "You add (0, vector) alone, without multiplying it by q.": stepped(
             q, (0.0, *a), 0.5 * scale
         ),
-        "The quaternion hasn't changed. Change its components in place; a new quaternion would be "
-        "lost.": q,
+        "The quaternion hasn't changed. Change its components in place, because a new quaternion "
+        "is lost when the method returns.": q,
     }
 
 
@@ -180,7 +176,7 @@ def test_the_step_of_the_book(rng: Random) -> None:
     for scale in (-size, size):
         q, a = draw_quad(rng), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
-        about.call = f"q = Quaternion{q}; q.add_scaled(Vector3{a}, {scale}); q"
+        about.call = f"q = Quaternion{short(q)}; q.add_scaled(Vector3{short(a)}, {scale}); q"
         about.cause = (
             "Add scale/2 times the product (0, vector) q to q. Compute all four components from "
             "the old q before you assign them."
@@ -192,7 +188,7 @@ def test_the_step_of_the_book(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
     about.cause = "This method works in place, so it shouldn't return anything."
-    about.call = f"Quaternion{q}.add_scaled(Vector3{a}, {scale})"
+    about.call = f"Quaternion{short(q)}.add_scaled(Vector3{short(a)}, {scale})"
     expect_exactly(returned, None)
 
 
@@ -217,7 +213,8 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
     for a, by, error in [*bad, (None, scale, TypeError)]:
         quaternion = Quaternion(*q)
         vector = None if a is None else Vector3(*a)
-        about.call = f"q = Quaternion{q}; q.{method}({'None' if a is None else f'Vector3{a}'}"
+        about.call = f"q = Quaternion{short(q)}; "
+        about.call += f"q.{method}({'None' if a is None else f'Vector3{short(a)}'}"
         about.call += f", {by!r})" if method == "add_scaled" else ")"
         expect_error(
             lambda quaternion=quaternion, vector=vector, by=by: use(quaternion, vector, by),
@@ -230,7 +227,7 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
     expect_error(
         lambda: use(Quaternion(*q), good, scale),
         TypeError,
-        call=f"Quaternion{q}.{method}({shown})",
+        call=f"Quaternion{short(q)}.{method}({shown})",
         allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
         cause="The check passed a tuple. Raise TypeError for anything but a Vector3.",
         read=FIRST_LINES,

@@ -155,10 +155,13 @@ def named(
 ) -> str:
     """Return the cause, after the slip that gives the numbers in got, as expect.named does.
 
-    If no slip does, but only one or two numbers of a matrix differ from ``wanted``, name their rows
-    and columns instead.
+    A slip that is not a sentence completes "Your result is". If no slip gives these numbers, but
+    only one or two numbers of a matrix differ from ``wanted``, name their rows and columns instead.
     """
-    likely = expect.named(got, cause, slips)
+    sentences = {
+        slip if slip.endswith(".") else f"Your result is {slip}.": slips[slip] for slip in slips
+    }
+    likely = expect.named(got, cause, sentences)
     if likely != cause or not isinstance(got, tuple) or not 0 < len(wanted) == len(got):
         return likely
     columns, near = len(wanted) // 3, 1e-9 * max(map(abs, wanted))
@@ -169,7 +172,7 @@ def named(
     ]
     if len(wrong) not in (1, 2):
         return cause
-    return f"Everything is right except {' and '.join(wrong)}. {cause}"
+    return f"Your matrix is right except {' and '.join(wrong)}. {cause}"
 
 
 def same_sign(got: Any, wanted: Sequence[float]) -> Any:
@@ -182,9 +185,20 @@ def same_sign(got: Any, wanted: Sequence[float]) -> Any:
     return tuple(-number for number in got) if along < 0.0 else got
 
 
-def written(numbers: Sequence[float]) -> str:
-    """Return the call that makes a Matrix3 or Matrix4, with a line for each row if it is long."""
+def short(numbers: Sequence[float]) -> str:
+    """Return numbers in parentheses, with six digits each. A rounding error becomes 0."""
+    tiny = 1e-15 * max(map(abs, numbers))
+    rounded = (0.0 if abs(number) < tiny else number for number in numbers)
+    return f"({', '.join(f'{number:.6g}' for number in rounded)})"
+
+
+def written(numbers: Sequence[float], *, exact: bool = False) -> str:
+    """Return the call that makes a Matrix3 or Matrix4, with a line for each row if it is long.
+
+    The numbers have six digits, or all of them if the message is about their rounding errors.
+    """
     across = len(numbers) // 3
-    rows = [", ".join(map(repr, numbers[i : i + across])) for i in range(0, 3 * across, across)]
+    rows = [numbers[i : i + across] for i in range(0, 3 * across, across)]
+    rows = [", ".join(map(repr, row)) if exact else short(row)[1:-1] for row in rows]
     between = ", " if sum(map(len, rows)) < 60 else ",\n    "
     return f"Matrix{across}({between.join(rows)})"

@@ -67,6 +67,7 @@ def test_forces_add_up(rng: Random) -> None:
                 "Your sum has the wrong sign, perhaps because add_force subtracts the force. "
                 "Add it instead."
             ): [-part for part in total],
+            "You swapped y and z. Add x to x, y to y and z to z.": (total[0], total[2], total[1]),
             "A force was added, but p.force_accumulator is still zero. Store the sum in "
             "self._forces[0], and let force_accumulator return what is stored there.": ZERO,
         }

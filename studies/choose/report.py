@@ -47,7 +47,7 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
     steady = [point for tried in found if tried.halved.is_steady for point in tried.points(scene)]
     chosen, cheaper = cheapest(steady, tolerance)
     for title, point, none in (
-        ("cheapest", chosen, "no model is known to meet it within the time limit"),
+        ("cheapest", chosen, f"no model is accurate enough with runs of up to {runs.SLOWEST:g} s"),
         ("next cheaper", cheaper, "no model is cheaper"),
     ):
         told = _told(found, point) if point else none

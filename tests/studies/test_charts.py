@@ -297,7 +297,7 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
     monkeypatch.setattr(choose, "SLOWEST", 1e-3)
     assert choose.main(["k = 10000 ", "--tolerance", "1e-3"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    start = "spring, k = 10000 N/m, c = 20 N s/m: 2 s, error at most 0.001 of its scale"
+    start = "spring, k = 10000 N/m, c = 20 N s/m: 2 s, error at most 0.001 of the scene's size"
     assert lines[0].startswith(start)
     assert lines[1].startswith("  cheapest:     closed form, once per frame: ")
     # Only other models at one step per frame are as cheap, and all of them are inaccurate here.
@@ -305,7 +305,7 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
     assert lines[2].startswith("  next cheaper: ")
     assert ", once per frame: " in lines[2]
     assert lines[2].endswith(": not accurate enough")
-    assert lines[3] == "  pymunk:       does not meet it within the time limit"
+    assert lines[3] == "  pymunk:       not accurate enough with runs of up to 0.001 s"
 
 
 def test_a_model_that_takes_a_tolerance_is_told_with_it() -> None:
@@ -319,7 +319,7 @@ def test_where_nothing_will_do_the_command_fails(
 ) -> None:
     monkeypatch.setattr(choose, "SLOWEST", 1e-3)
     assert choose.main(["k = 100 ", "--tolerance", "1e-20"]) == 1
-    assert "none of our models meets it" in capsys.readouterr().out
+    assert "cheapest:     none of our models is accurate enough" in capsys.readouterr().out
     for bad in ("0", "-1", "nan", "inf"):
         with pytest.raises(SystemExit):
             choose.main(["rope", "--tolerance", bad])

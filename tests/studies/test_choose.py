@@ -282,7 +282,7 @@ def test_bounces_warn_that_halving_does_not_converge(
     cable = ", AnchoredCable(ball, Vector3(), 9.0)"
     status, told = run_on(tmp_path, BALL.format(cable), monkeypatch, capsys)
     assert status == 1
-    assert "cheapest: no model is known to meet it within the time limit" in told
+    assert "cheapest: no model is accurate enough with runs of up to 0.01 s" in told
     assert "Warning: no model converges." in told
 
 

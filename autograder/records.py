@@ -55,9 +55,9 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """List the field names of a dataclass with their default values.
+    """List the name and the default value of each field of a dataclass.
 
-    The default of a required field is MISSING.
+    If a field has no default value, dataclasses.MISSING takes its place.
     """
     found = []
     for field in fields(kind):
@@ -114,7 +114,7 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
     """Build a function that accepts JSON of any of the types in ``kinds``.
 
-    If the JSON fits none of the types, the error is the one for the first type.
+    If the JSON fits none of them, the error says why it does not fit the first type.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 

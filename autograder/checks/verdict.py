@@ -1,4 +1,4 @@
-"""The verdict on a check, and the prerequisites that decide whether its exercise is blocked."""
+"""The verdict on a check, and the prerequisites that decide whether an exercise is blocked."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def asked_for(chapter: Chapter) -> list[str]:
-    """List the exercises that students are required to do, along with their prerequisites."""
+    """List the exercises that students must do, including the prerequisites of these exercises."""
     return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
 
 

@@ -18,8 +18,8 @@ from autograder.scores import possible, shown
 class Chosen:
     """The exercises that an assignment consists of, grouped by chapter.
 
-    The ``given`` chapters are handed out complete. ``earlier`` lists the exercises from earlier
-    assignments that this assignment builds on.
+    The ``given`` chapters are handed out complete. ``earlier`` lists exercises of earlier
+    assignments that this one builds on.
     """
 
     chapters: list[Chapter]
@@ -30,7 +30,7 @@ class Chosen:
 class Chooser:
     """Finds out which exercises an assignment consists of, from its table in the course file.
 
-    Mistakes in the table are recorded in ``mistakes``. ``before`` contains the exercises of all
+    Mistakes in the table are collected in ``mistakes``. ``before`` contains the exercises of all
     earlier assignments, because this one may build on them.
     """
 
@@ -50,9 +50,10 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Determine the exercises of the assignment.
+        """Work out which exercises an assignment of the course file contains.
 
-        The result is valid only if no mistakes in the course file were recorded.
+        Check afterwards whether any mistakes in the course file were recorded. If so, the list of
+        exercises may be incomplete.
         """
         given = self._chapters("given")
         listed = self._ids("exercises")
@@ -85,9 +86,9 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Read a list of exercise ids from the course file, and record unknown ones as mistakes.
+        """Read the list of exercise ids under a key of the course file, such as "extra_credit".
 
-        The ids are listed under a key such as "extra_credit".
+        An id that does not exist or is listed twice is recorded as a mistake.
         """
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
@@ -144,10 +145,11 @@ class Chooser:
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Find the key of the course file, such as extra_credit, under which an exercise is listed.
+        """Find the key of the course file that makes an exercise part of the assignment.
 
-        A message about a mistake points to the line of that key. An exercise that is not listed by
-        itself belongs to the assignment because of its chapter, so its key is "chapters".
+        It is "exercises" or "extra_credit" if the exercise is listed there. Otherwise its whole
+        chapter was assigned, and the key is "chapters". A message about a mistake points to the
+        line of that key.
         """
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
@@ -155,9 +157,10 @@ class Chooser:
         )
 
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
-        """Determine how many points each exercise is worth in this assignment.
+        """Work out how many points each exercise is worth in this assignment.
 
-        The table ``points`` in the course file overrides the points of the manifests.
+        The points of the manifests apply, unless the table ``points`` in the course file has other
+        ones. If the assignment has an ``out_of``, all points are then scaled to that total.
         """
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)
@@ -200,6 +203,6 @@ class Chooser:
 
 
 def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
-    """Reduce a chapter to the assigned exercises, or return None if it has none of them."""
+    """Return a copy of a chapter with only the assigned exercises, or None if there are none."""
     mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
     return replace(chapter, exercises=mine) if mine else None

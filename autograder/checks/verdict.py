@@ -30,7 +30,7 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Collect the exercises that must work before this one can, directly or indirectly."""
+    """Collect all prerequisites of an exercise, and in turn the prerequisites of these."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 

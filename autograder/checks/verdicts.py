@@ -69,7 +69,7 @@ class Recorder:
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """Print to stderr, where the runner reads it, why a file of checks cannot be imported."""
+        """If a file of checks cannot be imported, print the reason to stderr for the runner."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 

@@ -30,7 +30,7 @@ def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
 
     The options name either an assignment of the course file or some chapters. With ``handed_out``,
     as in `make handout`, the given chapters are added to the selected ones. Otherwise they are some
-    of the selected chapters. If no chapters are named, all of them are selected.
+    of the selected chapters, and all chapters are selected if none are named.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

@@ -102,9 +102,9 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Read a list of chapter numbers from the course file, and return those chapters.
+        """Return the chapters that are listed under a key of the course file, such as "given".
 
-        Numbers of unknown chapters are skipped and recorded as mistakes.
+        A number that belongs to no chapter is skipped and recorded as a mistake.
         """
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
@@ -182,9 +182,9 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points of the exercises to the total that the course file sets as ``out_of``.
+        """Scale the points of the exercises, so that they add up to ``out_of`` in the course file.
 
-        Without an ``out_of``, the points stay as they are.
+        If the assignment has no ``out_of``, the points stay as they are.
         """
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")

@@ -90,7 +90,7 @@ def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the folder and the time of each submission, as Gradescope has recorded them."""
+    """Yield the folder and the time of each submission, as recorded by Gradescope."""
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
@@ -102,7 +102,7 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield each student's repository and submission time from the grades of GitHub Classroom."""
+    """Yield each student's repository and submission time, as recorded by GitHub Classroom."""
     path = folder / OF_GITHUB
     if not path.is_file():
         return
@@ -137,10 +137,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """If a file with submission times turns out not to be valid CSV or YAML, name it in the error.
-
-    Use this as a context manager around the lines that read the file.
-    """
+    """While the context lasts, add the file's name to any error about invalid CSV or YAML."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:

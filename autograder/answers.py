@@ -27,8 +27,7 @@ class Section:
     """One section of an answers.md file: a question about the chapter and the answer to it.
 
     ``rubric`` says how to mark the answer. It is empty in a student's file, because only our own
-    copy has rubrics. ``line`` is the line number at which the answer begins or, if there is no
-    answer yet, should begin.
+    copy has rubrics. ``line`` is the number of the line where the answer begins, or should begin.
     """
 
     id: str

@@ -1,8 +1,8 @@
 """Create the virtual environment .venv, and install the packages listed in requirements.lock.
 
-`make` runs this script before its first command. If you do not have make, run it yourself: python3
-autograder/make_venv.py. The script uses only syntax that Python 3.6 understands. If your Python is
-too old for the project, you therefore see a helpful message instead of a syntax error.
+`make` runs this script before its first command. Without make, run `python3
+autograder/make_venv.py` yourself. The script uses only syntax that Python 3.6 understands. If your
+Python is too old for the project, you therefore see a helpful message instead of a syntax error.
 """
 
 import os

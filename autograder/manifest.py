@@ -22,7 +22,7 @@ class Exercise:
     """One exercise, as described in the manifest of its chapter.
 
     In an assignment, an exercise can be ``extra`` credit, which means that its points come on top
-    of the total. An ``optional`` exercise is not part of the assignment: students may do it, but it
+    of the total. An ``optional`` exercise is not part of the assignment. Students may do it, but it
     does not count.
     """
 
@@ -171,7 +171,10 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """List the earlier chapters whose code a chapter imports."""
+    """List the earlier chapters whose code a chapter imports.
+
+    A manifest names them in ``builds_on``. If it does not, all earlier chapters are listed.
+    """
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below

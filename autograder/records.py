@@ -47,7 +47,7 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
     ``what`` names the JSON in error messages, as in "the report".
 
     Raises:
-        RecordError: A value is missing, unknown or of the wrong type.
+        RecordError: A value is missing or has the wrong type, or a key is unknown.
     """
     read: Callable[[Any, str], Record] = _reader(kind)  # type: ignore[arg-type]
     return read(data, what or kind.__name__)
@@ -70,8 +70,8 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
     """Build a function that validates parsed JSON and converts it to the type ``kind``.
 
-    The function is called with the JSON and with a name for it, such as "the report.score", which
-    error messages use to say what is wrong.
+    The function is called with the JSON and with a name for it, such as "the report.score". Error
+    messages use this name to say which value is wrong.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):

@@ -23,7 +23,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
     """Fork this process, and call ``work`` in the child process.
 
     If the child crashes, this process deliberately ends in the same way. The runner of the checks
-    notices that, and starts a new process for the remaining ones.
+    notices that, and starts a new process for the remaining checks.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")

@@ -185,8 +185,8 @@ def _modules(
 ) -> list[str]:
     """List the student's modules to import before the checks, to find out which of them fail.
 
-    If a module cannot be imported, the others are tried nevertheless. Some handouts contain an
-    earlier chapter without its manifest. All files of that chapter are then imported.
+    If a module cannot be imported, the others are still tried. Some handouts contain an earlier
+    chapter without its manifest. All files of that chapter are then imported.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

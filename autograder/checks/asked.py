@@ -66,9 +66,9 @@ about = About()
 
 
 def short_numbers(text: str) -> str:
-    """Shorten each computed number in a text, so that 0.30000000000000004 becomes 0.3.
+    """Shorten the computed numbers in a text, so that 0.30000000000000004 becomes 0.3.
 
-    A number with ten or more decimals is rounded to six significant digits. All others stay as they
+    Numbers with ten or more decimals are rounded to six significant digits. All others stay as they
     are.
     """
     return LONG.sub(lambda number: f"{float(number[0]):.6g}", text)

@@ -27,7 +27,10 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """An event sent when pytest has collected the checks. It lists them in the order of running."""
+    """An event sent when pytest has collected the checks.
+
+    It lists the checks in the order in which they will run.
+    """
 
     checks: list[Check]
 
@@ -44,7 +47,7 @@ class Importing:
 
 @dataclass(frozen=True)
 class Imported:
-    """An event sent when the import that the last ``Importing`` event announced has finished."""
+    """An event sent when an import has finished. It follows an ``Importing`` event."""
 
 
 @dataclass(frozen=True)

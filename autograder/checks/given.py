@@ -32,8 +32,7 @@ def with_given(
     folder with copies of our solutions. The folders of ``engine`` follow it.
 
     Raises:
-        ValueError: ``root`` does not contain our solution of a given chapter. No handout contains
-            one.
+        ValueError: ``root`` does not contain our solution of a given chapter. No handout does.
     """
     if not given:
         yield engine

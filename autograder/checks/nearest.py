@@ -1,7 +1,8 @@
 """Guess which name a student meant when the code uses one that does not exist.
 
-Python's error contains only the missing name. Only the process that ran the student's code knows
-which names exist, so that process finds the most similar one and reports it as plain data.
+Python's error contains only the missing name. The names that do exist are known only in the process
+that ran the student's code. That process therefore finds the most similar one and reports it as
+plain data.
 """
 
 from __future__ import annotations

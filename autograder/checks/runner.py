@@ -52,8 +52,8 @@ class Order:
 
     ``engine`` lists the folders to search for the student's code. If several of them have a module,
     the first one wins. ``behind`` describes the sandbox for the student's code. If it is None, the
-    code runs in the same process as the checks, and ``apart`` says whether each exercise's checks
-    run in a forked copy of it.
+    code runs in the same process as the checks. ``apart`` then says whether each exercise's checks
+    run in a forked copy of that process.
     """
 
     chapter: Chapter
@@ -142,8 +142,8 @@ class Run:
     def limit(self) -> float:
         """The number of seconds that the next check may take.
 
-        Once a function has hung twice, the limit is shorter than usual, so that the student does
-        not have to wait out the same endless loop again and again.
+        Once a function has hung twice, the limit is shorter than usual. Otherwise, the student
+        would have to wait out the same endless loop again and again.
         """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)

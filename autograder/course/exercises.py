@@ -139,7 +139,10 @@ class Chooser:
         return [name for name in self.home if name in earlier]
 
     def _below(self, chapter: Chapter) -> list[Chapter]:
-        """List the earlier chapters whose code a chapter imports."""
+        """List the earlier chapters whose code a chapter imports.
+
+        A manifest names them in ``builds_on``. If it does not, all earlier chapters are listed.
+        """
         earlier = [other for other in self.chapters if other.number < chapter.number]
         numbers = chapter.builds_on
         return [other for other in earlier if numbers is None or other.number in numbers]

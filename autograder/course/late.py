@@ -41,9 +41,9 @@ def days_late(due: datetime, submitted: datetime) -> int:
 def _end(time: datetime) -> datetime:
     """Return the last moment at which a clock shows this local time.
 
-    A day of lateness ends at that moment. When the clocks go back, they show some times twice, and
-    the second one counts. When the clocks go forward, they skip some times. The result is then the
-    moment at which a clock that had not been changed would show the time.
+    A late day ends at that moment. When the clocks go back, some times occur twice, and the second
+    occurrence counts. When the clocks go forward, some times are skipped. Such a time is converted
+    as if the clocks had not changed yet.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 

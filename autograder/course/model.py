@@ -28,7 +28,10 @@ class LatePolicy:
 
     @property
     def words(self) -> str:
-        """A sentence that tells students what the penalty for late work is."""
+        """The penalty for late work, described in a sentence for students.
+
+        One example is "Each day or part of a day costs 2 points."
+        """
         of = "percent of the points possible" if self.unit == "percent" else "points"
         cap = "" if self.cap is None else f", and at most {self.cap:g} {self.unit} in all"
         return f"Each day or part of a day costs {self.per_day:g} {of}{cap}."

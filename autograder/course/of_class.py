@@ -25,9 +25,8 @@ def lateness(
 ) -> tuple[dict[str, Late], list[str]]:
     """Compute for each student of a class how late the work is, and how many points that costs.
 
-    Returns:
-        The lateness of each student, and a list of notes for the instructor. A note may say, for
-            example, that some submission times are unknown.
+    Return this together with a list of notes for the instructor. A note may say, for example, that
+    some submission times are unknown.
 
     Raises:
         ValueError: A file with the times of the submissions is not valid.

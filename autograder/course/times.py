@@ -148,6 +148,6 @@ def _readable(path: Path) -> Iterator[None]:
 def _key(name: str) -> str:
     """Normalize a student's name, so that it can be compared with the names in other files.
 
-    An accented letter can be encoded in two ways. After this, both are equal.
+    An accented letter can be encoded in two ways, which this function makes the same.
     """
     return unicodedata.normalize("NFC", name.strip())

@@ -49,7 +49,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Replace the table of exercises in the text of a chapter's reference.md with an updated one.
+    """Return the text of a chapter's reference.md with an updated table of exercises.
 
     Raises:
         ValueError: The page lacks the two comment lines between which the table belongs.

@@ -5,7 +5,7 @@ The following terms have a fixed meaning throughout the autograder:
 - *Exercise*: A part of a chapter that a student writes. The chapter's *manifest*, chapter.toml,
   lists its exercises and the functions to write for each.
 - *Check*: A pytest test that helps decide whether an exercise works. *Physics* checks test the
-  physics; *robust* checks try bad arguments, overflow and NaN.
+  physics. *Robust* checks try bad arguments, overflow and NaN.
 - *Stub*: The unfinished file that a student starts from. Our own solution, in solutions/, is the
   *reference*.
 - *Engine*: The student's game physics code, described by a list of folders to search for a

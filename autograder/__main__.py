@@ -88,9 +88,9 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_check(arguments: argparse.Namespace) -> bool:
-    """Check the student's code for the requested chapters or for one exercise.
+    """Check some chapters of the student's code, or one exercise, and print the results.
 
-    The result becomes the exit status, which is zero only if all checks pass.
+    Return whether any check fails. The exit status of the program is then 1, and otherwise 0.
     """
     chapters = select_chapters(arguments.chapter)
     exercise = None
@@ -145,7 +145,7 @@ def run_hint(arguments: argparse.Namespace) -> int:
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Find the exercise with an id such as B2.3, and return it together with its chapter.
+    """Look up an exercise by its id, such as B2.3, and return it with the chapter that contains it.
 
     The id may be typed in upper or lower case.
 

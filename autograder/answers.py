@@ -1,8 +1,8 @@
 """Read a student's written answers from answers.md, and our model answers from solutions/.
 
-Every question has a section in answers.md: a heading, the question as a quotation, and the answer.
-In the copies of answers.md in solutions/, the answer is our model answer. It is followed by a
-rubric that lists what an answer must contain to earn points.
+Each question has its own section in answers.md, with a heading, the question as a block quote, and
+the answer. The copies of answers.md in solutions/ contain our model answers. Each model answer is
+followed by a rubric, which lists what an answer must contain to earn points.
 """
 
 from __future__ import annotations
@@ -27,8 +27,7 @@ class Section:
     """One section of an answers.md file: a question about the chapter and the answer to it.
 
     ``rubric`` says how to mark the answer. It is empty in a student's file, because only our own
-    copy has rubrics. ``line`` is the line number at which the answer begins or, if there is no
-    answer yet, should begin.
+    copy has rubrics. ``line`` is the number of the line where the answer begins, or should begin.
     """
 
     id: str
@@ -40,9 +39,10 @@ class Section:
 
     @property
     def places(self) -> list[str]:
-        """The lines that still hold the placeholder "_Write your answer here._".
+        """The lines of the answer that still contain the placeholder "_Write your answer here._".
 
-        A line counts even if the student has accidentally changed a few letters of it.
+        A line counts as a placeholder even if the student has changed a few letters of it by
+        accident.
         """
         return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
 
@@ -80,20 +80,26 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether the student has answered, in a section of answers.md that has no problems."""
+        """Whether the student has written an answer that can be marked.
+
+        It must have at least two words, and its section of answers.md must not have any problems.
+        """
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """The file and line where the student writes the answer, such as answers.md:12.
+        """Where the student writes the answer, as a file and a line such as answers.md:12.
 
-        If the question's section is missing, only the file is named.
+        If answers.md has no section for the question, this is only the name of the file.
         """
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
-    """Create the students' answers.md from ours, with a placeholder for each model answer."""
+    """Turn our answers.md into the one for students.
+
+    It keeps the questions. Each model answer becomes the placeholder "_Write your answer here._".
+    """
     title = text.partition("\n")[0]
     parts = [title]
     for section in sections_of(text):
@@ -198,9 +204,9 @@ def _problems(
 ) -> list[str]:
     """List what the student must fix in answers.md before the answer to one exercise counts.
 
-    Each problem is a sentence addressed to the student. ``own`` holds the sections with the
-    exercise's id, of which there should be exactly one. ``strangers`` holds the sections that
-    belong to no exercise, perhaps because the student has changed a heading.
+    Each problem is a sentence addressed to the student. ``own`` lists the sections that have the
+    exercise's id, of which there should be exactly one. ``strangers`` lists sections that belong to
+    no exercise, perhaps because the student has changed a heading.
     """
     heading = f"## {exercise.id}"
     if not file.is_file():

@@ -1,4 +1,4 @@
-"""Helpers that the autograder's commands share, such as the one that says what to type next."""
+"""Helpers that the autograder's commands share, such as one that suggests what to type next."""
 
 from __future__ import annotations
 
@@ -37,11 +37,12 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 
 
 def prepare() -> bool:
-    """Prepare Python for running a command, and return whether the required packages are installed.
+    """Get Python ready to run a command, and return whether the required packages are installed.
 
-    If a package is missing, print how to install it. File names must be encoded in UTF-8. Where
-    Python uses another encoding, as under LC_ALL=C with PYTHONUTF8=0, the program restarts itself
-    in UTF-8 mode. Characters that the console cannot encode are printed as question marks.
+    If a package is missing, this also prints how to install it. File names must be encoded in
+    UTF-8. If Python uses another encoding, as under LC_ALL=C with PYTHONUTF8=0, the program
+    restarts itself in UTF-8 mode. The console shows a question mark for any character that it
+    cannot encode.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -60,25 +61,25 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """Suggest what the user can do if a file could not be written, for example on a full disk.
+    """Suggest a remedy for a file that could not be written, such as freeing space on a full disk.
 
-    For an error that has another cause, the suggestion is an empty string.
+    Return an empty string if the error has some other cause.
     """
     number = error.errno if isinstance(error, OSError) else None
     return next((words for numbers, words in ADVICE.items() if number in numbers), "")
 
 
 def sentence(error: Exception) -> str:
-    """Format an error message for the user, followed by advice if the disk is full or read-only."""
+    """Turn an error into a message for the user, with advice if a file could not be written."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
 
 def find_engine(folder: str) -> list[Path]:
-    """List the folders in which to search for the code to check, beginning with ``folder``.
+    """Return the folders to search for the code that is checked: ``folder``, and then chapters/.
 
-    The second folder is always chapters/, because the files that students do not edit are only
-    there.
+    The folder chapters/ is always needed, because it is the only one with the files that students
+    do not edit.
 
     Raises:
         ValueError: The folder does not exist.
@@ -90,10 +91,10 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Compose the line that a user types to run a command, such as "make check EX=2.5".
+    """Write out a command as the user has to type it, such as "make check EX=2.5".
 
-    On a machine without make, the line calls Python directly. In the browser, students cannot type
-    commands, but the buttons on the page have the same names as the make commands.
+    On a machine without make, the result calls Python directly. In the browser, students cannot
+    type commands, but the buttons on the page have the same names as the make commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
@@ -118,8 +119,8 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Compose the command that rechecks the same code, such as "make check ENGINE=solutions".
+    """Write out the command that checks the same code again, such as "make check ENGINE=solutions".
 
-    We print it after a check as the student's next step.
+    It is printed after a check, as the student's next step.
     """
     return command("check", **arguments, **engine_variables(engine))

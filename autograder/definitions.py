@@ -1,6 +1,6 @@
-"""List the functions that a Python file defines, under the names that the manifests use for them.
+"""List the functions that a Python file defines, by the names that manifests use for them.
 
-An example of such a name is Vector3.dot. The file is only parsed, so none of its code runs.
+One such name is Vector3.dot. The file is only parsed, so none of its code runs.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
 
 
 def read_definitions(file: Path) -> set[str] | None:
-    """List the names that a student's file defines, or return None if there are none.
+    """List the names that a student's file defines, such as Vector3 and Vector3.dot.
 
-    The result is also None if the file is missing or is not valid Python.
+    Return None if the file defines nothing, is missing, or is not valid Python.
     """
     try:
         return bound_names(ast.parse(file.read_bytes())) or None
@@ -39,8 +39,9 @@ def read_definitions(file: Path) -> set[str] | None:
 def bound_names(tree: ast.Module) -> set[str]:
     """List every name that a module or one of its classes defines with def, class, = or import.
 
-    A method is listed with its class, as in Vector3.dot. A name assigned with = may or may not be a
-    property, which the source code alone does not show, so its setter is listed as well.
+    Methods are listed with their class, as in Vector3.dot. A name assigned with = might be a
+    property, but the source code alone does not show that. For this reason, each assigned name is
+    listed with a setter too.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -50,7 +51,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names defined directly in a module or class, without those inside functions."""
+    """Yield the names that a module or class defines itself, but not those inside its functions."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -66,7 +67,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Strip module and class from a function's full name: vector.Vector3.dot becomes dot."""
+    """Remove the module and class from a function's full name. vector.Vector3.dot becomes dot."""
     return edited.split(".", 2)[-1]
 
 

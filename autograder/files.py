@@ -31,20 +31,23 @@ def replace_bytes(path: Path, content: bytes) -> None:
 
 
 def is_full(folder: Path) -> bool:
-    """Return whether the disk has less than 1 MB free, which may be why a program has failed."""
+    """Return whether the disk that contains ``folder`` has less than 1 MB of free space.
+
+    That may be the reason why a program has failed.
+    """
     return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:
-    """Return the path at which a file is written before it is moved to ``path``."""
+    """Return the path of the temporary file that is written first and then moved to ``path``."""
     return path.with_name(path.name + ".tmp")
 
 
 def is_new(folder: Path, first: Path) -> bool:
-    """Return whether a folder for grading results is missing or empty, so that it may be used.
+    """Return whether a folder is missing or empty, so that the grader may write its results there.
 
-    Every run of the grader writes the file ``first`` before any other. A folder that contains only
-    an unfinished copy of that file counts as empty too, because an earlier run must have been
-    killed right after it started.
+    Every run of the grader writes the file ``first`` before any other. If the folder contains only
+    an unfinished copy of that file, it counts as empty. An earlier run must then have been killed
+    right after it started.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

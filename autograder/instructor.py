@@ -18,8 +18,8 @@ from autograder.release import commands as release
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Define the command-line options of the instructor commands, such as grade and handout.
 
-    Each command imports the modules it needs only when it runs. Otherwise, a student's `make check`
-    would have to wait for all the imports of the grader.
+    Each command imports the modules that it needs only when it runs. Otherwise, a student's `make
+    check` would have to wait while Python imports the whole grader.
     """
     unsafe = "grade without a sandbox if this machine has none; only for a class you trust"
     command = commands.add_parser("grade", help="grade a folder of submissions")

@@ -1,8 +1,8 @@
-"""A base for the small web servers that run on the user's own machine, such as the marking page's.
+"""Base classes for small web servers on the user's own machine, such as the one for marking.
 
-Such a server listens only on 127.0.0.1. Its addresses begin with a random token, so that other web
-pages and other users of the machine cannot guess them. It refuses every request that is addressed
-to another host name or comes from another origin.
+Such a server listens only on 127.0.0.1. Its addresses begin with a random token that other web
+pages and other users of the machine cannot guess. The server refuses every request that is
+addressed to another host name or comes from another origin.
 """
 
 from __future__ import annotations
@@ -26,10 +26,9 @@ HEADERS = {
 
 
 class Site:
-    """The address of a web page that is served only on this machine.
+    """A web site that is served only on this machine, at an address that nobody else can guess.
 
-    The address contains a secret random token, such as http://127.0.0.1:8000/Xy3.../, so that
-    nobody else can guess it.
+    The address contains a secret random token, as in http://127.0.0.1:8000/Xy3.../.
     """
 
     def __init__(self) -> None:
@@ -50,7 +49,7 @@ class Site:
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Reject a web request that is addressed to any host name but this machine's.
+        """Reject a web request unless it is addressed to 127.0.0.1 or localhost.
 
         Otherwise a malicious site could point its own host name at this server and pose as our
         page.
@@ -60,7 +59,10 @@ class Site:
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether a web request comes from our own page, the only one that may change data."""
+    """Return whether a web request comes from our own page, which alone may change data.
+
+    ``origin`` is the text of the request's Origin header.
+    """
     try:
         return urlsplit(origin).netloc == request.host
     except ValueError:  # no address at all, such as http://[
@@ -68,9 +70,9 @@ def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
 
 
 class Handler(RequestHandler):
-    """A base class for request handlers that refuses requests addressed to another host name.
+    """A base class for request handlers that adds our security headers to every response.
 
-    It also adds our security headers to every response.
+    It also refuses requests that are addressed to another host name.
     """
 
     site: Site

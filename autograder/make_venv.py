@@ -1,8 +1,8 @@
 """Create the virtual environment .venv, and install the packages listed in requirements.lock.
 
-`make` runs this script before its first command. If you do not have make, run it yourself: python3
-autograder/make_venv.py. The script sticks to the syntax of Python 3.6, so that a Python too old for
-the rest of the project prints a helpful message instead of a syntax error.
+`make` runs this script before its first command. Without make, run `python3
+autograder/make_venv.py` yourself. The script uses only syntax that Python 3.6 understands. If your
+Python is too old for the project, you therefore see a helpful message instead of a syntax error.
 """
 
 import os
@@ -42,7 +42,7 @@ def shown_python() -> str:
 
 
 def check_python() -> None:
-    """Exit with a helpful message if this Python is too old or cannot create environments."""
+    """Exit with a helpful message if this Python is too old or cannot create an environment."""
     version = ".".join(str(part) for part in sys.version_info[:2])
     if sys.version_info < (3, 11):  # noqa: UP036 - an old Python ends here
         newer = "py -3.12" if os.name == "nt" else "python3.12"

@@ -22,7 +22,7 @@ class Exercise:
     """One exercise, as described in the manifest of its chapter.
 
     In an assignment, an exercise can be ``extra`` credit, which means that its points come on top
-    of the total. An ``optional`` exercise is not part of the assignment: students may do it, but it
+    of the total. An ``optional`` exercise is not part of the assignment. Students may do it, but it
     does not count.
     """
 
@@ -50,11 +50,11 @@ class Chapter:
     Attributes:
         name: The name of the chapter's folder and package, such as ch02_vectors.
         complete: The modules that students use without changing them, such as cloth.py.
-        builds_on: The numbers of the earlier chapters whose code this one imports. None means all
-            of them.
-        summary: What the chapter is about, in one sentence.
-        you_can: What students are able to do after the chapter.
-        picture: The plot that best shows what the chapter is about.
+        builds_on: The numbers of the earlier chapters whose code this one imports. None means that
+            it may import all of them.
+        summary: A sentence about the topic of the chapter.
+        you_can: Sentences about what students are able to do after the chapter.
+        picture: The plot that best shows the topic of the chapter.
     """
 
     name: str
@@ -142,8 +142,10 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
     """Separate the chapters whose code we give to a student from those that the student writes.
 
     The code of a given chapter comes from our solutions. ``numbers`` says which chapters are given,
-    as in "2,4-6". If it is empty, the student writes all of them. The given chapters come first in
-    the result.
+    as in "2,4-6". If it is empty, the student writes all of them.
+
+    Returns:
+        Two lists of chapters: the given ones, and those that the student writes.
 
     Raises:
         ValueError: No chapter is left for the student, or ``numbers`` is malformed.
@@ -169,7 +171,10 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """List the earlier chapters whose code a chapter imports."""
+    """List the earlier chapters whose code a chapter imports.
+
+    A manifest names them in ``builds_on``. If it does not, all earlier chapters are listed.
+    """
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below
@@ -202,7 +207,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Abbreviate the numbers of consecutive chapters for the command line, as in "2-5"."""
+    """Write the numbers of consecutive chapters as a range for the command line, such as "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 
@@ -234,7 +239,7 @@ def _are_words(value: object) -> bool:
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Check that exercise ids are unique, and that every exercise comes after its prerequisites.
+    """Check that no exercise id is used twice, and that prerequisites come before the exercises.
 
     Raises:
         ValueError: An id is used twice, or an exercise is listed before one of its prerequisites.

@@ -28,7 +28,7 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Place:
-    """A line of the student's code, to which a failure message points.
+    """A line of the student's code that a failure message points to.
 
     ``file`` includes the folder of the chapter, as in ch02_vectors/vector.py.
     """
@@ -55,7 +55,8 @@ class Message:
         wanted: The value that ``got`` must match, to within ``tolerance``. A tolerance of 0
             requires the two to be equal.
         where: A line of the student's code.
-        likely: The most likely mistake; ``other`` is a second possibility.
+        likely: The most likely mistake.
+        other: A second possible mistake.
         read: The section of the book or lesson that helps.
         printed: What the student's code printed.
         exercise: If the function is not written yet, the exercise that asks for it.
@@ -82,7 +83,7 @@ class Message:
     def changed(self, change: Callable[[str], str]) -> Message:
         """Return a copy of the message in which ``change`` has been applied to every text.
 
-        One use is to escape the special characters in all texts at once.
+        One use is to escape special characters in all of its texts at once.
         """
         values: dict[str, Any] = {
             field.name: change(value)
@@ -118,8 +119,8 @@ class Message:
     def in_short(self) -> str:
         """The most helpful part of the message, for a table or list with room for only one line.
 
-        For a wrong value that is the likely mistake, and for an exception it is the exception
-        itself.
+        After a wrong result, it is the likely mistake. After an exception, it is the text of the
+        exception.
         """
         return (self.likely if self.wanted else self.got) or (
             self.blocked or self.title or self.called

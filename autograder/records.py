@@ -47,7 +47,7 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
     ``what`` names the JSON in error messages, as in "the report".
 
     Raises:
-        RecordError: A value is missing, unknown or of the wrong type.
+        RecordError: A value is missing or has the wrong type, or a key is unknown.
     """
     read: Callable[[Any, str], Record] = _reader(kind)  # type: ignore[arg-type]
     return read(data, what or kind.__name__)
@@ -55,9 +55,9 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """List the field names of a dataclass with their default values.
+    """List the name and the default value of each field of a dataclass.
 
-    The default of a required field is MISSING.
+    If a field has no default value, dataclasses.MISSING takes its place.
     """
     found = []
     for field in fields(kind):
@@ -70,8 +70,8 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
     """Build a function that validates parsed JSON and converts it to the type ``kind``.
 
-    The function is called with the JSON and with a name for it, such as "the report.score", which
-    error messages use to say what is wrong.
+    The function is called with the JSON and with a name for it, such as "the report.score". Error
+    messages use this name to say which value is wrong.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):
@@ -114,7 +114,7 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
     """Build a function that accepts JSON of any of the types in ``kinds``.
 
-    If the JSON fits none of the types, the error is the one for the first type.
+    If the JSON fits none of them, the error says why it does not fit the first type.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 

@@ -85,7 +85,7 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def _passing(checks: Sequence[Verdict]) -> float:
-    """Compute the weight of the checks that pass as a fraction of the weight of all checks."""
+    """Compute the weight of the checks that pass, as a fraction of the weight of all checks."""
     passed = sum(check.weight for check in checks if check.status == "passed")
     return passed / sum(check.weight for check in checks)
 
@@ -93,8 +93,8 @@ def _passing(checks: Sequence[Verdict]) -> float:
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
     """Add up the points that a student has earned, and the points that were possible.
 
-    Written answers and optional exercises do not count, and extra credit adds only to the points
-    earned. If the grader failed on an exercise, the sum is unknown, so the points earned are None.
+    Written answers and optional exercises do not count. Extra credit adds only to the points
+    earned. If the grader failed on an exercise, the sum is unknown, and the points earned are None.
     """
     checked = [r for r in results if not (r.exercise.kind == "written" or r.exercise.optional)]
     points = possible(result.exercise for result in checked)
@@ -103,7 +103,7 @@ def total(results: Iterable[Result]) -> tuple[float | None, float]:
 
 
 def possible(exercises: Iterable[Exercise]) -> float:
-    """Add up what some exercises are worth, without extra credit and optional exercises."""
+    """Add up the points of some exercises, leaving out extra credit and optional exercises."""
     counted = [e.points for e in exercises if not (e.extra or e.optional)]
     return round(sum(counted), 2)
 
@@ -114,8 +114,8 @@ def shown(score: float | None) -> str:
 
 
 def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
-    """Describe in words where a solution lies on the chart of cost and error.
+    """Format a solution's cost and error, as in "120 contacts resolved, error of the range: 0.02".
 
-    ``axes`` names the two quantities, such as the number of force evaluations.
+    ``axes`` names the two quantities, and ``point`` has their values.
     """
     return f"{point[0]:g} {axes[0]}, {axes[1]}: {point[1]:.2g}"

@@ -1,12 +1,12 @@
 """Keep a student's code from writing files, starting programs or threads, and opening sockets.
 
 The grader runs submissions in a sandbox that blocks all of these operations. There is no sandbox
-when students run the checks at home, so this module relies on Python's audit events. Python raises
-one just before it opens a file, for example, and this module then raises the same error that the
-sandbox would cause.
+when students run the checks at home, so this module relies on Python's audit events. Just before
+Python opens a file, for example, it raises such an event. This module then raises the same error
+that the sandbox would cause.
 
-The purpose is to warn students early about what the grader will block. This is no defense against
-hostile code, and operations without an audit event, such as os.pipe, slip through.
+The purpose is to warn students early about anything that the grader will block. This is no defense
+against hostile code, and operations without an audit event, such as os.pipe, slip through.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Let a student's code import only Python's standard library and the chapters.
 
-The grader has no other packages, and of the chapters it has only the files that students hand in or
-receive from us. An import that will fail there should also fail at home, on the same line and with
-the same message, so that the student finds out in time.
+The grader has no other packages. It also has only those chapter files that students hand in or
+receive from us. An import that would fail there should fail at home too, on the same line and with
+the same message. Students then notice the problem in time.
 """
 
 from __future__ import annotations
@@ -51,9 +51,9 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise the error with which an import in the student's code would fail in the grader.
+    """Raise ImportError if an import in the student's code would fail in the grader.
 
-    If the import of ``name`` would work there, do nothing.
+    The error is the same as it would be there. An import that would work raises nothing.
     """
     if name.startswith("."):
         try:

@@ -23,7 +23,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
     """Fork this process, and call ``work`` in the child process.
 
     If the child crashes, this process deliberately ends in the same way. The runner of the checks
-    notices that, and starts a new process for the remaining ones.
+    notices that, and starts a new process for the remaining checks.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
@@ -47,9 +47,10 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Explain to a student how the process that ran the code ended, given its exit code.
+    """Explain to a student why the process that ran the code ended early, given its exit code.
 
-    A crash of Python gives a negative code. Any other code suggests a call of os._exit.
+    A negative code means that Python crashed. Any other code suggests that the student's code calls
+    os._exit.
     """
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"

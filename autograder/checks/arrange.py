@@ -19,13 +19,13 @@ class Behind:
     """How to run a student's code in worker processes inside a sandbox.
 
     Attributes:
-        level: The layers of the sandbox: a sandbox.Level as a dict.
-        fresh: Whether every check gets a new interpreter.
-        missing: The rejected modules of the submission, each with the reason.
+        level: The layers of protection to use, as a dictionary with the fields of sandbox.Level.
+        fresh: Whether every check runs in a new Python interpreter.
+        missing: The modules of the submission that were rejected, each with the reason.
         hidden: A folder of hidden checks, of which students see only a short rationale.
         for_instructor: Whether to include the full messages of hidden checks. Set this only if no
             student will see the result.
-        compiled: A folder that caches the compiled code of a submission between runs.
+        compiled: A folder in which compiled code of the submission is kept between runs.
     """
 
     level: dict[str, bool]
@@ -38,9 +38,9 @@ class Behind:
 
 @dataclass(frozen=True)
 class Workers:
-    """The settings with which a check process starts the sandboxed processes for a student's code.
+    """Settings for the sandboxed worker processes that run a student's code.
 
-    ``probes`` is the folder of the probes, which are those parts of our checks that run in the same
+    ``probes`` is the folder of our probes. A probe is a part of a check that has to run in the same
     process as the student's code. ``compiled`` is the folder that caches compiled code.
     """
 
@@ -53,14 +53,14 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The files and names that a check process works with, stored as JSON in its configuration.
+    """Where a check process finds the code and the checks, and what it must know about the chapter.
 
     Attributes:
-        known: The exercises of the chapter.
-        edits: For each exercise, the functions that students write.
+        known: The ids of the chapter's exercises.
+        edits: The functions that students write, listed by exercise.
         modules: The student's modules to import before the checks.
         complete: The files that students use but did not write.
-        graded: For each chapter's folder, the files that the grader has too.
+        graded: The files that the grader has too, listed by the folder of their chapter.
     """
 
     root: str
@@ -77,7 +77,7 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """The configuration of a check process: its files, its settings, and the checks to run.
+    """Everything that a check process reads when it starts: its files, settings and checks.
 
     Attributes:
         apart: Whether each exercise's checks run in a forked copy of the process.
@@ -98,7 +98,7 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Copy the files that a check process needs into ``folder``, and return where everything is."""
+    """Prepare the files for a check process in ``folder``, and return their paths and settings."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
@@ -133,10 +133,10 @@ def shared_by_checks(root: Path) -> list[Path]:
 def _put_hidden_checks(
     folder: Path, chapter: Chapter, root: Path, behind: Behind | None
 ) -> list[str]:
-    """Copy a chapter's public and hidden checks into the check process's folder.
+    """Copy a chapter's hidden checks, and its public ones, to where a check process can run them.
 
-    The result is a list with one entry, the folder of the hidden checks relative to the root. If
-    the chapter has no hidden checks, the list is empty.
+    The result is a list that contains the path of the hidden checks, relative to the folder from
+    which pytest runs. It is empty if the chapter has no hidden checks.
     """
     if not behind or not behind.hidden:
         return []
@@ -161,10 +161,10 @@ def _put_hidden_checks(
 
 
 def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
-    """Prepare the folders that a sandboxed worker process reads, and return the worker settings.
+    """Create the folders that sandboxed worker processes read, and return the worker settings.
 
-    One folder holds copies of the probes, which are those parts of our checks that run in the same
-    process as the student's code. The other caches compiled code.
+    One folder holds copies of our probes, the parts of our checks that run in the same process as
+    the student's code. The other caches compiled code. Return None if there is no sandbox.
     """
     if behind is None:
         return None
@@ -185,8 +185,8 @@ def _modules(
 ) -> list[str]:
     """List the student's modules to import before the checks, to find out which of them fail.
 
-    A module that fails does not keep the others from being imported. In some handouts an earlier
-    chapter has no manifest, and then all of its files are imported.
+    If a module cannot be imported, the others are still tried. Some handouts contain an earlier
+    chapter without its manifest. All files of that chapter are then imported.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

@@ -1,7 +1,7 @@
-"""Remember what the running check is testing, so that a failure message can say so.
+"""Remember what a check is testing, so that its failure message can say so.
 
-Before a check calls the student's code, it stores three things: the call, the likely mistake if the
-result is wrong, and the section to read. The message shows all three if the result is wrong or the
+Before a check calls the student's code, it stores three texts: the call, the likely mistake behind
+a wrong result, and the section to read. The message shows all three if the result is wrong or the
 student's code raises an exception.
 """
 
@@ -18,10 +18,11 @@ LONG = re.compile(r"\b\d{1,5}\.\d{10,}\b(?![eE])")  # a computed number with all
 
 
 class Words(TypedDict, total=False):
-    """Texts for the failure message of one expectation, in place of those stored in ``about``.
+    """Texts for the failure message of a single expectation in a check.
 
-    Two of them replace no text: ``then`` is appended to the call, and ``unit`` follows the numbers
-    that came and were wanted. It is a unit such as "m/s", or a plural such as "contacts".
+    ``call``, ``cause`` and ``read`` replace the texts that the check has stored. ``then`` is added
+    at the end of the call. ``unit`` is written after the number that the code returned and after
+    the expected one. It can be a unit such as "m/s" or a plural such as "contacts".
     """
 
     call: str
@@ -34,8 +35,8 @@ class Words(TypedDict, total=False):
 class About:
     """The texts for a failure message: the call, the likely mistake, and the section to read.
 
-    To change only some of them, call the object with the new texts or assign to its attributes, as
-    in ``about.call += "; v.x"``.
+    A check sets them before it calls the student's code. To change only some of them, call the
+    object with the new texts, or assign to an attribute, as in ``about.call += "; v.x"``.
     """
 
     def __init__(self) -> None:
@@ -49,9 +50,9 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the call, the likely mistake and the section to read, for one expectation.
+        """Return the call, the likely mistake, and the section to read for one expectation.
 
-        Texts in ``words`` replace those that the check has stored.
+        A text in ``words`` takes the place of the one that the check has stored.
         """
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
@@ -65,14 +66,19 @@ about = About()
 
 
 def short_numbers(text: str) -> str:
-    """Round the numbers in a text that have ten decimals or more to six digits."""
+    """Shorten the computed numbers in a text, so that 0.30000000000000004 becomes 0.3.
+
+    Numbers with ten or more decimals are rounded to six significant digits. All others stay as they
+    are.
+    """
     return LONG.sub(lambda number: f"{float(number[0]):.6g}", text)
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Decorate a helper function of the checks, so that it leaves ``about`` as it was.
+    """Decorate a helper function of the checks, so that it restores ``about`` when it returns.
 
-    If the helper raises an exception, its changes stay, because the failure message needs them.
+    ``about`` holds the texts for failure messages. If the helper raises an exception, they are not
+    restored, because the failure message needs the texts of the helper.
     """
 
     @wraps(helper)

@@ -1,6 +1,6 @@
-"""Find out which of the student's functions are called in a check's expression.
+"""Find out which of the student's functions a check calls.
 
-The expression is the text that a failure message shows, such as "v.dot(w)".
+The answer comes from the expression that the failure message shows, such as "v.dot(w)".
 """
 
 from __future__ import annotations

@@ -14,7 +14,8 @@ from autograder.records import from_json, to_json
 class Check:
     """A check that is about to run, as the check process announces it.
 
-    If the check is hidden, ``rationale`` is all that students see of it.
+    ``rationale`` is None unless the check is hidden. Of a hidden check, students see only this
+    text.
     """
 
     name: str
@@ -26,16 +27,19 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """Sent when pytest has collected the checks, to list them in the order in which they run."""
+    """An event sent when pytest has collected the checks.
+
+    It lists the checks in the order in which they will run.
+    """
 
     checks: list[Check]
 
 
 @dataclass(frozen=True)
 class Importing:
-    """Sent before the check process imports one of the student's modules.
+    """An event sent before the check process imports one of the student's modules.
 
-    If the process dies now, that module is to blame.
+    If the process dies during the import, that module is to blame.
     """
 
     module: str
@@ -43,12 +47,12 @@ class Importing:
 
 @dataclass(frozen=True)
 class Imported:
-    """Sent when the import announced by the last ``Importing`` event has finished."""
+    """An event sent when an import has finished. It follows an ``Importing`` event."""
 
 
 @dataclass(frozen=True)
 class Broken:
-    """Sent if one of the student's modules cannot be imported."""
+    """An event sent if one of the student's modules cannot be imported."""
 
     module: str
     message: Message
@@ -56,14 +60,17 @@ class Broken:
 
 @dataclass(frozen=True)
 class Started:
-    """Sent when a check begins, so that we know which check to blame if the process dies."""
+    """An event sent when a check begins. If the process then dies, we know which check to blame."""
 
     name: str
 
 
 @dataclass(frozen=True)
 class Decided:
-    """Sent when a check has its verdict. The status "error" means that the grader itself failed."""
+    """An event sent when a check has its verdict.
+
+    The status "error" means that the grader failed, rather than the student's code.
+    """
 
     name: str
     status: Literal["passed", "failed", "error"]
@@ -73,7 +80,7 @@ class Decided:
 
 @dataclass(frozen=True)
 class Ended:
-    """Sent by a check process when all of its checks have ended."""
+    """An event sent by a check process after its last check."""
 
 
 Event = Checks | Importing | Imported | Broken | Started | Decided | Ended

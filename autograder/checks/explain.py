@@ -163,14 +163,14 @@ STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})'
 def explain_exception(
     error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Build the message that tells a student about an exception that ended a check.
+    """Build the message that explains to a student why an exception ended a check.
 
-    If an expectation was not met, the exception already carries its message. For any other
-    exception, the message shows the call that the check made, the exception, the student's line and
-    a likely mistake. That is the mistake behind Python's error if we recognize it, and otherwise
-    the one that the check suggests.
+    If the student's code returned a wrong value, the exception already carries its message. For any
+    other exception, the message shows the call that the check made, the exception, the student's
+    line and a likely mistake. It explains Python's error if that is a common one. Otherwise it
+    shows the mistake that the check suggests.
 
-    ``complete`` lists modules that the student calls but did not write, such as
+    ``complete`` lists modules that the student uses but did not write, such as
     ch02_vectors/arguments.py. An exception from a worker process has the attribute ``fault``.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
@@ -204,10 +204,10 @@ def explain_exception(
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Build the message that tells a student why a module cannot be imported.
+    """Build the message that explains to a student why a module cannot be imported.
 
-    ``complete`` lists the modules that the student did not write. The message never points to a
-    line in one of them, unless there is no other line.
+    ``complete`` lists the modules that the student did not write. The message points to a line in
+    one of them only if no line of the student's own is involved.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -255,9 +255,10 @@ def _unescaped(text: str) -> str:
 
 
 def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
-    """Guess the mistake behind an exception in a student's code, and a second possibility.
+    """Guess which mistake caused an exception in a student's code.
 
-    The second possibility may be empty. ``cause`` is the mistake that the check suggests.
+    Return the most likely mistake and a second possibility. Either may be an empty string.
+    ``cause`` is the mistake that the check suggests.
     """
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
@@ -276,16 +277,16 @@ def slip_of(text: str) -> str:
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether a line with an error is in code that the student was given.
+    """Return whether a line that raised an exception is in code that the student was given.
 
-    In that case the mistake is in its caller. Constructors count as given code, because students
+    The mistake is then in the code that called it. Constructors count as given, because students
     never write them.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the source code of the student's line to ``place``, to show it in the failure message.
+    """Add the text of the student's line to ``place``, so that the failure message can show it.
 
     The line comes from the first folder of the engine that contains the file.
     """

@@ -1,7 +1,7 @@
 """Describe an exception in a student's code as data that can be sent to another process.
 
-The student's code may run in a sandboxed worker process. Thanks to this description, the code that
-explains errors to students does not depend on where the exception was raised.
+The student's code may run in a sandboxed worker process. With this description, an exception can be
+explained to students in the same way wherever it was raised.
 """
 
 from __future__ import annotations
@@ -38,18 +38,18 @@ class GraderFault(BaseException):
 
 
 class StudentLeft(BaseException):
-    """Raised when student code raises something other than an Exception, such as SystemExit."""
+    """Raised if student code raises something that is not an Exception, such as SystemExit."""
 
     fault: Fault
 
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception in a student's code, described by its type, its text and the student's lines.
+    """A description of an exception in a student's code that can be sent to another process.
 
-    ``frames`` holds the lines of the traceback that are in the student's files. For a syntax error,
-    ``syntax`` holds the file, the line and the text that Python could not parse. If the exception
-    is about a missing name, ``unknown`` describes that name.
+    ``frames`` lists the lines of the traceback that are in the student's files. For a syntax error,
+    ``syntax`` holds the file, the line number and the text that Python could not parse. If the
+    exception is about a name that does not exist, ``unknown`` describes that name.
     """
 
     type: str
@@ -63,7 +63,7 @@ class Fault:
     def first_line(self) -> str:
         """The type and text of the exception, as in "ZeroDivisionError: division by zero".
 
-        A very long text is reduced to the beginning of its first line.
+        If the text has several lines, or is very long, this is only its beginning.
         """
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
@@ -72,8 +72,8 @@ class Fault:
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
     """Describe an exception as data that can be sent to another process.
 
-    Of its traceback, keep only the lines in files of ``folders``, which hold the student's code.
-    The innermost line comes last.
+    The description includes only those lines of the traceback that are in ``folders``, where the
+    student's code is. The line that raised the exception comes last.
     """
     syntax = None
     text = text_of(error)

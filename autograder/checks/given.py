@@ -26,13 +26,13 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """While the context lasts, take the code of the ``given`` chapters from our solutions.
+    """While the context lasts, use our solutions as the code of the ``given`` chapters.
 
-    The with statement yields the list of folders to search for the student's code, preceded by a
-    temporary folder that holds copies of our solutions.
+    The with statement yields the folders to search for code. The first of them is a temporary
+    folder with copies of our solutions. The folders of ``engine`` follow it.
 
     Raises:
-        ValueError: ``root`` does not have our solution of a chapter. No handout has it.
+        ValueError: ``root`` does not contain our solution of a given chapter. No handout does.
     """
     if not given:
         yield engine
@@ -65,9 +65,13 @@ def run_on_given(
 ) -> list[Verdict]:
     """Run a chapter's checks again, with our solutions in place of the student's earlier chapters.
 
-    Return the new verdicts, or an empty list if a second run would be pointless: when our solutions
-    are not available, when the student has not written any of the functions that fail, or when a
-    loop in this chapter never ends.
+    Return the new verdicts. The list is empty if a second run is impossible or would tell us
+    nothing new, because
+
+    - the student wrote no earlier chapter that this one builds on,
+    - our solutions are not available,
+    - the failures are all due to functions that are not written yet, or
+    - an endless loop in this chapter would run again.
 
     Raises:
         GraderError: The checks cannot be run.
@@ -84,8 +88,8 @@ def run_on_given(
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
     """Mark a failed check as inherited if it passes with our solutions of the earlier chapters.
 
-    ``verdicts`` are the results with the student's own earlier chapters, and ``again`` those with
-    our solutions of them.
+    ``verdicts`` come from the run with the student's own earlier chapters, and ``again`` from the
+    run with our solutions of them.
     """
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
@@ -97,11 +101,11 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Replace the verdict on each check that failed in both runs with the one from the second run.
+    """For each check that failed in both runs, keep the verdict of the second run.
 
     ``verdicts`` come from the first run, and ``again`` from the run with our solutions of the
-    earlier chapters. The second verdict explains the failure better, because only the student's
-    code in this chapter can have caused it.
+    earlier chapters. In the second run, only the student's code in this chapter can have caused a
+    failure. Its verdict therefore explains the failure better.
     """
     second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
     return [
@@ -115,8 +119,9 @@ def suspects(
 ) -> list[Chapter]:
     """List the earlier chapters that fail some of their own checks.
 
-    This is for a handout, which lacks our solutions. Without them we cannot tell which failures
-    are inherited, but we can at least warn the student that an earlier chapter may be to blame.
+    This is used in a handout. Without our solutions, we cannot tell there which failures are
+    inherited, but we can warn the student that an earlier chapter may be to blame. The list is
+    empty if the failures in ``verdicts`` are all due to functions that are not written yet.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -134,12 +139,12 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """List the earlier chapters that this one imports and whose code the student wrote."""
+    """List the earlier chapters that a chapter imports, except those that students are given."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 
 def _is_unwritten(verdict: Verdict) -> bool:
-    """Return whether a check fails only because a function of its own chapter is still a stub."""
+    """Return whether a check fails only because a function of its chapter is not written yet."""
     message = verdict.message
     return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
 
@@ -150,6 +155,6 @@ def _number(exercise: str) -> str:
 
 
 def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
-    """Return whether any of the failed checks hung in the student's code for this chapter."""
+    """Return whether a failed check got stuck in this chapter's code, as in an endless loop."""
     hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
     return any(m.where and m.where.file.startswith(f"{chapter.name}/") for m in hung)

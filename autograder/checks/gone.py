@@ -24,10 +24,11 @@ Defined = Callable[[str], set[str] | None]
 def explain_gone(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """Rewrite the message of a check that failed because the student removed a function.
+    """Explain a failed check to a student who has deleted or renamed a function.
 
-    ``edits`` maps each exercise to the full names of the functions that students write for it, such
-    as vector.Vector3.dot. If a check failed for any other reason, its message stays the same.
+    ``edits`` lists for each exercise the full names of the functions to write, such as
+    vector.Vector3.dot. ``defined`` returns the names that a module defines. If the check failed for
+    any other reason, its message stays the same.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -43,7 +44,7 @@ def _candidates(
 ) -> list[tuple[str, str]]:
     """List the functions that the student may have deleted or renamed, each with its exercise.
 
-    Those that Python's error mentions come first, followed by those that the check has called.
+    The functions that Python's error mentions come first, followed by those that the check calls.
     """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
@@ -68,7 +69,7 @@ def _names(says: str, name: str) -> bool:
 def _words(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Tell the student that a function was deleted or renamed, and how to restore it."""
+    """Write the advice for a student who has deleted or renamed a function: how to restore it."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
     if prefix and not any(name.startswith(prefix) for name in there):
         short = own_name(f"{module}.{path}")

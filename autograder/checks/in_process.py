@@ -1,8 +1,8 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-This is how checks run on a student's own machine. Even there, the student's code can import only
-the modules and perform only the operations that the grader allows. Otherwise, code that works at
-home could fail when it is graded.
+This is how checks run on a student's own machine. The student's code can import only the modules
+and perform only the operations that the grader allows. Otherwise, code that works at home could
+fail when it is graded.
 """
 
 from __future__ import annotations
@@ -76,14 +76,17 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Give the student's code the restrictions and the environment that it has when graded."""
+        """Give the student's code the same restrictions and environment as when it is graded."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Exclude all present objects from garbage collection, so that forks share more memory."""
+        """Exempt all objects that exist now from garbage collection.
+
+        Forked copies of this process can then share more memory with it.
+        """
         gc.freeze()
 
     def _import(self, module: str) -> None:
@@ -106,14 +109,14 @@ class InProcess:
         return read_definitions(file)
 
     def start(self) -> None:
-        """Start a check's time limit, and begin to capture what the student's code prints."""
+        """Start the time limit of a check, and begin to capture what the student's code prints."""
         self.depth.adapt(CALLS)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - closed by stop
         sys.stdout = sys.stderr = CappedText(self.printed.append)
         self.start_clock()
 
     def stop(self) -> str:
-        """Cancel a check's time limit, and return what the student's code has printed."""
+        """Cancel the time limit of a check, and return what the student's code has printed."""
         self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams

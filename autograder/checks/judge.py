@@ -1,4 +1,7 @@
-"""Start a process that runs checks on a student's code, read what it prints, and end it."""
+"""Run the checks of a student's code in a separate process.
+
+This module starts the process, reads what it prints, and kills it if it hangs.
+"""
 
 from __future__ import annotations
 
@@ -38,9 +41,9 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """While the context lasts, stop the check processes of all threads and start no new ones.
+    """Stop the check processes of all threads, and start no new ones while the context lasts.
 
-    Every run of checks that is stopped raises GraderError.
+    Each run of checks that is stopped raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -52,7 +55,7 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return whether a thread is currently using ``stopping`` to stop all check processes."""
+    """Return whether a thread is using ``stopping`` now, so that no check process may run."""
     return _stopping.is_set()
 
 
@@ -119,7 +122,7 @@ class Judge:
 
 @dataclass(frozen=True)
 class Ending:
-    """How a check process ended and, as far as we know, why.
+    """How a check process ended and, if known, why.
 
     If the process ran out of time, ``stack`` shows what it was doing at that moment. ``silent`` is
     true if it stopped responding and had to be killed. ``stderr`` is the last part of its standard
@@ -132,16 +135,17 @@ class Ending:
     stderr: str = ""
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
-        """Tell the student why the check that was running when the process ended did not finish."""
+        """Explain to the student why the process ended before the current check had finished."""
         if self.stack or self.silent:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)
 
 
 def judge(run: Run) -> Ending:
-    """Start a process that runs the checks still without a verdict, and wait for it to end.
+    """Run the checks that have no verdict yet in a new process, and report how the process ended.
 
-    The process reports its progress line by line, and each line is passed to ``run``.
+    The process prints one line per event, such as the start of a check. Each line is passed to
+    ``run`` as soon as it arrives.
     """
     order, silent = run.order, False
     # On Windows the files of a process stay locked for a moment after its end.
@@ -199,10 +203,10 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment variables with which a check process starts.
+    """Return the environment variables for a check process.
 
-    They keep pytest from loading plugins that happen to be installed on the user's machine, because
-    these could change how the checks run.
+    They keep pytest from loading the plugins and options of the user's machine, which could change
+    how the checks run.
     """
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {

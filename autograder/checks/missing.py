@@ -1,7 +1,7 @@
-"""Placeholders for what a student's file should define but does not.
+"""Placeholders for functions and classes that are missing from a student's file.
 
-They let the checks of a chapter load even if the student's file lacks a function or cannot be
-imported. Only a check that uses the missing name then fails, and its message says why.
+With these placeholders, a chapter's checks can be loaded even if the file lacks a function or
+cannot be imported. Only a check that uses the missing name then fails, and its message says why.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class MissingName:
-    """A function or class that should be defined in a student's module but is not.
+    """A function or class that a student's module should define but does not.
 
     ``nearest`` is the most similar name that the module does define.
     """
@@ -50,15 +50,15 @@ def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
 
 
 def file_of(module: str) -> str:
-    """Turn a module's name into its file as students know it, such as ch02_vectors/vector.py."""
+    """Turn a module's name into the path that students know, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
     """Create a placeholder for a student's module that cannot be imported.
 
-    The checks can still import any name from it. A check that calls the name ends with the message
-    ``why``.
+    The checks can still import any name from it. As soon as a check calls such a name, it ends with
+    the message ``why``.
     """
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
@@ -66,9 +66,10 @@ def broken_module(name: str, why: Message) -> ModuleType:
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Create a module-level __getattr__ with which the checks can import names that do not exist.
+    """Create a __getattr__ for a module, so that checks can import names that it does not define.
 
-    A check that calls such a name ends with a message that the student's module does not define it.
+    As soon as a check calls such a name, it ends with a message that the student's module does not
+    define it.
     """
     is_empty = all(name.startswith("__") for name in vars(module))
 
@@ -80,7 +81,7 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Build the message for a student's module that hung or ended the process during its import."""
+    """Build the message for a module that hung or ended the process when it was imported."""
     return Message(
         f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,
@@ -89,7 +90,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a class that stands in for a function that does not exist, and fails when called."""
+    """Create a class that stands for a missing name, and raises MissingNameError if called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

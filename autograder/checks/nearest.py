@@ -1,7 +1,8 @@
 """Guess which name a student meant when the code uses one that does not exist.
 
-Python's error contains only the missing name. Only the process that ran the student's code knows
-which names exist, so that process finds the most similar one and reports it as plain data.
+Python's error contains only the missing name. The names that do exist are known only in the process
+that ran the student's code. That process therefore finds the most similar one and reports it as
+plain data.
 """
 
 from __future__ import annotations
@@ -30,9 +31,9 @@ class Unknown:
     """A name or attribute that the student's code uses but that does not exist.
 
     Attributes:
-        of: The type or file that lacks the name, or empty for a plain variable.
+        of: The type or file that lacks the name. It is empty for a variable.
         nearest: The most similar name that exists.
-        slots: After an assignment to an attribute that the object cannot have, those it can have.
+        slots: If the code assigned to the attribute, the attributes that the object may have.
         module: Whether the name is a standard library module that was not imported.
     """
 
@@ -65,7 +66,7 @@ def unknown_of(error: BaseException) -> Unknown | None:
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
     """Find the name in ``there`` that is most similar to ``name``, to suggest it to the student.
 
-    If no name is similar enough, return an empty string. Dunder names such as __init__ are never
+    Return an empty string if no name is similar enough. Special names such as __init__ are never
     suggested.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
@@ -166,7 +167,7 @@ def _slots(kind: type) -> list[str]:
 
     If the class accepts any attribute, the list is empty. A private slot such as _damping is listed
     only if there is a property named damping, because other private slots are internal to the
-    class. If that leaves no slots, all of them are returned.
+    class. If all slots are private and none has a property, all of them are listed.
     """
     if kind.__dictoffset__:
         return []

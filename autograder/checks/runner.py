@@ -30,9 +30,9 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory diff
 
 @dataclass(frozen=True)
 class Limits:
-    """How many seconds a single check may take, and how many all checks of a chapter together.
+    """The time limits, in seconds, for a single check and for all checks of a chapter together.
 
-    The limit for a check is generous, since most checks finish within milliseconds.
+    The limit for a single check is generous, since most checks finish within milliseconds.
     """
 
     check: float = 3.0
@@ -43,7 +43,7 @@ Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
-    """Raised when checks could not be run for reasons unrelated to the student's code."""
+    """Raised when the checks could not be run, for reasons unrelated to the student's code."""
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,8 @@ class Order:
 
     ``engine`` lists the folders to search for the student's code. If several of them have a module,
     the first one wins. ``behind`` describes the sandbox for the student's code. If it is None, the
-    code runs in the same process as the checks, and ``apart`` says whether each exercise's checks
-    run in a forked copy of it.
+    code runs in the same process as the checks. ``apart`` then says whether each exercise's checks
+    run in a forked copy of that process.
     """
 
     chapter: Chapter
@@ -142,15 +142,15 @@ class Run:
     def limit(self) -> float:
         """The number of seconds that the next check may take.
 
-        Once a function has hung twice, the limit is shorter than usual, so that the student does
-        not have to wait out the same endless loop again and again.
+        Once a function has hung twice, the limit is shorter than usual. Otherwise, the student
+        would have to wait out the same endless loop again and again.
         """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
-        """The number of verdicts so far, and the number of modules known to be broken.
+        """How many verdicts there are so far, and how many modules are known to be broken.
 
         If a process ends and neither number has grown, starting another process is pointless.
         """
@@ -177,7 +177,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Assemble the configuration for the next process, without the checks already decided."""
+        """Build the configuration of the next process, which skips checks that have a verdict."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -219,7 +219,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record that a check or an import was cut short because it hung or the process ended."""
+        """Record that a check or an import did not finish, because it hung or ended the process."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return
@@ -264,11 +264,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Record that a check of this exercise hung, so that we can skip checks likely to hang too.
+        """Record that a check of this exercise hung, and skip checks that would probably hang too.
 
-        If a check of one of its prerequisites hung before, the remaining checks of this exercise
-        fail without running, because they would most likely get stuck in the same loop until their
-        time is up.
+        These are the remaining checks of this exercise, if a check of one of its prerequisites hung
+        before. They would most likely get stuck in the same loop, so they fail without running.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")

@@ -1,6 +1,6 @@
-"""Tell the student's code from ours, and find out which of the two made the current call.
+"""Find out whether the student's code, rather than ours, made the current call.
 
-At home, the autograder blocks some imports and operations for the student's code only.
+On the student's machine, some imports and operations are blocked for the student's code only.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """List for each chapter's folder the files that will also exist in the grader.
+    """List, for the folder of each chapter, the files that will also exist in the grader.
 
-    These are the files that students hand in, plus the ones that we supply.
+    These are the files that students hand in and the ones that we supply.
     """
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
 
 class StudentsCode:
-    """Recognizes whether the code in a file is the student's, by the folder that the file is in.
+    """Recognizes the student's code by the folder that contains its file.
 
-    ``graded`` maps each chapter's folder to the files that the grader has too. A chapter that is
-    not in ``graded`` has no such restriction. ``ours`` lists files in these folders that the
-    student did not write, such as ch06_springs/cloth.py.
+    ``graded`` lists, for the folder of each chapter, the files that the grader has too. If a folder
+    is not in ``graded``, all of its files count as graded. ``ours`` lists files that are in the
+    student's folders but were not written by the student, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -49,10 +49,10 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """Treat the code in other folders as the student's from now on.
+        """From now on, treat the code in other folders as the student's.
 
-        The restrictions on imports and operations stay in force. In a browser, one process runs the
-        checks again and again, and there the restrictions can be set up only once.
+        The browser needs this. There, a single process runs the checks again and again, and it can
+        set up the restrictions on imports and operations only once.
         """
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
@@ -62,8 +62,8 @@ class StudentsCode:
     def is_calling(self) -> bool:
         """Return whether the student's code made the current call, such as a call of open.
 
-        The caller is the first function on the stack that is not part of Python's library. Python's
-        own steps during an import do not count as calls by the student.
+        The caller is the first function on the stack that is not part of Python's library. The
+        steps that Python itself performs during an import do not count as calls by the student.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -87,8 +87,8 @@ class StudentsCode:
     def is_graded(self, package: str, file: str) -> bool:
         """Return whether a file in the folder of a chapter will also exist in the grader.
 
-        ``package`` is the name of the folder, such as ch02_vectors. Probes always exist in the
-        grader, because they belong to our checks.
+        ``package`` is the name of the folder, such as ch02_vectors. Files that end in probes.py
+        always count as graded, because they belong to our checks.
         """
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")

@@ -1,8 +1,8 @@
 """Give a student's code at home the same environment as when it is graded.
 
-The code runs in the root folder, with no command-line arguments and none of the user's environment
-variables. The limits on memory and recursion are the grader's, so a program that needs too much of
-either also fails at home.
+The code runs in the folder /, with no command-line arguments and without the user's environment
+variables. Memory and the depth of recursion are limited as in the grader. A program that needs too
+much of either therefore fails at home too.
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ def leave_home() -> None:
 class Depth:
     """Lets a student's code recurse exactly as deeply as it could when it is graded.
 
-    When the student's code is called at home, the stack may already be deeper than it would be in
-    the grader. The recursion limit is raised by the difference.
+    At home, more functions may already be running when a check calls the student's code. To make up
+    for these, the recursion limit is raised by the difference.
     """
 
     def __init__(self, deepest: int = DEPTH) -> None:

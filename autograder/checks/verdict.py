@@ -1,4 +1,4 @@
-"""The verdict on a check, and the prerequisites that decide whether its exercise is blocked."""
+"""The verdict on a check, and the prerequisites that decide whether an exercise is blocked."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Collect the exercises that must work before this one can, directly or indirectly."""
+    """Collect all prerequisites of an exercise, whether it needs them directly or indirectly."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 
@@ -48,12 +48,12 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def asked_for(chapter: Chapter) -> list[str]:
-    """List the exercises that students are required to do, along with their prerequisites."""
+    """List the exercises that students must do, together with all of their prerequisites."""
     return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Change a verdict from failed to blocked if the exercise builds on one that still fails.
+    """Change each failed verdict to blocked if its exercise builds on one that still fails.
 
     Only the physics checks of a prerequisite matter here, not its robust checks. A check that
     passes although its exercise is blocked keeps its verdict and its points.

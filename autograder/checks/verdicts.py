@@ -1,7 +1,7 @@
 """Run the checks with pytest, and report each verdict as soon as it is known.
 
-The runner starts this program as ``python -m autograder.checks.verdicts FILE`` and reads one JSON
-object from each line of its output. These objects list the checks, and say when each check starts
+The runner starts this program as ``python -m autograder.checks.verdicts FILE``, and reads one JSON
+object from each line of its output. The objects list the checks, and report when each check starts
 and how it ends. The verdicts come from pytest's own reports, because the student's code could print
 anything.
 """
@@ -65,11 +65,11 @@ class Recorder:
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Finish preparing to run the student's code, now that pytest has collected all checks."""
+        """Get ready to run the student's code, now that pytest has collected all checks."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """Print to stderr, where the runner reads it, why a file of checks cannot be imported."""
+        """If a file of checks cannot be imported, print the reason to stderr for the runner."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
@@ -179,9 +179,9 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Remove the folders that contain the student's code from the paths in a message.
+        """Shorten the paths in a message by removing the folders that hold the student's code.
 
-        These folders are different on the student's machine and in the grader.
+        These folders differ between the student's machine and the grader.
         """
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")

@@ -1,6 +1,6 @@
-"""Find out from the command line which exercises an instructor's command is about.
+"""Find out which exercises an instructor's command is about.
 
-The instructor names either an assignment of the course file or some chapters.
+On the command line, the instructor names either an assignment of the course file or some chapters.
 """
 
 from __future__ import annotations
@@ -26,10 +26,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Find the assignment, or the chapters, that an instructor has named on the command line.
+    """Work out which exercises an instructor has selected on the command line.
 
-    With ``handed_out``, the given chapters come in addition to the chapters to write, as in `make
-    handout`. Otherwise they are some of the selected chapters, which by default are all chapters.
+    The options name either an assignment of the course file or some chapters. With ``handed_out``,
+    as in `make handout`, the given chapters are added to the selected ones. Otherwise they are some
+    of the selected chapters, and all chapters are selected if none are named.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

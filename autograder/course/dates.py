@@ -29,10 +29,10 @@ def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
 def read_time(
     value: Any, path: Path, zone: tzinfo | None, mistakes: Mistakes, *, is_zone_wrong: bool = False
 ) -> datetime | None:
-    """Read a due date or the date of an extension from the course file, and give it a time zone.
+    """Read the time at which an assignment or an extension is due, and give it a time zone.
 
-    A time without a UTC offset is taken to be in ``zone``, the time zone of the course. An invalid
-    time is recorded as a mistake in the course file, and the result is then None.
+    A time without a UTC offset is taken to be in ``zone``, the time zone of the course. If the time
+    is invalid, record a mistake in the course file and return None.
     """
     key = path[-1]
     example = "2026-10-23T23:59:00+02:00"
@@ -84,7 +84,7 @@ def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
 
 
 def deadline_from_json(data: dict[str, Any]) -> Deadline:
-    """Create a deadline from the data that ``deadline_to_json`` stored."""
+    """Convert the result of ``deadline_to_json`` back to a deadline."""
     policy = LatePolicy(**data["policy"]) if data["policy"] else None
     extensions = {name: _from_text(text) for name, text in data["extensions"].items()}
     return Deadline(_from_text(data["due"]), policy, extensions)

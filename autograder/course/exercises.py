@@ -18,8 +18,8 @@ from autograder.scores import possible, shown
 class Chosen:
     """The exercises that an assignment consists of, grouped by chapter.
 
-    The ``given`` chapters are handed out complete. ``earlier`` lists the exercises from earlier
-    assignments that this assignment builds on.
+    The ``given`` chapters are handed out complete. ``earlier`` lists exercises of earlier
+    assignments that this one builds on.
     """
 
     chapters: list[Chapter]
@@ -30,7 +30,7 @@ class Chosen:
 class Chooser:
     """Finds out which exercises an assignment consists of, from its table in the course file.
 
-    Mistakes in the table are recorded in ``mistakes``. ``before`` contains the exercises of all
+    Mistakes in the table are collected in ``mistakes``. ``before`` contains the exercises of all
     earlier assignments, because this one may build on them.
     """
 
@@ -50,9 +50,10 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Determine the exercises of the assignment.
+        """Work out which exercises an assignment of the course file contains.
 
-        The result is valid only if no mistakes in the course file were recorded.
+        Check afterwards whether any mistakes in the course file were recorded. If so, the list of
+        exercises may be incomplete.
         """
         given = self._chapters("given")
         listed = self._ids("exercises")
@@ -85,9 +86,9 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Read a list of exercise ids from the course file, and record unknown ones as mistakes.
+        """Read the list of exercise ids under a key of the course file, such as "extra_credit".
 
-        The ids are listed under a key such as "extra_credit".
+        An id that does not exist or is listed twice is recorded as a mistake.
         """
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
@@ -101,9 +102,9 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Read a list of chapter numbers from the course file, and return those chapters.
+        """Return the chapters that are listed under a key of the course file, such as "given".
 
-        Numbers of unknown chapters are skipped and recorded as mistakes.
+        A number that belongs to no chapter is skipped and recorded as a mistake.
         """
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
@@ -138,16 +139,20 @@ class Chooser:
         return [name for name in self.home if name in earlier]
 
     def _below(self, chapter: Chapter) -> list[Chapter]:
-        """List the earlier chapters whose code a chapter imports."""
+        """List the earlier chapters whose code a chapter imports.
+
+        A manifest names them in ``builds_on``. If it does not, all earlier chapters are listed.
+        """
         earlier = [other for other in self.chapters if other.number < chapter.number]
         numbers = chapter.builds_on
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Find the key of the course file, such as extra_credit, under which an exercise is listed.
+        """Find the key of the course file that makes an exercise part of the assignment.
 
-        A message about a mistake points to the line of that key. An exercise that is not listed by
-        itself belongs to the assignment because of its chapter, so its key is "chapters".
+        It is "exercises" or "extra_credit" if the exercise is listed there. Otherwise its whole
+        chapter was assigned, and the key is "chapters". A message about a mistake points to the
+        line of that key.
         """
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
@@ -155,9 +160,10 @@ class Chooser:
         )
 
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
-        """Determine how many points each exercise is worth in this assignment.
+        """Work out how many points each exercise is worth in this assignment.
 
-        The table ``points`` in the course file overrides the points of the manifests.
+        The points of the manifests apply, unless the table ``points`` in the course file has other
+        ones. If the assignment has an ``out_of``, all points are then scaled to that total.
         """
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)
@@ -179,9 +185,9 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points of the exercises to the total that the course file sets as ``out_of``.
+        """Scale the points of the exercises, so that they add up to ``out_of`` in the course file.
 
-        Without an ``out_of``, the points stay as they are.
+        If the assignment has no ``out_of``, the points stay as they are.
         """
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")
@@ -200,6 +206,6 @@ class Chooser:
 
 
 def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
-    """Reduce a chapter to the assigned exercises, or return None if it has none of them."""
+    """Return a copy of a chapter with only the assigned exercises, or None if there are none."""
     mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
     return replace(chapter, exercises=mine) if mine else None

@@ -18,9 +18,9 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a chapter with all of its exercises, as the students of an assignment receive it.
+    """Return a chapter as the students of an assignment receive it, with all of its exercises.
 
-    The exercises in ``assigned`` have the assignment's points, and all the others become optional.
+    The exercises in ``assigned`` have the points of the assignment. All others become optional.
     """
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]
@@ -51,8 +51,7 @@ def _entry(text: str, chapter: Chapter) -> str:
 def about(work: Work, root: Path = ROOT) -> str:
     """Write the README section about an assignment: its due date, its exercises and their points.
 
-    The result is "" if the instructor selected chapters rather than an assignment of the course
-    file.
+    Return an empty string if the instructor selected some chapters instead of an assignment.
     """
     if not work.name:
         return ""

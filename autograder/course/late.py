@@ -13,7 +13,7 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """When a student handed in a submission, according to a platform such as Gradescope.
+    """When a student handed in a submission, and the platform or file that says so.
 
     Canvas does not give the time. It only says whether the submission was ``late``.
     """
@@ -41,9 +41,9 @@ def days_late(due: datetime, submitted: datetime) -> int:
 def _end(time: datetime) -> datetime:
     """Return the last moment at which a clock shows this local time.
 
-    A day of lateness ends at that moment. When the clocks go back, some times occur twice. When
-    they go forward, some are skipped. For those we return the moment at which they would have
-    occurred.
+    A late day ends at that moment. When the clocks go back, some times occur twice, and the second
+    occurrence counts. When the clocks go forward, some times are skipped. Such a time is converted
+    as if the clocks had not changed yet.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
@@ -65,8 +65,8 @@ def late_of(
     """Compute how late a submission is and how many points that costs, and explain why.
 
     ``names`` lists the students who handed it in together. If some of them have an extension, the
-    latest of their due dates applies to the whole group. If we do not know when the work was handed
-    in, there is no penalty.
+    latest of their due dates applies to all. There is no penalty if the time of the submission is
+    unknown.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))

@@ -60,7 +60,7 @@ class Mistakes:
     def value(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> Any:
         """Read the value of a key in the course file, or return None if it is missing or invalid.
 
-        A value of the wrong type is recorded as a mistake, but a missing key is not.
+        If the value has the wrong type, record a mistake. A missing key is not a mistake.
         """
         value = table.get(key)
         if value is None or type(value) is kind:
@@ -71,7 +71,7 @@ class Mistakes:
     def items(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> list[Any]:
         """Read a list from the course file, and return the items that have the right type.
 
-        Items of any other type are recorded as mistakes.
+        Each item of any other type is recorded as a mistake.
         """
         value = self.value(table, path, key, list) or []
         for item in value:
@@ -81,9 +81,9 @@ class Mistakes:
         return [item for item in value if type(item) is kind]
 
     def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
-        """Read a positive number from the course file, or return None if there is none.
+        """Read a positive number from the course file, or return None if it is missing or invalid.
 
-        Any other value is recorded as a mistake. A missing key is not.
+        If the value is anything else, record a mistake. A missing key is not a mistake.
         """
         value: Any = table.get(key)
         if type(value) in (int, float) and 0 < value <= LARGEST:
@@ -96,7 +96,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Format a value as the instructor would write it in a TOML file, truncated if it is long."""
+    """Format a value as the instructor would write it in a TOML file. A long one is cut off."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)

@@ -16,9 +16,9 @@ from autograder.manifest import Chapter
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """How many points a late submission loses per day, and the most it can lose.
+    """How many points a submission loses for each day that it is late, and the most it can lose.
 
-    Any part of a day counts as a full day. If ``unit`` is "percent", the numbers are percentages of
+    A part of a day counts as a full day. If ``unit`` is "percent", the numbers are percentages of
     the points that the assignment is worth.
     """
 
@@ -28,7 +28,10 @@ class LatePolicy:
 
     @property
     def words(self) -> str:
-        """The penalty for late work, described in a sentence for students."""
+        """The penalty for late work, described in a sentence for students.
+
+        One example is "Each day or part of a day costs 2 points."
+        """
         of = "percent of the points possible" if self.unit == "percent" else "points"
         cap = "" if self.cap is None else f", and at most {self.cap:g} {self.unit} in all"
         return f"Each day or part of a day costs {self.per_day:g} {of}{cap}."
@@ -36,10 +39,10 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """When an assignment is due, including the later due dates of students with an extension.
+    """When an assignment is due, and the penalty for late work.
 
-    Every time has a time zone. Without a late policy, the reports still say how late a submission
-    is, but it loses no points.
+    ``extensions`` has the later due dates of individual students. Every time has a time zone.
+    Without a late policy, the reports still say how late a submission is, but it loses no points.
     """
 
     due: datetime
@@ -49,11 +52,12 @@ class Deadline:
 
 @dataclass(frozen=True)
 class Work:
-    """One assignment: the exercises that students have to do, and how they are graded.
+    """An assignment: the exercises that students have to do, and how they are graded.
 
-    ``chapters`` contain only the assigned exercises, with what they are worth in this assignment.
-    The ``given`` chapters are handed out complete. ``earlier`` lists exercises from earlier
-    assignments that this one builds on. ``roster`` is the path of the class list.
+    ``chapters`` contain only the assigned exercises, with their points in this assignment. The
+    ``given`` chapters are handed out complete. ``earlier`` lists exercises from earlier assignments
+    that this one builds on. ``hidden`` is the folder of hidden checks. ``roster`` is the path of
+    the class list.
     """
 
     name: str

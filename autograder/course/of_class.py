@@ -23,10 +23,10 @@ from autograder.submissions.find import Submission
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, submissions: list[Submission]
 ) -> tuple[dict[str, Late], list[str]]:
-    """Compute how late each student of a class handed in the work, and what that costs.
+    """Compute for each student of a class how late the work is, and how many points that costs.
 
-    The second result is a list of notes for the instructor, which say for example which submission
-    times are unknown.
+    Return this together with a list of notes for the instructor. A note may say, for example, that
+    some submission times are unknown.
 
     Raises:
         ValueError: A file with the times of the submissions is not valid.
@@ -70,7 +70,7 @@ def _some(names: list[str]) -> str:
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Compute how late a submission to Gradescope is, from the metadata that Gradescope provides.
+    """Compute how late a submission to Gradescope is, from Gradescope's own metadata.
 
     A submission can have several authors. If the course file gives one of them an extension, by
     name or by e-mail address, the extension applies to the whole group.
@@ -97,8 +97,8 @@ def points_of(chapters: Iterable[Chapter]) -> float:
 def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
     """Scale the marks for written answers to the points that the assignment gives for them.
 
-    Instructors mark by our rubrics, whose points add up to those in the manifest, but an assignment
-    may give more or fewer points for the same exercise.
+    Instructors mark by our rubrics, which add up to the points in the manifest. An assignment may
+    give more or fewer points for the same exercise.
     """
     rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
     assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}

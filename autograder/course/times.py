@@ -27,10 +27,11 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 
 
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
-    """Find out when each student handed in the work, as far as that is known.
+    """Find out when each student handed in the work.
 
-    If several files give a time for the same student, times.csv takes precedence, because the
-    instructor writes it. A time without a time zone is taken to be in ``zone``.
+    Students whose time is unknown are left out of the result. If several files give a time for the
+    same student, the one in times.csv counts, because the instructor writes that file. A time in
+    times.csv without a time zone is taken to be in ``zone``.
 
     Raises:
         ValueError: A file is not valid. The message says which lines are wrong.
@@ -52,9 +53,9 @@ def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[
 
 
 def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the submission times that the instructor has entered in times.csv.
+    """Yield the students and submission times that the instructor has listed in times.csv.
 
-    That file has the columns student and submitted.
+    The file has two columns, student and submitted.
     """
     if not path.exists():
         return
@@ -89,7 +90,7 @@ def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the folder and the time of each submission, from the metadata of Gradescope."""
+    """Yield the folder and the time of each submission, as recorded by Gradescope."""
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
@@ -101,7 +102,7 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield each student's repository and submission time from the grades of GitHub Classroom."""
+    """Yield each student's repository and submission time, as recorded by GitHub Classroom."""
     path = folder / OF_GITHUB
     if not path.is_file():
         return
@@ -114,7 +115,7 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
-    """Yield for each submission from Canvas whether it was late.
+    """Yield the file of each submission from Canvas, and whether it was late.
 
     Canvas marks late submissions in the file name, but does not say when they were handed in.
     """
@@ -124,7 +125,7 @@ def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _time(value: Any) -> datetime | None:
-    """Parse a submission time as a platform writes it, or return None if the value is not a time.
+    """Parse a submission time from a platform, or return None if the value is not a time.
 
     A time without a time zone is taken to be in UTC, which is what platforms use.
     """
@@ -136,10 +137,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """While the context lasts, read a file with submission times that may not be valid CSV or YAML.
-
-    An error then names the file.
-    """
+    """While the context lasts, add the file's name to any error about invalid CSV or YAML."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
@@ -148,5 +146,8 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _key(name: str) -> str:
-    """Normalize the accented letters in a student's name, so that two encodings compare equal."""
+    """Normalize a student's name, so that it can be compared with the names in other files.
+
+    An accented letter can be encoded in two ways, which this function makes the same.
+    """
     return unicodedata.normalize("NFC", name.strip())

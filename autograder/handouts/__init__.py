@@ -1,1 +1,1 @@
-"""What students receive: the handout, with stubs that are generated from the solutions."""
+"""Build the handout, the folder that students receive, with stubs made from our solutions."""

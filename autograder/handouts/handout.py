@@ -61,7 +61,7 @@ This folder has the original stubs, which `make reset` restores. Do not edit or 
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files in a handout that students use but do not write, such as the Makefile."""
+    """Yield the files of a handout that students use but do not write, such as the Makefile."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -74,7 +74,7 @@ def make_handout(
 
     Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
     code without checks. If ``chapters`` contain only some of the exercises in a manifest, the
-    others are marked as optional. ``about`` is the text about the assignment for the README. The
+    others are marked as optional. ``about`` is a section about the assignment for the README. The
     folder ``out`` must be new or empty.
 
     Raises:
@@ -104,7 +104,7 @@ def make_handout(
 
 
 def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, about: str) -> None:
-    """Copy or generate every file that students receive, in the folder ``out``."""
+    """Copy or generate every file of a handout into the folder ``out``."""
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
@@ -141,9 +141,10 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 
 
 def _remove_dead_links(out: Path) -> None:
-    """Turn a link on a handout's pages into plain text if the linked file is not in the handout.
+    """Replace each dead link on a handout's pages with plain text.
 
-    One example is a link to the lesson of a later chapter, which students have not received.
+    A link is dead if the handout does not contain the linked file, such as the lesson of a later
+    chapter.
     """
     for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")
@@ -155,7 +156,7 @@ def _remove_dead_links(out: Path) -> None:
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write a chapter's manifest and its table of exercises, with the points of this assignment."""
+    """Write a chapter's manifest and table of exercises, with the points of this assignment."""
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):
@@ -168,7 +169,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab into a handout, without scenes of chapters that students do not receive."""
+    """Copy the lab into a handout, without the scenes of chapters that students do not receive."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

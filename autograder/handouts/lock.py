@@ -1,6 +1,6 @@
 """Read stubs.lock, which stores a hash of every file that students start from.
 
-As long as the hash of a stub matches, nobody has edited the stub.
+If the hash of a stub still matches, nobody has edited the stub.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def stub_hash(text: str) -> str:
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Read stubs.lock, and return the hash of each file listed there, keyed by the file's path.
+    """Return the hashes in stubs.lock, as a dictionary from each file's path to its hash.
 
     If there is no stubs.lock, the result is empty.
     """

@@ -28,10 +28,10 @@ KEPT = "stubs"  # the folder of a handout with the original stubs
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Generate the text of every file that students start from, keyed by its path in the project.
+    """Generate the text of every file that students start from.
 
-    A path looks like chapters/ch02_vectors/vector.py. Besides Python stubs, there are answers.md
-    without the model answers, and data files that contain only the names of the columns.
+    The keys of the result are paths such as chapters/ch02_vectors/vector.py. The files are Python
+    stubs, answers.md without the model answers, and data files with only the names of the columns.
     """
     stubs = {}
     for chapter in load_chapters(root):
@@ -62,7 +62,7 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
 def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
     """Generate a stub from the text of a solution.
 
-    The stub is cached, because parsing the solution with libcst is slow.
+    The result is cached, because parsing the solution with libcst is slow.
     """
     return stub_module(source, dict(messages))
 
@@ -70,9 +70,8 @@ def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
     """Return the original stub of a module, as it was before the student edited it.
 
-    Where our solutions are available, the stub is generated from them. A handout has no solutions
-    and keeps a copy of each original stub in a separate folder instead. If there is no copy either,
-    the result is None.
+    Where our solutions are available, the stub is generated from them. A handout has no solutions,
+    but it keeps a copy of each original stub. If there is no copy either, the result is None.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -83,8 +82,7 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
     """Write all stubs and stubs.lock, without overwriting any stub that somebody has edited.
 
-    Return two lists of paths: the stubs that were written, and the edited ones that were left
-    alone.
+    Return the paths of the stubs that were written, and the paths of the edited ones.
     """
     locked = read_lock(root)
     written, left_alone = [], []
@@ -121,7 +119,7 @@ def stale_stubs(root: Path = ROOT) -> list[str]:
 def complete_hashes(root: Path = ROOT) -> dict[str, str]:
     """Compute a hash of each module that students use without changing it, such as cloth.py.
 
-    The hashes are keyed by the path of the module in the project.
+    The keys of the result are paths such as chapters/ch06_springs/cloth.py.
     """
     files = [
         root / "chapters" / chapter.name / name
@@ -137,8 +135,7 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 def _read(file: Path) -> str | None:
     """Return the text of a stub in chapters/, or None if the file does not exist.
 
-    Bytes that are not valid UTF-8 are replaced. A stub that contains such bytes then counts as
-    edited.
+    Any bytes that are not valid UTF-8 are replaced, so such a file later counts as edited.
     """
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
@@ -146,11 +143,11 @@ def _read(file: Path) -> str | None:
 def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = ()) -> str:
     """Turn the source of a solution into a stub by removing the bodies that students write.
 
-    ``messages`` maps the name of each such function, such as ``Vector3.dot``, to the message that
-    its stub raises. Once the bodies are gone, some helpers are no longer used and would give the
-    solution away. So private helpers, constants and imports that only those bodies used are removed
-    too. A public helper stays but loses its body. Public constants stay, because docstrings mention
-    them. The functions in ``kept`` always keep their bodies.
+    ``messages`` maps the name of each such function, such as ``Vector3.dot``, to the error message
+    that its stub raises. Private helpers, constants and imports that only these bodies used are
+    removed too, since they would give the solution away. A public helper that only these bodies
+    used stays, but loses its body. Public constants stay, because docstrings mention them. The
+    functions in ``kept`` always keep their bodies.
 
     Raises:
         ValueError: The module does not define one of the names.
@@ -177,9 +174,9 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Compose the error message of each stub, such as "Exercise B2.1: Copy, clear and invert".
+    """Return the error message of each stub, such as "Exercise B2.1: Copy, clear and invert".
 
-    The messages are keyed by the name of the function, such as Vector3.copy.
+    The keys are the names of the functions, such as Vector3.copy.
     """
     prefix = file.removesuffix(".py") + "."
     return {
@@ -193,11 +190,11 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Find the helpers of a solution that nothing uses any more, now that some bodies are removed.
+    """Find the helper functions of a solution that nothing uses once some bodies are removed.
 
-    Each helper gets the message of a function that used it. If several functions share a short
-    name, such as the methods of a Protocol, we cannot know which of them a body used, so all of
-    them stay.
+    Each helper gets the error message of a function that used it. A helper always stays if other
+    functions have the same short name, such as the methods of a Protocol. We cannot tell which of
+    them a body used.
     """
     short_names = [_short(name) for name in defined]
     return {
@@ -236,7 +233,10 @@ def _used_names(source: str) -> set[str]:
 
 
 def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return _NAME if a statement defines a private constant, as in ``_NAME = 3``, or else None."""
+    """Return the name of the private constant that a statement such as ``_NAME = 3`` defines.
+
+    For any other statement, return None.
+    """
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
@@ -246,9 +246,9 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
 
 
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
-    """Replace the body of each function named in ``messages`` with a NotImplementedError.
+    """Replace the body of each function in ``messages`` with a NotImplementedError.
 
-    The error carries the message that ``messages`` holds for that function.
+    ``messages`` maps the name of a function to the text of its error.
     """
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"

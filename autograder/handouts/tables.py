@@ -1,4 +1,4 @@
-"""Write the table of exercises in each chapter's reference.md from the chapter's manifest."""
+"""Write the table of exercises in each chapter's reference.md, based on the chapter's manifest."""
 
 from __future__ import annotations
 
@@ -32,9 +32,10 @@ def _extra(exercise: Exercise) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List what students write for an exercise: functions by file, and then data files.
+    """Name everything that a student writes for an exercise, file by file.
 
-    If several classes in a file have a method with the same name, the class is named as well.
+    Each text looks like "`vector.py`: `dot`, `cross`" or "`drops.csv`: your data". If several
+    classes of a file have a method of the same name, the class is named as well.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
@@ -48,7 +49,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Replace the table of exercises in the text of a chapter's reference.md with an updated one.
+    """Return the text of a chapter's reference.md with an updated table of exercises.
 
     Raises:
         ValueError: The page lacks the two comment lines between which the table belongs.

@@ -1,7 +1,7 @@
 """Make text from students safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
 
-A student's file or name can contain control characters that do harm when somebody displays them. No
-other module decides which characters may be shown.
+A student's file or name can contain control characters that do harm as soon as they are displayed.
+This module alone decides which characters may be shown.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 def clean(text: str) -> str:
     r"""Replace every unprintable character with a visible escape sequence such as \x1b.
 
-    In text from a student, unprintable characters could repaint the instructor's screen, reverse
-    the reading direction, or fail to encode. All line endings become newlines, and unusual spaces
+    Unprintable characters in a student's text could repaint the instructor's screen, reverse the
+    reading direction, or fail to encode. All line endings become newlines, and unusual spaces
     become ordinary ones. Tabs are kept.
     """
     if text.isprintable():
@@ -24,7 +24,7 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Make untrusted text safe to show, as ``clean`` does, and join its lines into one."""
+    """Make untrusted text safe to show, as ``clean`` does, and join its lines into a single one."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 

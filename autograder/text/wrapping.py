@@ -20,8 +20,8 @@ MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
     """Create a rich console that prints text exactly as it is, by default to standard output.
 
-    Rich normally interprets brackets as styles and words between colons as emoji, so a student
-    whose name contains "[/]" would cause an error.
+    Rich normally treats brackets as styles and words between colons as emoji. A student whose name
+    contains "[/]" would then cause an error.
     """
     from rich.console import Console
 
@@ -46,9 +46,9 @@ def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
-    """Wrap the rows of a failure message to a terminal's width, and return the lines.
+    """Wrap the labeled rows of a failure message to the width of a terminal, and return the lines.
 
-    Wrapped lines are indented, so that each text stays to the right of its label.
+    Continuation lines are indented, so that each text stays to the right of its label.
     """
     return [
         line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
@@ -73,9 +73,9 @@ def print_rows(console: Console, rows: list[Row]) -> None:
 def few_lines(text: str, lines: int, characters: int) -> str:
     """Shorten a student's long output to its beginning and a note such as "... and 12 more lines".
 
-    If an earlier call has already shortened the text, the count includes the lines left out then.
-    Output of LONGEST_PRINTED or more characters was cut while it was captured. Its true length is
-    unknown, so the note then says "at least".
+    If the text has been shortened before, the note also counts the lines that were removed then.
+    Output of LONGEST_PRINTED or more characters was already cut off when it was captured. Since its
+    true length is unknown, the note then says "at least".
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")
@@ -94,7 +94,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to at most ``room`` lines by replacing its middle with a note."""
+    """Shorten a list of lines to at most ``room`` lines, by replacing the middle with a note."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

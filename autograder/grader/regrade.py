@@ -82,13 +82,15 @@ class Regrade:
     def prepare(self, run: ClassRun) -> list[Submission]:
         """Check that the student will be graded under the same conditions as the class.
 
-        Some differences, such as a new version of the grader, are allowed. They are reported.
+        Some differences, such as a new version of the grader, are allowed. They are printed and
+        noted in the log.
 
         Returns:
             A list with the student's submission.
 
         Raises:
-            ValueError: The exercises, their points or the hidden checks are not those of the class.
+            ValueError: The exercises, their points or the hidden checks differ from those of the
+                class.
         """
         run.keeps_reports = False
         differing = self._differing(run.key)
@@ -118,7 +120,10 @@ class Regrade:
     def finish(
         self, graded: Sequence[StudentReport], why: str, console: Console
     ) -> list[StudentReport]:
-        """Log how the student's scores have changed, and return the reports of the whole class."""
+        """Log how the student's scores have changed, and return the reports of the whole class.
+
+        They include the student's new report instead of the old one.
+        """
         (report,) = graded
         console.print(self._log(report, why), markup=False)
         self.kept.unlink(missing_ok=True)
@@ -152,12 +157,14 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return which chapters an earlier run graded, and which it took from the reference solution.
+    """Look up which chapters an earlier run graded, in order to grade the same ones again.
 
-    Both are written as command-line options, such as "2,3".
+    Returns:
+        Two texts for the command line, such as "4,5" and "2,3": the graded chapters, and those
+        taken from the reference solution.
 
     Raises:
-        ValueError: There is no earlier run.
+        ValueError: There is no earlier run, or it did not record its chapters.
     """
     run = next((report.run for report in read_results(out) if report.run), None)
     if run is None:

@@ -1,9 +1,9 @@
-"""Handles, through which a check uses a student's objects that live in another process.
+"""Let a check use a student's objects through handles, because they live in another process.
 
-Whatever a check does with a handle becomes a request to the worker process that runs the student's
-code. A check cannot compare a handle, convert it or use it as a truth value, because the student's
-code would then decide the outcome. Instead it must read plain numbers and compare them itself, so
-an object whose ``__eq__`` always returns True gains nothing.
+If ``v`` is a handle, ``v.x`` sends a request to the worker process that runs the student's code,
+and waits for the answer. A check cannot compare a handle, convert it or use it as a truth value,
+because the student's code would then decide the outcome. Instead the check must read plain numbers
+and compare them itself, so an object whose ``__eq__`` always returns True gains nothing.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ class WorkerFailure(CheckEnded):
 class Session:
     """A check's conversation with the worker process that runs the student's code.
 
-    The check sends requests, such as a function call, and the worker answers each one. ``broken``
-    maps each student module that cannot be imported to the reason.
+    The check sends requests, such as a function call, and the worker answers each one. Some of the
+    student's modules may be impossible to import. ``broken`` gives the reason for each of these.
     """
 
     def __init__(
@@ -57,8 +57,8 @@ class Session:
     def ask(self, what: str, *operands: Any) -> Any:
         """Send a request about the student's code to the worker process, and return its answer.
 
-        If the student's code raises an Exception, raise the nearest built-in one here, so that the
-        check can handle it like any other error.
+        If the student's code raises an Exception, the nearest built-in one is raised here. The
+        check can then handle it like any other error.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.
@@ -132,8 +132,8 @@ class Session:
         """Call one of the check's own functions, because the student's code has called it.
 
         This happens when a check passes a function, such as a force, to the student's code. If the
-        function raises an Exception, the worker raises it in the student's code. Anything else that
-        it raises ends the session.
+        function raises an Exception, the worker raises it in the student's code. If it raises
+        anything else, such as KeyboardInterrupt, the conversation with the worker is over.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):

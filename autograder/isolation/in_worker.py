@@ -164,8 +164,7 @@ class InWorker:
     def definitions(self, file: Path) -> set[str] | None:
         """Ask the worker process for the names that a student's file defines.
 
-        Return None if it does not give a valid answer, since the student's code may have damaged
-        it.
+        The student's code may have damaged the process. If there is no valid answer, return None.
         """
         if self.session is None or self.session.dead:
             return None
@@ -270,7 +269,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 
 class ChapterModule(ModuleType):
-    """What a check file gets when it imports a student's module.
+    """The stand-in that a check file gets when it imports a student's module.
 
     Outside a check its attributes are placeholders. During a check they are the current values,
     read from the worker process that runs the student's code.

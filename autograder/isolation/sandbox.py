@@ -34,9 +34,9 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True)
 class Level:
-    """The layers of the sandbox that confine a student's code on this machine.
+    """The layers of the sandbox that can confine a student's code on this machine.
 
-    Not every machine offers all three of them.
+    There are three: Landlock, seccomp and bubblewrap. Not every machine supports all of them.
     """
 
     landlock: bool = False
@@ -87,7 +87,8 @@ def landlock_version() -> int:
 def landlock_rules(readable: Sequence[str]) -> int:
     """Create Landlock rules that let a worker read only the listed files and folders.
 
-    Everything else on the disk, including all writing, is forbidden to the student's code.
+    The student's code in the worker can read nothing else on the disk, and can write nothing at
+    all.
 
     Returns:
         The file descriptor that stands for the rules.
@@ -196,9 +197,9 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Permanently restrict the process from which all workers with student code are forked.
+    """Permanently restrict the template process, which forks the workers for student code.
 
-    The workers inherit the restrictions. ``rules`` is the file descriptor that ``landlock_rules``
+    The workers inherit these restrictions. ``rules`` is the file descriptor that ``landlock_rules``
     returned.
 
     Raises:

@@ -1,8 +1,9 @@
 """Send plain data between the trusted checks and the process that runs a student's code.
 
 Each message is one line of JSON. A value is sent as is if its type is exactly None, bool, int,
-float, str, list, tuple or dict. Any other object is replaced with a reference. Each end makes up
-the references to its own objects, and looks them up again when the other end uses them.
+float, str, list, tuple or dict. Any other object stays in its process, and only a reference such as
+``{"object": 3}`` is sent. When the other process sends the reference back, it stands for that
+object again.
 """
 
 from __future__ import annotations
@@ -136,7 +137,8 @@ def _message(line: bytes) -> dict[str, Any]:
 def pack(value: Any, refer: Refer) -> Any:
     """Convert a value to a form that can be sent as JSON between the checks and the student's code.
 
-    ``refer`` is called for every object that is not plain data, and returns a reference to it.
+    ``refer`` is called for every object that is not plain data, and returns a reference such as
+    ``{"object": 3}`` to send in its place.
 
     Raises:
         UnsendableError: The value is too large or too deeply nested.

@@ -24,8 +24,8 @@ class Mistake:
     """A mistake that students made, as described in the messages of their failed checks.
 
     Attributes:
-        words: The message that describes the mistake.
-        students: The students who have made it.
+        words: The message, such as "This is the squared length. Take its square root."
+        students: The students who have made the mistake.
         exercises: The exercises in which they made it.
         read: The lessons and sections of the book that explain the topic.
         robust: Whether only robust checks caught it. These try bad arguments, overflow and NaN.

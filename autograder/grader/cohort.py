@@ -58,8 +58,8 @@ class ClassOptions:
       reports show codes instead of names.
     - ``column`` says into which gradebook column of Canvas and Moodle the grades go.
     - ``deadline`` says when the work was due, so that the reports can say who was late.
-    - ``student`` is the one student to regrade after an earlier run has graded the class, and
-      ``why`` is the reason to put in the log of regrades.
+    - ``student`` is the one student to regrade, if an earlier run has graded the class. ``why`` is
+      the reason to put in the log of regrades.
     """
 
     given: Sequence[Chapter] = ()

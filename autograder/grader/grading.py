@@ -149,8 +149,8 @@ def _chart(
     """Build the chart of an open exercise, which compares a student's solution with the reference.
 
     It plots the error of both solutions against their cost. The result is None if the exercise has
-    no chart. It is also None if the student's solution fails because of an earlier chapter, since
-    only the second run then shows which of its checks pass.
+    no chart, or if the student's solution fails because of an earlier chapter. In the latter case
+    only the second run shows which of its checks pass.
     """
     if result.on_chart is None:
         return None

@@ -65,7 +65,9 @@ class Regrade:
         return next((one for one in self.reports if one.student == self.student), None)
 
     def seed(self, seed: str | None) -> str:
-        """Return the seed of the class, for the student who is graded again.
+        """Return the random seed with which the class was graded, to regrade the student with it.
+
+        ``seed`` is the seed that the instructor has requested, or None.
 
         Raises:
             ValueError: A different seed was requested, or the class was graded with several.

@@ -29,7 +29,7 @@ def make_classroom(
     the same. ``about`` is the README section about the assignment.
 
     Raises:
-        ValueError: ``make_handout`` refuses the chapters or the folder.
+        ValueError: A chapter is in both lists, or the folder is not empty.
     """
     make_handout(chapters, given, out, root, about=about)
     chapters = in_whole_points(chapters)

@@ -26,7 +26,7 @@ class CheckItem:
     """The results of a whole class on one check of an exercise.
 
     ``states`` counts the students who passed the check, who failed it, who had not written the
-    function, and so on. ``robust`` checks test bad arguments, overflow and NaN.
+    function, and so on. ``robust`` is True if the check is about bad arguments, overflow or NaN.
     """
 
     name: str

@@ -65,8 +65,8 @@ class Mistakes:
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
     """Collect the mistakes that are described in the reports on a class's students.
 
-    Only checks with the status "failed" count. For a blocked or inherited check, the mistake lies
-    in another exercise or chapter and is counted there. Messages that differ only in their numbers
+    Only checks with the status "failed" count. If a check is blocked or inherited, the mistake lies
+    in another exercise or chapter, and is counted there. Messages that differ only in their numbers
     count as the same mistake, because those numbers depend on the random seed.
     """
     found: dict[str, Mistake] = {}

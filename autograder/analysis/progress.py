@@ -110,7 +110,7 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 def returning(runs: Sequence[Run]) -> list[Returning]:
     """Find the mistakes that students of the class made in more than one assignment.
 
-    The mistakes that most students have repeated come first.
+    They are sorted by the number of students who repeated them, with the largest first.
     """
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}

@@ -199,7 +199,10 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the check results that are the same for all students, which this worker shares."""
+    """Return this worker's store of check results that are the same for all students.
+
+    There is one store for each assignment.
+    """
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 

@@ -206,8 +206,8 @@ def check_hidden(assignment: Assignment) -> None:
     A check that fails on the reference solution must be wrong, and would cost every student points.
 
     Raises:
-        ValueError: The folder has no hidden checks of a graded chapter, or the reference solution
-            fails one of them.
+        ValueError: The folder has no hidden checks for a graded chapter, they cannot be run, or the
+            reference solution fails one of them.
     """
     hidden, root = assignment.hidden, assignment.root
     if hidden is None:

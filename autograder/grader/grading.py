@@ -66,9 +66,9 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes for the instructor on a student's submission.
+    """Return the instructor's notes on a student's submission.
 
-    If it contains no file that could be graded, a note says so.
+    If the submission contains no file that could be graded, a note says so.
     """
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
@@ -149,8 +149,7 @@ def _chart(
     """Build the chart of an open exercise, which compares a student's solution with the reference.
 
     It plots the error of both solutions against their cost. The result is None if the exercise has
-    no chart, or if the student's solution fails because of an earlier chapter. In the latter case
-    only the second run shows which of its checks pass.
+    no chart, or if a mistake in an earlier chapter makes the student's solution fail.
     """
     if result.on_chart is None:
         return None

@@ -55,8 +55,8 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 def differences(people: ClassList) -> list[str]:
     """List students who handed in nothing, and submissions whose names are not on the roster.
 
-    If two such names are similar, for example "Ann Le" and "ann lee", a line suggests how to rename
-    the submission.
+    If a name in one list resembles a name in the other, as "Ann Le" resembles "Ann Lee", a line
+    suggests how to rename the submission.
     """
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."

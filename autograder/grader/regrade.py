@@ -135,7 +135,7 @@ class Regrade:
     def _differing(self, key: RunKey) -> list[str]:
         """List the conditions of grading that have changed since the class was graded.
 
-        An example is "checks", if somebody has corrected a check.
+        For example, the list contains "checks" if somebody has corrected a check.
         """
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]

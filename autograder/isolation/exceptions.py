@@ -81,10 +81,10 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Read which unknown name made the student's code raise an exception, or None if none did.
+    """Read the unknown name that made the student's code raise an exception, if there is one.
 
-    Along with the name, such as "Vector", the worker sends the most similar name that exists, such
-    as "Vector3".
+    The result contains the name, such as "Vector", and the most similar name that exists, such as
+    "Vector3". It is None if the exception has another cause.
     """
     if data is None:
         return None

@@ -31,8 +31,8 @@ class WorkerFailure(CheckEnded):
 class Session:
     """A check's conversation with the worker process that runs the student's code.
 
-    The check sends requests, such as a function call, and the worker answers each one. Some of the
-    student's modules may be impossible to import. ``broken`` gives the reason for each of these.
+    The check sends requests, such as a function call, and the worker answers each one. If a module
+    of the student cannot be imported, ``broken`` maps its name to the reason.
     """
 
     def __init__(
@@ -77,8 +77,8 @@ class Session:
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
         """Send one request to the worker and wait for its reply.
 
-        Before it replies, the student's code may call functions that the check passed to it. These
-        callbacks are answered while waiting.
+        Meanwhile the student's code may call functions that the check passed to it. These calls are
+        answered while waiting.
         """
         try:
             self.wire.send(message, self.deadline)
@@ -96,7 +96,7 @@ class Session:
     def _receive(self) -> dict[str, Any]:
         """Return the next message from the worker process that runs the student's code.
 
-        If the machine was so busy that the worker got too little processor time, wait once more.
+        If a busy machine gave the worker too little processor time, the deadline is extended once.
 
         Raises:
             TimeoutError: No message arrives in time.
@@ -121,7 +121,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Build the message to a student whose module lacks a name that the check uses."""
+        """Explain to a student that a module lacks a name that the check uses."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])

@@ -1,9 +1,9 @@
-"""Fork the processes that run the checks from one that has already imported pytest.
+"""Start processes that run checks, without having to import pytest anew in each of them.
 
-A process that runs checks is called a judge. Importing pytest takes a while, so rather than have
-every judge do it, one process imports pytest and then waits for orders. For each run of checks it
-forks a judge, which behaves as if it had been started as a new Python process. The waiting process
-itself never runs a check, never sees a submission, and ends with the grader.
+A process that runs checks is called a judge. Because importing pytest takes a while, one helper
+process imports it and then waits for orders. For each run of checks it forks a judge, which behaves
+as if it had been started as a new Python process. The helper itself never runs a check, never sees
+a submission, and ends with the grader.
 """
 
 from __future__ import annotations

@@ -28,9 +28,8 @@ class Patience:
     def more(self) -> float:
         """Compute how many extra seconds the worker process gets to finish a check.
 
-        A worker that has used the processor for less than half of its time limit gets the rest of
-        the limit. Any other worker gets 0 seconds, and so does a worker that has had extra time
-        before.
+        If it has used the processor for less than half of its time limit, it gets the unused part
+        of the limit. Otherwise, or if it has had extra time before, it gets 0 seconds.
         """
         used = processor_time(self.process)
         self.process = 0

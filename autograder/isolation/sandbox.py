@@ -176,8 +176,8 @@ class Filter:
 def seccomp_works_here() -> bool:
     """Return whether our filter of system calls works on this machine.
 
-    The filter lists system calls by their numbers on 64-bit Linux for x86-64. They differ
-    elsewhere.
+    The filter lists system calls by their numbers on 64-bit Linux for x86-64. Other machines use
+    different numbers.
     """
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
@@ -222,8 +222,8 @@ def confine(level: Level, rules: int | None) -> None:
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
     """Permanently take away a worker's right to start processes and to send signals.
 
-    The worker enters this state before it loads any student code. The template process that forks
-    the workers needs both rights, so ``confine`` leaves them in place. ``seconds`` is how much
+    This happens before the worker loads any student code. The template process that forks the
+    workers needs both rights, so ``confine`` leaves them in place. ``seconds`` is how much
     processor time the worker may use.
 
     Raises:

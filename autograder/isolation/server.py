@@ -105,7 +105,7 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object for which a reference in a check's request stands.
+        """Return the object that a reference in a check's request stands for.
 
         If the reference stands for a function of the check, return a stand-in that calls the
         function in the checks' process.

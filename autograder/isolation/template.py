@@ -248,7 +248,7 @@ class Template:
             self._end()
 
     def close(self) -> None:
-        """End the process that forks workers, and its current worker."""
+        """End the template process, which forks the workers, and its current worker."""
         self.stop_worker()
         self._end()
         os.close(self._log)

@@ -69,7 +69,9 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message to the other process, which is either the worker or the checks.
+        """Send a message to the process at the other end: from a check to its worker, or back.
+
+        ``deadline`` is a time of ``time.monotonic``, or None to wait as long as necessary.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -83,7 +85,9 @@ class Wire:
                 self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
-        """Return the next message from the other process, which is either the worker or the checks.
+        """Wait for the next message from the process at the other end, and return it.
+
+        ``deadline`` is a time of ``time.monotonic``, or None to wait as long as necessary.
 
         Raises:
             TimeoutError: The deadline has passed.

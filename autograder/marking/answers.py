@@ -26,8 +26,8 @@ class Answer:
     """One student's answer to a written question, as shown on the marking page.
 
     The page shows ``code`` instead of the student's name, so that the name cannot influence the
-    mark. If something is wrong with the student's answers.md, ``note`` says what it is. Then
-    ``text`` may be the whole file, because the answer could be anywhere in it.
+    mark. If something is wrong with the student's answers.md, ``note`` says what it is. In that
+    case ``text`` may be the whole file, because the answer could be anywhere in it.
     """
 
     student: str

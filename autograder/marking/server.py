@@ -53,8 +53,8 @@ class Marking(Site):
     def known(self) -> dict[str, dict[str, Any]]:
         """Read the marks from marks.csv, and sort them by exercise and by student.
 
-        For example, ``known()["2.2b"]`` holds the marks for exercise 2.2b. In there, the keys are
-        the codes that stand for students on the marking page.
+        For example, ``known()["2.2b"]`` holds the marks for exercise 2.2b. Its keys are the codes
+        that stand for students on the marking page.
         """
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}

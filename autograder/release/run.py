@@ -94,7 +94,7 @@ def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
     """Create the folder ``out`` for the released solutions, or delete an earlier release from it.
 
     Raises:
-        ValueError: The folder contains other files, or is one whose files go into handouts.
+        ValueError: The folder contains other files, or could end up in a handout or a submission.
     """
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):

@@ -25,8 +25,8 @@ class Discrimination:
     """How well an exercise separates stronger students from weaker ones.
 
     ``value`` is the item-rest correlation, which compares the scores on this exercise with those on
-    all the others, and ``interval`` is its 95 % confidence interval. If the correlation is
-    undefined, ``value`` is None, and ``reason`` says why.
+    all the others. ``interval`` is its 95 % confidence interval. If the correlation is undefined,
+    ``value`` is None, and ``reason`` says why.
     """
 
     students: int

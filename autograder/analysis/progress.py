@@ -35,7 +35,7 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of all students on whose submissions the grader did not fail."""
+        """The percentages of those students on whose submissions the grader did not fail."""
         return [value for value in self.percent.values() if value is not None]
 
     @property

@@ -55,7 +55,7 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 def differences(people: ClassList) -> list[str]:
     """List students who handed in nothing, and submissions whose names are not on the roster.
 
-    If a name in one list resembles a name in the other, as "Ann Le" resembles "Ann Lee", a line
+    If two names are similar, such as "Ann Le" in one list and "Ann Lee" in the other, a line
     suggests how to rename the submission.
     """
     lines = [

@@ -56,8 +56,8 @@ class Regrade:
     def before(self) -> StudentReport | None:
         """The student's report before this regrade, or None if there is none.
 
-        If an earlier regrade was killed before it could write the log, this is the report from
-        before that regrade, so that every change is logged.
+        An earlier regrade may have been killed before it could write the log. In that case this is
+        the report from before that regrade, so that every change is logged.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):

@@ -2,7 +2,7 @@
 
 The time limit of a check is in real time, because code that does nothing but wait must be stopped
 too. On a busy machine, however, the worker process that runs the code may get the processor for
-only a fraction of that time, and correct code would seem too slow.
+only a fraction of that time. Correct code would then seem too slow.
 """
 
 from __future__ import annotations

@@ -1,11 +1,14 @@
 """Restrict what a student's code can do while it is graded.
 
-The code runs in a worker process, which several Linux mechanisms restrict together. Landlock lets
-the worker read a few folders and write nothing. A seccomp filter allows only the system calls that
-a computation needs, so the worker cannot create processes, open sockets, or send signals to other
-processes. Where bubblewrap is available, it walls off the whole process. Resource limits cap
-memory, processor time, and the number and size of files. All of this is in place before any student
-code is loaded.
+The code runs in a worker process, which several Linux mechanisms restrict together:
+
+- Landlock lets the worker read a few folders and write nothing.
+- A seccomp filter allows only the system calls that a computation needs. The worker cannot create
+  processes, open sockets, or send signals to other processes.
+- Where bubblewrap is available, it walls off the whole process.
+- Resource limits cap memory, processor time, and the number and size of files.
+
+All of this is in place before any student code is loaded.
 """
 
 from __future__ import annotations

@@ -117,8 +117,8 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 def _level(submission: Path, *, unsafe: bool) -> Level:
     """Choose the sandbox for the student's code on Gradescope's machine.
 
-    Without a sandbox, student code must never run as root. If there is none and ``unsafe`` permits
-    grading anyway, this process therefore switches from root to an unprivileged user.
+    Without a sandbox, student code must never run as root. If this machine has none and ``unsafe``
+    permits grading anyway, this process switches from root to an unprivileged user first.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

@@ -69,8 +69,8 @@ def compare_others(
 ) -> list[Compared]:
     """Pair functions that belong to no exercise, such as helpers, with the reference solution.
 
-    A function that is the same in both, perhaps because the student did not have to write it, is
-    left out. So is all code outside functions.
+    If a function is identical on both sides, perhaps because students did not have to write it, it
+    is left out. So is all code outside functions.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []

@@ -18,7 +18,8 @@ from autograder.manifest import ROOT, Chapter
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
     """Return copies of the chapters that contain only the exercises to be released.
 
-    If ``exercises`` is empty, the copies keep all of their exercises.
+    If ``exercises`` is empty, the copies keep all of their exercises. Chapters without any exercise
+    to release are left out.
 
     Raises:
         ValueError: An exercise does not exist in any of the chapters.

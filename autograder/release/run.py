@@ -44,8 +44,8 @@ def release(
 
     If ``exercises`` is not empty, only those exercises are released. If ``submissions`` and
     ``grades`` are given, each student also gets a page that compares the student's code with the
-    reference solution. Use the same ``roster`` as for grading, so that submissions and grades go by
-    the same names.
+    reference solution. Use the same ``roster`` as for grading, so that each submission is matched
+    with its grade.
 
     Returns:
         The exit code 0.
@@ -123,7 +123,8 @@ def _compare(
 
     Returns:
         Three things: the comparisons, the ids of the released exercises that the student has not
-        solved, and a reason in case there are no comparisons.
+        solved, and the reason why there are no comparisons. The reason matters only if there are
+        none.
     """
     if report is None:
         return [], [], "the work was not graded"

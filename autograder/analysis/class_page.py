@@ -25,7 +25,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 class ShownMistake:
     """A common mistake listed on class.html, with the number of students who made it.
 
-    ``places`` lists where the topic is explained, such as in a lesson or in the glossary.
+    ``places`` lists where the topic is explained, as in "glossary: scalar product".
     """
 
     mistake: Mistake

@@ -25,8 +25,8 @@ class Discrimination:
     """How well an exercise separates stronger students from weaker ones.
 
     ``value`` is the item-rest correlation, which compares the scores on this exercise with those on
-    all the others, and ``interval`` is its 95 % confidence interval. If the correlation is
-    undefined, ``value`` is None, and ``reason`` says why.
+    all the others. ``interval`` is its 95 % confidence interval. If the correlation is undefined,
+    ``value`` is None, and ``reason`` says why.
     """
 
     students: int
@@ -36,9 +36,10 @@ class Discrimination:
 
     @property
     def is_low(self) -> bool:
-        """Whether students who do well on the other exercises do little better on this one.
+        """Whether strong students score little better on this exercise than weak students.
 
-        Such an exercise may be unclear, or it may test something else.
+        Students count as strong if they do well on all the other exercises. An exercise like this
+        may be unclear, or it may test something else.
         """
         return self.value is not None and self.value < LOW
 
@@ -46,8 +47,8 @@ class Discrimination:
 def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discrimination:
     """Compute the item-rest correlation, which shows how well an exercise separates students.
 
-    ``own`` holds each student's score on this exercise, and ``rest`` the same student's total on
-    all the other exercises. Both list the students in the same order.
+    ``own`` holds each student's score on this exercise. ``rest`` holds the same student's total
+    score on all other exercises, with the students in the same order.
     """
     count = len(own)
     if count < FEWEST:

@@ -1,7 +1,7 @@
 """Compute how well a class did on each exercise and on each of its checks.
 
-All scores come from runs with the earlier chapters of the reference solution. Otherwise a single
-mistake in chapter 2 would resurface in every chapter that uses vectors.
+For these scores, earlier chapters are taken from the reference solution. Otherwise a single mistake
+in chapter 2 would resurface in every chapter that uses vectors.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ HIDDEN = "a hidden check"
 class CheckItem:
     """The results of a whole class on one check of an exercise.
 
-    ``states`` counts how many students passed the check, failed it, had not written the function,
-    and so on.
+    ``states`` counts the students who passed the check, who failed it, who had not written the
+    function, and so on. ``robust`` is True if the check is about bad arguments, overflow or NaN.
     """
 
     name: str
@@ -58,7 +58,7 @@ class ExerciseItem:
 
 
 def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[ExerciseItem]:
-    """Compute the results of a class on each exercise of a chapter, in manifest order."""
+    """Compute how well a class did on each exercise of a chapter, in the order of the exercises."""
     return [_item(exercise, reports) for exercise in chapter.exercises]
 
 

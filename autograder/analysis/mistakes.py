@@ -24,8 +24,8 @@ class Mistake:
     """A mistake that students made, as described in the messages of their failed checks.
 
     Attributes:
-        words: The message that describes the mistake.
-        students: The students who have made it.
+        words: The message, such as "This is the squared length. Take its square root."
+        students: The students who have made the mistake.
         exercises: The exercises in which they made it.
         read: The lessons and sections of the book that explain the topic.
         robust: Whether only robust checks caught it. These try bad arguments, overflow and NaN.
@@ -65,8 +65,8 @@ class Mistakes:
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
     """Collect the mistakes that are described in the reports on a class's students.
 
-    Only checks with the status "failed" count. For a blocked or inherited check, the mistake lies
-    in another exercise or chapter and is counted there. Messages that differ only in their numbers
+    Only checks with the status "failed" count. If a check is blocked or inherited, the mistake lies
+    in another exercise or chapter, and is counted there. Messages that differ only in their numbers
     count as the same mistake, because those numbers depend on the random seed.
     """
     found: dict[str, Mistake] = {}

@@ -23,9 +23,10 @@ FEWEST = 2  # assignments
 
 @dataclass(frozen=True)
 class Run:
-    """A class's results on one graded assignment: each student's percentage of the check points.
+    """The results of a class on one graded assignment.
 
-    A student's percentage is None if the grader failed on the submission.
+    ``percent`` maps each student to the percentage of points earned in the checks, without written
+    answers. It is None for a student on whose submission the grader failed.
     """
 
     name: str
@@ -34,14 +35,15 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of those students whose submissions could be graded."""
+        """The percentages of those students on whose submissions the grader did not fail."""
         return [value for value in self.percent.values() if value is not None]
 
     @property
     def five(self) -> list[float]:
-        """The minimum, the quartiles and the maximum of the students' percentages, for a box plot.
+        """The five numbers that a box plot of the students' percentages needs.
 
-        The list is empty if there are no percentages.
+        They are the minimum, the three quartiles and the maximum. The list is empty if there are no
+        percentages.
         """
         values = self.known
         if len(values) < 2:
@@ -92,8 +94,8 @@ def write_progress(folders: Sequence[Path], out: Path) -> Path:
 def _run(folder: Path, folders: Sequence[Path]) -> Run:
     """Read the students' results on one assignment from the folder that holds its reports.
 
-    The assignment is named after that folder, or by its full path if another folder has the same
-    name.
+    The assignment gets the name of that folder. If two folders have the same name, their paths are
+    used instead.
     """
     reports = [clean_all(report) for report in read_results(folder)]
     same = [other for other in folders if other.resolve().name == folder.resolve().name]
@@ -108,7 +110,7 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 def returning(runs: Sequence[Run]) -> list[Returning]:
     """Find the mistakes that students of the class made in more than one assignment.
 
-    The list starts with the mistakes that the most students have repeated.
+    They are sorted by the number of students who repeated them, with the largest first.
     """
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}

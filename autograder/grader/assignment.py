@@ -1,4 +1,7 @@
-"""Describe an assignment, and share those verdicts on it that are the same for every student."""
+"""Describe an assignment, and compute the check results that are the same for every student.
+
+For example, all students who handed in nothing for a chapter get the same results on it.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,7 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """What the submissions of a class are graded on: the same exercises and checks for everyone.
+    """An assignment to grade, with the same exercises, checks and settings for the whole class.
 
     Attributes:
         chapters: The graded chapters, with only the graded exercises.
@@ -54,9 +57,9 @@ class Assignment:
         """Run the checks of a chapter's graded exercises on one student's code.
 
         The checks of an exercise's prerequisites run too, because a failure there explains a
-        failure in the exercise. ``missing`` maps each rejected module of the submission to the
-        reason. ``compiled`` is a folder that caches the compiled code of the submission between
-        runs.
+        failure in the exercise. ``missing`` maps each module of the submission that was rejected to
+        the reason. ``compiled`` is a folder in which the compiled code of the submission is kept
+        for later runs.
 
         Raises:
             GraderError: The checks could not be run.
@@ -87,10 +90,10 @@ class Assignment:
 
 
 class OnceForAll:
-    """Verdicts that do not depend on the student, and are therefore computed only once for a class.
+    """Check results that are the same for every student, and are computed only once for a class.
 
-    All the threads that grade a class share this object. The first thread that needs a verdict runs
-    the checks for it, and the others wait for the result.
+    All the threads that grade a class share this object. The first thread that needs some results
+    runs the checks, and the others wait for it.
     """
 
     def __init__(self) -> None:
@@ -99,7 +102,7 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts for students who have handed in no file for a chapter.
+        """Return the results of the checks for students who have handed in no file for a chapter.
 
         They are the same for every such student. The earlier chapters that this one uses come from
         the reference solution.
@@ -115,8 +118,8 @@ class OnceForAll:
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
         """Return the results of the reference solution on the exercises that have a chart.
 
-        The chart compares the student's cost and error with those of the reference solution. If its
-        checks cannot be run, the chart shows only the student's.
+        The chart compares the student's cost and error with those of the reference solution. If the
+        reference solution cannot be checked, the chart shows only the student's.
         """
         root = assignment.root
         with self._lock:

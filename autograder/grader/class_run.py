@@ -32,8 +32,8 @@ from autograder.submissions.find import Submission, file_name
 class ClassRun:
     """Grades the submissions of a class, or reuses the reports of an earlier run.
 
-    It holds what all submissions share: the assignment, the marks for written answers, the late
-    submissions, and the folder for the reports.
+    It keeps everything that the submissions have in common, such as the assignment and the folder
+    for the reports. It also keeps the marks for written answers, and how late each student was.
     """
 
     def __init__(
@@ -60,9 +60,9 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show a progress bar while the reports on the students arrive, and return all of them.
+        """Collect the reports on the students as they arrive, and show a progress bar meanwhile.
 
-        They are returned in the order of ``submissions``.
+        Return all of them in the order of ``submissions``, even if they arrive in another order.
         """
         columns = (
             TextColumn("{task.description}", markup=False),
@@ -113,8 +113,9 @@ class ClassRun:
     ) -> Generator[StudentReport]:
         """Grade the submissions on a cluster, and yield each report when it arrives.
 
-        A submission is not sent to the cluster if its report from an earlier run is still valid.
-        ``grade_over`` is the function that sends the remaining submissions.
+        If the report from an earlier run is still valid, the submission is not sent to the cluster.
+        ``grade_over`` is the function that sends the other submissions and yields the reports on
+        them.
         """
         left = []
         for submission in submissions:

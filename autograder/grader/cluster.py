@@ -1,8 +1,8 @@
 """Grade a class on a Dask cluster, whose machines receive submissions and return reports.
 
-Dask distributes the submissions among its workers and, if a worker dies, gives its submission to
-another one. A grade must not depend on the machine that computed it, so every worker uses the same
-kind of sandbox as the instructor's machine, or refuses to grade.
+Dask distributes the submissions among its workers. If a worker dies, another one gets its
+submission. A grade must not depend on the machine that computed it. For this reason a worker
+refuses to grade unless it has the same kind of sandbox as the instructor's machine.
 """
 
 from __future__ import annotations
@@ -43,10 +43,12 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 
 @dataclass(frozen=True)
 class Work:
-    """The assignment and the hidden checks, as the instructor's machine sends them to a cluster.
+    """Everything that a worker of a cluster needs in order to grade an assignment.
 
-    A worker of the cluster compares its own machine with ``key``, because it must grade under the
-    same conditions as the sender. ``home`` is the path of the repository on the sending machine.
+    - ``key`` describes how the instructor's machine would grade, for example with which versions of
+      Python and of the checks. A worker that differs refuses to grade.
+    - ``hidden`` holds the contents of the hidden checks.
+    - ``home`` is the path of the repository on the instructor's machine.
     """
 
     assignment: Assignment
@@ -56,7 +58,7 @@ class Work:
 
     @classmethod
     def of(cls, assignment: Assignment) -> Work:
-        """Assemble what the workers of a cluster need in order to grade an assignment.
+        """Collect everything that a worker of the cluster needs in order to grade an assignment.
 
         The hidden checks are read into memory, because the workers may have no access to their
         folder.
@@ -197,12 +199,15 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return those verdicts that a worker of the cluster computes once for all submissions."""
+    """Return this worker's store of check results that are the same for all students.
+
+    There is one store for each assignment.
+    """
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment with its repository path changed to the one on this machine.
+    """Return the assignment with the path that the repository has on this machine.
 
     The machines of a cluster may have the repository in different folders.
     """
@@ -229,10 +234,10 @@ class _Call:
 
 
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
-    """Return a function call in a form that Dask can send without importing the autograder.
+    """Pack a function call so that Dask can send it to a worker without importing the autograder.
 
-    If Dask had to import the autograder, the scheduler would need it as well, and a worker without
-    it would fall silent instead of reporting an error.
+    If Dask had to import the autograder, the scheduler would need it as well. A worker without it
+    would then fall silent instead of reporting an error.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
@@ -240,7 +245,8 @@ def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
 def _tree(folder: Path | None) -> Tree:
     """Read all the files in a folder into a dict that can be sent to a worker of the cluster.
 
-    If ``folder`` is None, the dict is empty.
+    The keys are paths in the folder, such as "ch02_vectors/vector.py". If ``folder`` is None, the
+    dict is empty.
     """
     paths = sorted(folder.rglob("*")) if folder else []
     return {

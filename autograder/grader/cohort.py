@@ -56,10 +56,10 @@ class ClassOptions:
       machine.
     - ``roster`` is a CSV file with the students of the class. If the class is ``anonymous``, the
       reports show codes instead of names.
-    - ``column`` describes the files for Canvas and Moodle.
+    - ``column`` says into which gradebook column of Canvas and Moodle the grades go.
     - ``deadline`` says when the work was due, so that the reports can say who was late.
-    - ``student`` is the one student to regrade after an earlier run has graded the class, and
-      ``why`` is the reason to put in the log of regrades.
+    - ``student`` is the one student to regrade, if an earlier run has graded the class. ``why`` is
+      the reason to put in the log of regrades.
     """
 
     given: Sequence[Chapter] = ()
@@ -89,8 +89,8 @@ class ClassOptions:
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports on the class into ``out``.
 
-    A complete report from the same checks, grader and seed is kept, and its submission is not
-    graded again.
+    If an earlier run has completed a report on the same submission, with the same checks, grader
+    and seed, that report is kept.
 
     Returns:
         The exit code, which is 1 if the grader failed on a submission.
@@ -179,12 +179,14 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions in the folder of a class, and note what else is in the folder.
+    """Find the submissions in the folder of a class, with notes on everything else in it.
 
-    The reports may be written into a folder next to the submissions, but not into a submission.
+    The reports may be written into a folder next to the submissions. That folder is not mistaken
+    for a submission.
 
     Raises:
-        ValueError: The reports would be written into the class's folder or into a submission.
+        ValueError: The reports would be written directly into the class's folder or into a
+            submission.
     """
     submissions, notes = find_submissions(folder)
     if out.resolve() == folder.resolve():
@@ -204,8 +206,8 @@ def check_hidden(assignment: Assignment) -> None:
     A check that fails on the reference solution must be wrong, and would cost every student points.
 
     Raises:
-        ValueError: The folder has no hidden checks of a graded chapter, or the reference solution
-            fails one of them.
+        ValueError: The folder has no hidden checks for a graded chapter, they cannot be run, or the
+            reference solution fails one of them.
     """
     hidden, root = assignment.hidden, assignment.root
     if hidden is None:

@@ -33,8 +33,8 @@ def grade_submission(
 ) -> StudentReport:
     """Grade one student's submission and return the report on it, even if the grader itself fails.
 
-    ``once`` holds the verdicts that all submissions share. ``fill`` copies the files of a
-    submission that came from another machine. Without it, ``stage`` copies them from this one.
+    ``once`` holds the check results that are the same for all students. The files of the submission
+    are copied by ``stage``, or by ``fill`` if they came from another machine.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -57,18 +57,18 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Build the report on a submission for which the grader itself has failed, and say why.
+    """Build the report on a submission for which the grader itself has failed, with the reason.
 
-    The student does not get a zero. The submission can be graded again.
+    The student does not get a zero, and the submission can be graded again.
     """
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes for the instructor on a student's submission.
+    """Return the instructor's notes on a student's submission.
 
-    If it contains no file that could be graded, a note says so.
+    If the submission contains no file that could be graded, a note says so.
     """
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
@@ -78,9 +78,10 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Compute a digest of those files in a submission that the grader reads, without grading them.
+    """Compute a digest of a submission's files, which shows later whether they have changed.
 
-    If the digest has not changed since an earlier run, the report from that run can be reused.
+    Only the files that the grader reads count. As long as the digest stays the same, the report
+    from an earlier run can be reused.
     """
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         chapters = load_chapters(assignment.root)
@@ -147,9 +148,8 @@ def _chart(
 ) -> Chart | None:
     """Build the chart of an open exercise, which compares a student's solution with the reference.
 
-    It plots the error of both solutions against their cost. Return None for an exercise without a
-    chart. Return None as well if the student's solution fails because of an earlier chapter, since
-    only the second run then shows which of its checks pass.
+    It plots the error of both solutions against their cost. The result is None if the exercise has
+    no chart, or if a mistake in an earlier chapter makes the student's solution fail.
     """
     if result.on_chart is None:
         return None
@@ -202,7 +202,7 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """List the numbers of the earlier chapters for which the student's own code is used in grading.
+    """List the earlier chapters for which grading uses the student's own code, such as [2, 3].
 
     The graded chapters build on these. Any other earlier chapters come from the reference solution.
     """

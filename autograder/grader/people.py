@@ -55,8 +55,8 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 def differences(people: ClassList) -> list[str]:
     """List students who handed in nothing, and submissions whose names are not on the roster.
 
-    Where two names are similar, such as "Ann Le" and "ann lee", a line suggests how to rename the
-    submission.
+    If the lists contain similar names, such as "Ann Lee" and "Ann Le", a line suggests how to
+    rename the submission.
     """
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."

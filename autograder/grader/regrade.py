@@ -56,8 +56,8 @@ class Regrade:
     def before(self) -> StudentReport | None:
         """The student's report before this regrade, or None if there is none.
 
-        If an earlier regrade was killed before it could write the log, this is the report from
-        before that regrade, so that every change is logged.
+        An earlier regrade may have been killed before it could write the log. In that case this is
+        the report from before that regrade, so that every change is logged.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -65,7 +65,9 @@ class Regrade:
         return next((one for one in self.reports if one.student == self.student), None)
 
     def seed(self, seed: str | None) -> str:
-        """Return the seed of the class, for the student who is graded again.
+        """Return the random seed with which the class was graded, to regrade the student with it.
+
+        ``seed`` is the seed that the instructor has requested, or None.
 
         Raises:
             ValueError: A different seed was requested, or the class was graded with several.
@@ -82,13 +84,15 @@ class Regrade:
     def prepare(self, run: ClassRun) -> list[Submission]:
         """Check that the student will be graded under the same conditions as the class.
 
-        Some differences, such as a new version of the grader, are allowed. They are reported.
+        Some differences, such as a new version of the grader, are allowed. They are printed and
+        noted in the log.
 
         Returns:
             A list with the student's submission.
 
         Raises:
-            ValueError: The exercises, their points or the hidden checks are not those of the class.
+            ValueError: The exercises, their points or the hidden checks differ from those of the
+                class.
         """
         run.keeps_reports = False
         differing = self._differing(run.key)
@@ -118,7 +122,10 @@ class Regrade:
     def finish(
         self, graded: Sequence[StudentReport], why: str, console: Console
     ) -> list[StudentReport]:
-        """Log how the student's scores have changed, and return the reports of the whole class."""
+        """Log how the student's scores have changed, and return the reports of the whole class.
+
+        They include the student's new report instead of the old one.
+        """
         (report,) = graded
         console.print(self._log(report, why), markup=False)
         self.kept.unlink(missing_ok=True)
@@ -128,7 +135,7 @@ class Regrade:
     def _differing(self, key: RunKey) -> list[str]:
         """List the conditions of grading that have changed since the class was graded.
 
-        An example is "checks", if somebody has corrected a check.
+        For example, the list contains "checks" if somebody has corrected a check.
         """
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]
@@ -152,12 +159,14 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return which chapters an earlier run graded, and which it took from the reference solution.
+    """Look up which chapters an earlier run graded, in order to grade the same ones again.
 
-    Both are written as command-line options, such as "2,3".
+    Returns:
+        Two texts for the command line, such as "4,5" and "2,3": the graded chapters, and those
+        taken from the reference solution.
 
     Raises:
-        ValueError: There is no earlier run.
+        ValueError: There is no earlier run, or it did not record its chapters.
     """
     run = next((report.run for report in read_results(out) if report.run), None)
     if run is None:

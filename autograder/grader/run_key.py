@@ -17,7 +17,7 @@ from autograder.reports.report import RunKey
 
 
 def run_key(assignment: Assignment) -> RunKey:
-    """Describe everything besides the submission that a student's report depends on.
+    """Describe everything that a student's report depends on, apart from the submission itself.
 
     That includes the checks, the grader and the seed. If any of them changes, the report is no
     longer valid.

@@ -25,11 +25,14 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds modules whose bytecode is already in memory, so that a worker need not compile them.
+    """An import hook that supplies modules from bytecode in memory, so that workers start faster.
 
-    These are the student's modules and the probes, which are helper functions of the checks that
-    must run beside the student's code. ``compiled`` maps each module's name to its marshaled code.
-    Unmarshaling the code does not run it, so the trusted template process can safely do that.
+    The modules are the student's own and those with probes. A probe is a helper function of a check
+    that must run in the same process as the student's code.
+
+    ``compiled`` maps the name of a module, such as ch02_vectors.vector, to its bytecode in the
+    format of ``marshal``. Loading bytecode does not run it, so even the trusted template process
+    can do that safely.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

@@ -1,7 +1,7 @@
 """Recreate an exception that a student's code raised in a worker, so that a check can catch it.
 
-The worker process is not trusted and could send anything. Data that does not describe an exception
-is therefore treated as a violation of the protocol.
+The worker process is not trusted and could send anything. If the data does not describe an
+exception, the worker has violated the protocol.
 """
 
 from __future__ import annotations
@@ -20,20 +20,21 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Choose the name of the built-in exception that replaces this one in a message to a worker.
+    """Return the name of the built-in class to which an exception belongs, such as "ValueError".
 
-    A worker can recreate only built-in exceptions, so an exception of any other class is sent as
-    its nearest built-in base class.
+    An exception is sent to a worker by name, and the worker knows only built-in exceptions. An
+    instance of a subclass of ValueError is therefore sent as "ValueError".
     """
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
 
 def exception_of(data: Any) -> BaseException:
-    """Recreate an exception that the student's code raised, from the data that a worker sent.
+    """Rebuild an exception of the student's code from the data that the worker sent about it.
 
-    The result is the nearest built-in exception, or StudentLeft for something like SystemExit. Its
-    attribute ``fault`` describes the original, including the lines of the student's code that
-    raised it.
+    The result is the nearest built-in exception, such as ValueError for any subclass of ValueError.
+    If the original is not an Exception but, for example, a SystemExit, the result is a StudentLeft.
+    In both cases the attribute ``fault`` describes the original, including the lines of the
+    student's code that raised it.
 
     Raises:
         BrokenProtocolError: The data does not describe an exception.
@@ -80,9 +81,10 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Read which missing name caused an exception in the student's code, if that was the cause.
+    """Read the unknown name that made the student's code raise an exception, if there is one.
 
-    The worker sends the name along with the exception, and the most similar name that does exist.
+    The result contains the name, such as "Vector", and the most similar name that exists, such as
+    "Vector3". It is None if the exception has another cause.
     """
     if data is None:
         return None
@@ -94,7 +96,8 @@ def _unknown(data: Any) -> Unknown | None:
 def text_of_worker(value: Any, longest: int) -> str:
     """Shorten a string from a worker to ``longest`` characters, and escape unprintable ones.
 
-    A student's code could have sent anything, even text that repaints the instructor's screen.
+    Student code could have sent anything, even control characters that clear the instructor's
+    screen.
 
     Raises:
         BrokenProtocolError: The worker sent something other than a string.

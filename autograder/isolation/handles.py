@@ -1,9 +1,9 @@
-"""Handles, through which a check uses a student's objects that live in another process.
+"""Let a check use a student's objects through handles, because they live in another process.
 
-Whatever a check does with a handle becomes a request to the worker process that runs the student's
-code. A check cannot compare a handle, convert it or use it as a truth value, because the student's
-code would then decide the outcome. Instead it must read plain numbers and compare them itself, so
-an object whose ``__eq__`` always returns True gains nothing.
+If ``v`` is a handle, ``v.x`` sends a request to the worker process that runs the student's code,
+and waits for the answer. A check cannot compare a handle, convert it or use it as a truth value,
+because the student's code would then decide the outcome. Instead the check must read plain numbers
+and compare them itself, so an object whose ``__eq__`` always returns True gains nothing.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ class WorkerFailure(CheckEnded):
 class Session:
     """A check's conversation with the worker process that runs the student's code.
 
-    The check sends requests, such as a function call, and the worker answers each one. ``broken``
-    maps each student module that cannot be imported to the reason.
+    The check sends requests, such as a function call, and the worker answers each one. If a module
+    of the student cannot be imported, ``broken`` maps its name to the reason.
     """
 
     def __init__(
@@ -57,8 +57,8 @@ class Session:
     def ask(self, what: str, *operands: Any) -> Any:
         """Send a request about the student's code to the worker process, and return its answer.
 
-        If the student's code raises an Exception, raise the nearest built-in one here, so that the
-        check can handle it like any other error.
+        If the student's code raises an Exception, the nearest built-in one is raised here. The
+        check can then handle it like any other error.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.
@@ -77,8 +77,8 @@ class Session:
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
         """Send one request to the worker and wait for its reply.
 
-        Before it replies, the student's code may call functions that the check passed to it. These
-        callbacks are answered while waiting.
+        Meanwhile the student's code may call functions that the check passed to it. These calls are
+        answered while waiting.
         """
         try:
             self.wire.send(message, self.deadline)
@@ -96,7 +96,7 @@ class Session:
     def _receive(self) -> dict[str, Any]:
         """Return the next message from the worker process that runs the student's code.
 
-        If the machine was so busy that the worker got too little processor time, wait once more.
+        If a busy machine gave the worker too little processor time, the deadline is extended once.
 
         Raises:
             TimeoutError: No message arrives in time.
@@ -121,7 +121,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Build the message to a student whose module lacks a name that the check uses."""
+        """Explain to a student that a module lacks a name that the check uses."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -132,8 +132,8 @@ class Session:
         """Call one of the check's own functions, because the student's code has called it.
 
         This happens when a check passes a function, such as a force, to the student's code. If the
-        function raises an Exception, the worker raises it in the student's code. Anything else that
-        it raises ends the session.
+        function raises an Exception, the worker raises it in the student's code. If it raises
+        anything else, such as KeyboardInterrupt, the conversation with the worker is over.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):

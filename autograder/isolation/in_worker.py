@@ -86,8 +86,8 @@ class InWorker:
     def after_collection(self) -> None:
         """Compile the student's modules, and find out which of them cannot be imported.
 
-        Each module is imported once on trial in a worker. If that fails, the checks that need the
-        module fail with a message that says why.
+        As a test, each module is imported once in a worker. If that fails, every check that needs
+        the module fails with a message that says why.
         """
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
@@ -103,7 +103,8 @@ class InWorker:
     def _files(self) -> dict[str, Path]:
         """Find the files that a worker may import: the student's modules and the probes.
 
-        Probes are helper functions of the checks that must run beside the student's code.
+        Probes are helper functions of the checks that must run in the same process as the student's
+        code.
         """
         packages = {module.partition(".")[0] for module in self.modules}
         found: dict[str, Path] = {}
@@ -164,8 +165,7 @@ class InWorker:
     def definitions(self, file: Path) -> set[str] | None:
         """Ask the worker process for the names that a student's file defines.
 
-        Return None if it does not give a valid answer, since the student's code may have damaged
-        it.
+        The student's code may have damaged the process. If there is no valid answer, return None.
         """
         if self.session is None or self.session.dead:
             return None
@@ -241,10 +241,10 @@ class Name(Handle):
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """An import hook that answers a check file's import of a chapter with placeholders.
+    """An import hook that gives check files placeholders when they import a chapter.
 
-    A package such as ch02_vectors can then be imported although the student's code runs only in the
-    worker processes.
+    A check file can then contain ``from ch02_vectors.vector import Vector3``, although the
+    student's code runs only in the worker processes.
     """
 
     def __init__(self, workers: InWorker) -> None:
@@ -270,7 +270,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 
 class ChapterModule(ModuleType):
-    """What a check file gets when it imports a student's module.
+    """The stand-in that a check file gets when it imports a student's module.
 
     Outside a check its attributes are placeholders. During a check they are the current values,
     read from the worker process that runs the student's code.

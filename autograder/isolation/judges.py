@@ -1,9 +1,9 @@
-"""Fork the processes that run the checks from one that has already imported pytest.
+"""Start processes that run checks, without having to import pytest anew in each of them.
 
-A process that runs checks is called a judge. Importing pytest takes a while, so rather than have
-every judge do it, one process imports pytest and then waits for orders. For each run of checks it
-forks a judge, which behaves as if it had been started as a new Python process. The waiting process
-itself never runs a check, never sees a submission, and ends with the grader.
+A process that runs checks is called a judge. Because importing pytest takes a while, one helper
+process imports it and then waits for orders. For each run of checks it forks a judge, which behaves
+as if it had been started as a new Python process. The helper itself never runs a check, never sees
+a submission, and ends with the grader.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ Order = dict[str, Any]
 
 
 class Judges:
-    """A process that has already imported pytest, from which check processes are forked.
+    """A helper process that has already imported pytest and can quickly fork a process for checks.
 
-    It spares every check process the time that importing pytest takes.
+    Forking saves the time that it would take to import pytest again for every run of checks.
     """
 
     def __init__(self, environment: dict[str, str]) -> None:
@@ -45,10 +45,12 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order to the process that forks check processes, along with some open files.
+        """Send an order to the process that forks check processes, and return the answer.
 
-        The answer is normally the process number of a newly forked check process. If the order was
-        to wait for a check process to end, it is the exit code of that process.
+        If the order is to run checks, the answer is the process number of the new check process. If
+        the order is to wait for a check process to end, the answer is the exit code of that
+        process. ``descriptors`` are open files to send along, which a new process uses as its
+        standard streams.
         """
         data = json.dumps(order).encode() + b"\n"
         sent = socket.send_fds(self._control, [data], descriptors)
@@ -58,7 +60,7 @@ class Judges:
     def close(self) -> None:
         """End the process that forks check processes.
 
-        Check processes that still run end later, when their standard input closes.
+        Any check processes that are still running end later, when their standard input closes.
         """
         self._answers.close()
         self._control.close()
@@ -66,9 +68,9 @@ class Judges:
 
 
 class ForkedJudge:
-    """A check process that was forked from a process with pytest already loaded.
+    """A process that runs checks, forked from one that has already imported pytest.
 
-    It has those parts of the interface of ``subprocess.Popen`` that the grader needs.
+    It offers those methods and attributes of ``subprocess.Popen`` that the grader needs.
 
     Raises:
         OSError: The process that forks check processes has ended.
@@ -106,7 +108,7 @@ def _ask(order: Order, descriptors: list[int]) -> int:
 
 
 def main() -> None:
-    """Fork a process that runs checks for each order from the grader, until the grader ends."""
+    """Fork a process that runs checks whenever the grader orders one, until the grader ends."""
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting

@@ -2,7 +2,7 @@
 
 The time limit of a check is in real time, because code that does nothing but wait must be stopped
 too. On a busy machine, however, the worker process that runs the code may get the processor for
-only a fraction of that time, and correct code would seem too slow.
+only a fraction of that time. Correct code would then seem too slow.
 """
 
 from __future__ import annotations
@@ -28,9 +28,8 @@ class Patience:
     def more(self) -> float:
         """Compute how many extra seconds the worker process gets to finish a check.
 
-        A worker that has used the processor for less than half of its time limit gets the rest of
-        the limit. Any other worker gets 0 seconds, and so does a worker that has had extra time
-        before.
+        If it has used the processor for less than half of its time limit, it gets the unused part
+        of the limit. Otherwise, or if it has had extra time before, it gets 0 seconds.
         """
         used = processor_time(self.process)
         self.process = 0

@@ -1,6 +1,6 @@
 """Test which layers of the sandbox for student code work on this machine.
 
-To find out, a worker tries what each layer should prevent, such as reading a file.
+To find out, a process inside the sandbox tries forbidden operations, such as reading a file.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ def what_fails(level: Level) -> str:
     The operations include reading a file and reaching the network.
 
     Returns:
-        A phrase such as "it does not prevent writing a file", or the reason why the sandbox cannot
-        be started. If the sandbox passes the test, the text is empty.
+        A text such as "it does not prevent writing a file", or the reason why the sandbox cannot be
+        started. If the sandbox passes the test, the text is empty.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

@@ -1,11 +1,14 @@
 """Restrict what a student's code can do while it is graded.
 
-The code runs in a worker process, which several Linux mechanisms restrict together. Landlock lets
-the worker read a few folders and write nothing. A seccomp filter allows only the system calls that
-a computation needs, so the worker cannot create processes, open sockets, or send signals to other
-processes. Where bubblewrap is available, it walls off the whole process. Resource limits cap
-memory, processor time, and the number and size of files. All of this is in place before any student
-code is loaded.
+The code runs in a worker process, which several Linux mechanisms restrict together:
+
+- Landlock lets the worker read a few folders and write nothing.
+- A seccomp filter allows only the system calls that a computation needs. The worker cannot create
+  processes, open sockets, or send signals to other processes.
+- Where bubblewrap is available, it walls off the whole process.
+- Resource limits cap memory, processor time, and the number and size of files.
+
+All of this is in place before any student code is loaded.
 """
 
 from __future__ import annotations
@@ -34,9 +37,9 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True)
 class Level:
-    """The layers of the sandbox that confine a student's code on this machine.
+    """The layers of the sandbox that can confine a student's code on this machine.
 
-    Not every machine offers all three of them.
+    There are three: Landlock, seccomp and bubblewrap. Not every machine supports all of them.
     """
 
     landlock: bool = False
@@ -87,7 +90,8 @@ def landlock_version() -> int:
 def landlock_rules(readable: Sequence[str]) -> int:
     """Create Landlock rules that let a worker read only the listed files and folders.
 
-    Everything else on the disk, including all writing, is forbidden to the student's code.
+    The student's code in the worker can read nothing else on the disk, and can write nothing at
+    all.
 
     Returns:
         The file descriptor that stands for the rules.
@@ -175,8 +179,8 @@ class Filter:
 def seccomp_works_here() -> bool:
     """Return whether our filter of system calls works on this machine.
 
-    The filter lists system calls by their numbers on 64-bit Linux for x86-64. They differ
-    elsewhere.
+    The filter lists system calls by their numbers on 64-bit Linux for x86-64. Other machines use
+    different numbers.
     """
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
@@ -196,9 +200,9 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Permanently restrict the process from which all workers with student code are forked.
+    """Permanently restrict the template process, which forks the workers for student code.
 
-    The workers inherit the restrictions. ``rules`` is the file descriptor that ``landlock_rules``
+    The workers inherit these restrictions. ``rules`` is the file descriptor that ``landlock_rules``
     returned.
 
     Raises:
@@ -221,8 +225,8 @@ def confine(level: Level, rules: int | None) -> None:
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
     """Permanently take away a worker's right to start processes and to send signals.
 
-    The worker enters this state before it loads any student code. The template process that forks
-    the workers needs both rights, so ``confine`` leaves them in place. ``seconds`` is how much
+    This happens before the worker loads any student code. The template process that forks the
+    workers needs both rights, so ``confine`` leaves them in place. ``seconds`` is how much
     processor time the worker may use.
 
     Raises:

@@ -93,10 +93,11 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Return a reference by which a check can use one of the student's objects.
+        """Return a reference through which a check can use an object of the student's code.
 
-        An object gets a number when it is first sent. It is then kept alive in a list, because
-        Python could otherwise give its id to another object later.
+        An example is ``{"object": 3, "type": "Vector3"}``, where 3 is the object's position in a
+        list. The list also keeps the object alive. Otherwise Python could reuse its id for another
+        object.
         """
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):
@@ -104,7 +105,7 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Look up the object that a reference in a check's request stands for.
+        """Return the object that a reference in a check's request stands for.
 
         If the reference stands for a function of the check, return a stand-in that calls the
         function in the checks' process.
@@ -116,10 +117,10 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Create a function through which the student's code calls a function of the check.
+        """Create a stand-in for a function of the check, which the student's code can call.
 
-        The check's function stays in the checks' process. Calling its stand-in here sends the
-        arguments there and waits for the result. ``number`` identifies the function.
+        The function itself stays in the checks' process, which knows it by its ``number``. Calling
+        the stand-in sends the arguments there and waits for the result.
         """
 
         def call(*arguments: Any) -> Any:
@@ -141,8 +142,8 @@ class Server:
     def do_begin(self, broken: list[str]) -> None:
         """Replace the student's modules that cannot be imported with placeholders.
 
-        A check that uses a name from one of them fails. The checks' process knows the reason, so
-        the worker is not told.
+        A check that uses a name from such a module fails. The explanation for the student comes
+        from the checks' process, so the placeholders need none.
         """
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
@@ -223,7 +224,7 @@ class Server:
 def _imported(name: str) -> ModuleType:
     """Import a student's module, and discard what it prints while it is imported.
 
-    Only what the student's code prints during a check is shown.
+    Students are shown only the text that their code prints during a check.
     """
     if name in sys.modules:
         return sys.modules[name]

@@ -1,10 +1,10 @@
-"""Start a template, which is a process from which workers for student code are forked.
+"""Start a template: the process from which workers for student code are forked.
 
-A new Python process needs 70 ms to start and to import what a template needs. A grader starts one
-template for each chapter and submission, so it keeps a process that has already imported these
-modules. That process forks a template for each order, never runs any student code, and ends when no
-process is left that could send an order. Where this is not possible, the template is started as a
-new Python process.
+A new Python process needs 70 ms to start and to import the modules of a template. The grader needs
+a template for each chapter and submission, so it keeps a process waiting that has already imported
+these modules. That process forks a template for each order, and it never runs any student code. It
+ends when no process is left that could send an order. Where forking is not possible, the template
+is started as a new Python process.
 """
 
 from __future__ import annotations
@@ -31,10 +31,11 @@ _waiting: list[socket.socket] = []
 
 
 def start_waiting() -> None:
-    """Start the process that forks templates, from which workers for student code are forked.
+    """Start a process that waits for orders, and forks a template for each of them.
 
-    It receives orders over a socket that keeps messages whole. On systems without such sockets,
-    nothing is started, and each template will be a new Python process.
+    A template in turn forks the workers that run student code. The orders arrive on a socket that
+    never splits or joins messages. On a system without such sockets, nothing is started, and each
+    template will be a new Python process.
     """
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -44,11 +45,14 @@ def start_waiting() -> None:
 
 
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
-    """Fork a template, the process from which workers for student code are forked.
+    """Have the waiting helper process fork a template, from which workers can then be forked.
 
-    A process that has already imported the necessary modules forks it. If there is no such process,
-    return False. ``control`` is the template's end of its control socket, and ``log`` is the file
-    descriptor to which the template's output goes.
+    ``control`` is the template's end of the socket for its orders. ``log`` is the file descriptor
+    to which the template's output goes.
+
+    Returns:
+        Whether the order was sent. If not, no helper process is waiting, and the template must be
+        started in another way.
     """
     for waiting in _waiting:
         with contextlib.suppress(OSError):
@@ -62,7 +66,8 @@ def start_process(
 ) -> subprocess.Popen[bytes]:
     """Start a template as a new Python process, inside bubblewrap if ``level`` asks for it.
 
-    This takes longer than forking one, but a process can enter bubblewrap only when it starts.
+    A template forks the workers that run student code. Starting a new process takes longer than
+    forking one, but a process can enter bubblewrap only when it starts.
     """
     command = _python("main", json.dumps({**config, "control": control.fileno()}))
     if level.bubblewrap:
@@ -83,7 +88,10 @@ def python_folders() -> list[str]:
 
 
 def _start(command: list[str], end: socket.socket, output: int) -> subprocess.Popen[bytes]:
-    """Start a trusted helper process that inherits ``end``, its end of a connection to us."""
+    """Start a trusted helper process that is connected to this one by a socket.
+
+    ``end`` is the helper's end of the socket, and ``output`` receives everything that it prints.
+    """
     return subprocess.Popen(
         command,
         cwd="/",
@@ -103,9 +111,9 @@ def _python(function: str, argument: str) -> list[str]:
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Build the beginning of a command line, which makes the rest of it run inside bubblewrap.
+    """Build the first part of a command line, which runs the rest of it inside bubblewrap.
 
-    The program there can read only the ``visible`` paths, and it has no network.
+    The program that runs there can read only the ``visible`` paths, and it has no network.
     """
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]

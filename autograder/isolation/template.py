@@ -58,11 +58,12 @@ class _Worker:
 class Template:
     """A process that forks a worker for each check, but never runs any student code itself.
 
-    A worker looks for a module in the standard library, then in the folders of ``engine``, which
-    hold the student's chapters, and then in the folder of the probes. ``folder`` is for temporary
-    files, and ``seconds`` is how long a worker may take to answer. If ``fresh`` is set, each worker
-    gets a template of its own. That is slower but, without seccomp, the only way to keep one worker
-    from affecting the next.
+    A worker looks for modules in the standard library, then in the folders of ``engine`` with the
+    student's chapters, and then in ``probes``. ``folder`` is for temporary files, and ``seconds``
+    is how long a worker may take to answer.
+
+    If ``fresh`` is set, each worker gets a template of its own. That is slower. Without seccomp,
+    however, it is the only way to keep one worker from affecting the next.
     """
 
     def __init__(
@@ -94,9 +95,8 @@ class Template:
     ) -> Session:
         """Start a conversation with a worker process that has not run any student code yet.
 
-        Unless ``fresh`` is set, the following worker is ordered at the same time, so that it is
-        ready for the next check. ``broken`` maps each student module that cannot be imported to the
-        reason.
+        Unless ``fresh`` is set, the worker after this one is ordered too, so that it is ready for
+        the next check. ``broken`` maps each student module that cannot be imported to the reason.
 
         Raises:
             TemplateError: The worker did not start.
@@ -148,7 +148,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, as soon as its process number is known."""
+        """Return the worker that was ordered in advance, after waiting for its process number."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -161,7 +161,7 @@ class Template:
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
         """Hand the bytecode of the student's modules to all workers that start from now on.
 
-        An earlier worker compiled the modules, so the later ones can import them faster.
+        They then import these modules without compiling them again.
         """
         self._compiled = dict(compiled)
         if self._control is not None:
@@ -218,7 +218,7 @@ class Template:
 
         Raises:
             TemplateError: The worker was killed from outside, perhaps because the machine ran out
-                of memory. Code inside the sandbox cannot bring that about.
+                of memory. Code inside the sandbox cannot cause this.
         """
         assert self._control is not None
         assert self._worker is not None
@@ -248,7 +248,7 @@ class Template:
             self._end()
 
     def close(self) -> None:
-        """End the process that forks workers, and its current worker."""
+        """End the template process, which forks the workers, and its current worker."""
         self.stop_worker()
         self._end()
         os.close(self._log)

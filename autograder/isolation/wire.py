@@ -1,8 +1,9 @@
 """Send plain data between the trusted checks and the process that runs a student's code.
 
 Each message is one line of JSON. A value is sent as is if its type is exactly None, bool, int,
-float, str, list, tuple or dict. Any other object is replaced with a reference. Each end makes up
-the references to its own objects, and looks them up again when the other end uses them.
+float, str, list, tuple or dict. Any other object stays in its process, and only a reference such as
+``{"object": 3}`` is sent. When the other process sends the reference back, it stands for that
+object again.
 """
 
 from __future__ import annotations
@@ -68,7 +69,9 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message to the other process, which is either the worker or the checks.
+        """Send a message to the process at the other end: from a check to its worker, or back.
+
+        ``deadline`` is a time of ``time.monotonic``, or None to wait as long as necessary.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -82,7 +85,9 @@ class Wire:
                 self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
-        """Return the next message from the other process, which is either the worker or the checks.
+        """Wait for the next message from the process at the other end, and return it.
+
+        ``deadline`` is a time of ``time.monotonic``, or None to wait as long as necessary.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -136,7 +141,8 @@ def _message(line: bytes) -> dict[str, Any]:
 def pack(value: Any, refer: Refer) -> Any:
     """Convert a value to a form that can be sent as JSON between the checks and the student's code.
 
-    ``refer`` is called for every object that is not plain data, and returns a reference to it.
+    ``refer`` is called for every object that is not plain data, and returns a reference such as
+    ``{"object": 3}`` to send in its place.
 
     Raises:
         UnsendableError: The value is too large or too deeply nested.

@@ -48,10 +48,10 @@ RULES, WIRE, STACK = 29, 30, 31
 
 
 def start_templates(number: str) -> None:
-    """Fork a template process for each order that arrives on a socket, until all senders close it.
+    """Wait for orders on a socket, and fork a template process for each of them.
 
-    A template is a process from which workers for student code are forked. ``number`` is the
-    socket's file descriptor.
+    A template in turn forks the workers that run student code. ``number`` is the file descriptor of
+    the socket, as text. The function returns when all senders have closed the socket.
     """
     orders = socket.socket(fileno=int(number))
     _preload()
@@ -84,17 +84,17 @@ def _preload() -> None:
 
 
 def main(text: str) -> None:
-    """Run this process as a template, with its configuration given as JSON text.
+    """Turn this process into a template, from which workers for student code are forked.
 
-    A template is a process from which workers for student code are forked.
+    ``text`` holds the configuration of the template as JSON.
     """
     run_template(json.loads(text))
 
 
 def run_template(config: dict[str, Any]) -> None:
-    """Fork a worker process for student code whenever one is ordered.
+    """Turn this process into a template, which forks a worker for student code for each order.
 
-    This process restricts itself before it forks the first worker, and the workers inherit the
+    The template restricts itself before it forks the first worker, and the workers inherit the
     restrictions. It ends when the control socket closes.
     """
     # The number of this descriptor depends on the files that the runner has open. We replace it by

@@ -26,8 +26,8 @@ class Answer:
     """One student's answer to a written question, as shown on the marking page.
 
     The page shows ``code`` instead of the student's name, so that the name cannot influence the
-    mark. If something is wrong with the student's answers.md, ``note`` says what it is, and
-    ``text`` is the whole file.
+    mark. If something is wrong with the student's answers.md, ``note`` says what it is. In that
+    case ``text`` may be the whole file, because the answer could be anywhere in it.
     """
 
     student: str
@@ -77,7 +77,7 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield one student's answer to each written question, with the number of its exercise.
+    """Yield one student's answer to each written question, as in ("2.2b", answer).
 
     The text of a missing answer is empty.
     """
@@ -94,10 +94,11 @@ def _answers_of(
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Return the text of a student's answer, and a note if something is wrong with answers.md.
+    """Find a student's answer to one question in the file answers.md.
 
-    If the file has problems, such as a duplicate heading, return the whole file, because the answer
-    may be elsewhere in it.
+    Returns:
+        The answer, and a note if something is wrong with the file, such as a duplicate heading. In
+        that case the answer may be anywhere in the file, so its whole text is returned.
     """
     if not file.exists():
         return "", ""
@@ -116,7 +117,7 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of the chapter in which answers.md is the only file that students hand in.
+    """Return a copy of the chapter for which students hand in only the file answers.md.
 
     Their code is not needed for marking, so it is not copied.
     """

@@ -71,7 +71,7 @@ class MarksFile:
     def _lines(self) -> list[str]:
         """Return the lines of marks.csv with their line endings, or the header if there is no file.
 
-        The lines are numbered as in ``read_rows``, which reports where each mark begins and ends.
+        ``read_rows`` counts lines in the same way when it reports where each mark begins and ends.
         """
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]

@@ -23,9 +23,9 @@ LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
 class Marking(Site):
-    """What the server of the marking page knows: the students' written answers and their marks.
+    """The data behind the marking page: the students' written answers and their marks.
 
-    All request handlers share this object.
+    All request handlers of the server share this object.
     """
 
     def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
@@ -51,10 +51,10 @@ class Marking(Site):
         )
 
     def known(self) -> dict[str, dict[str, Any]]:
-        """Read the marks from marks.csv, grouped by exercise.
+        """Read the marks from marks.csv, and sort them by exercise and by student.
 
-        In each group, a mark is found under the code that stands for the student on the marking
-        page.
+        For example, ``known()["2.2b"]`` holds the marks for exercise 2.2b. Its keys are the codes
+        that stand for students on the marking page.
         """
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
@@ -95,8 +95,8 @@ class Marks(Handler):
     """Sends the marks for written answers to the marking page, and changes them at its request.
 
     A request to change a mark includes the old mark that the page displayed. If somebody has
-    changed the mark in the file since then, it is not overwritten, because the user has not seen
-    it.
+    changed the mark in the file since then, the user has not seen that change, so it is not
+    overwritten.
     """
 
     site: Marking
@@ -144,13 +144,13 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Tell the marking page why a mark that it sent was not saved."""
+        """Tell the marking page that its request has failed, and why."""
         self.set_status(status)
         self.write({"why": why})
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Convert data that the marking page sent to a mark, or to None if the mark is to be deleted.
+    """Read a mark from the data that the marking page sent, or return None if it is to be deleted.
 
     ``most`` is the maximum number of points for the answer.
 
@@ -170,8 +170,8 @@ def mark_of(value: Any, most: float) -> Mark | None:
 def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
     """Serve the page for marking a class's written answers until the instructor presses Ctrl-C.
 
-    The marks are saved in marks.csv. If ``chapters`` contain only the exercises of an assignment,
-    the page is limited to the questions among them.
+    The marks are saved in marks.csv. The page shows only questions that belong to the exercises in
+    ``chapters``, which may be those of a single assignment.
 
     Raises:
         ValueError: There is nothing to mark, or marks.csv contains a mistake.

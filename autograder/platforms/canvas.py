@@ -41,7 +41,7 @@ def write_canvas(
 
 
 def check_title(title: str) -> str:
-    """Return the title of an assignment if Canvas will import a column with that name.
+    """Check that Canvas will import a column with this title, and return the title unchanged.
 
     Raises:
         ValueError: The title is not one line of text, begins like a formula, or is the name of a

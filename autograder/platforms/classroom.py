@@ -25,11 +25,11 @@ def make_classroom(
     """Write the files that students get through GitHub Classroom into the new folder ``out``.
 
     They are an ordinary handout and a workflow that grades every push. GitHub Classroom accepts
-    only whole points, so the points of the exercises are rounded in such a way that their sum stays
-    the same. ``about`` is the README section about the assignment.
+    only whole points, so the points of the exercises are rounded. ``about`` is the README section
+    about the assignment.
 
     Raises:
-        ValueError: ``make_handout`` refuses the chapters or the folder.
+        ValueError: A chapter is in both ``chapters`` and ``given``, or the folder is not empty.
     """
     make_handout(chapters, given, out, root, about=about)
     chapters = in_whole_points(chapters)
@@ -88,9 +88,10 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
 
 
 def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
-    """Round the points of all exercises to whole numbers, giving each at least one point.
+    """Round the points of all exercises to whole numbers, and keep their sum where possible.
 
-    GitHub Classroom does not accept fractions of a point.
+    GitHub Classroom does not accept fractions of a point. Each exercise is worth at least one
+    point.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     counted = {e.id: e.points for e in exercises if not e.extra}

@@ -47,8 +47,8 @@ def main(folder: Path, root: Path = ROOT) -> None:
 def grade_one(folder: Path, root: Path) -> StudentReport:
     """Grade the submission that Gradescope has put into ``folder``, and return the report on it.
 
-    The file assignment.json in our zip says what to grade. If it has no seed, each run draws new
-    random numbers for its checks.
+    The file assignment.json, which came with the grader, says what to grade. If it contains no
+    seed, every run uses new random numbers in its checks.
 
     Raises:
         ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
@@ -76,9 +76,10 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 
 
 def students(metadata: Path) -> str:
-    """Return the names of the students who, according to Gradescope, made this submission.
+    """Return the names of the students who made this submission, such as "Ann Lee, Bo Chen".
 
-    If Gradescope gives no names, return "submission".
+    They come from the file that Gradescope writes about a submission. If it contains no names,
+    return "submission".
     """
     try:
         users = _metadata(metadata)["users"]
@@ -88,7 +89,7 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Read what Gradescope says about a submission, such as the students and the time.
+    """Read the file in which Gradescope describes a submission, with its students and its time.
 
     If the file is unreadable, return an empty dict.
     """
@@ -116,8 +117,8 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 def _level(submission: Path, *, unsafe: bool) -> Level:
     """Choose the sandbox for the student's code on Gradescope's machine.
 
-    If there is none and ``unsafe`` permits grading without one, a process running as root first
-    switches to an unprivileged user.
+    Without a sandbox, student code must never run as root. If this machine has none and ``unsafe``
+    permits grading anyway, this process switches from root to an unprivileged user first.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

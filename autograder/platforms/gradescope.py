@@ -33,8 +33,9 @@ def make_gradescope(
 ) -> None:
     """Write the zip file that an instructor uploads to Gradescope, and print what it contains.
 
-    The given chapters come from the reference solution, even if students hand in their own files
-    for them. ``unsafe`` permits grading without a sandbox on a machine that has none.
+    ``work`` describes the assignment. Its given chapters come from the reference solution, even if
+    students hand in their own files for them. ``unsafe`` permits grading without a sandbox on a
+    machine that has none.
 
     Raises:
         ValueError: ``out`` does not name a .zip file, or hidden checks would be unprotected.
@@ -78,9 +79,9 @@ def make_gradescope(
 def _files(
     root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
-    """Find the files of this repository that Gradescope needs to grade these chapters.
+    """Find the files of this repository that Gradescope needs in order to grade some chapters.
 
-    ``reference`` lists the chapters whose solutions are included.
+    The solutions of the chapters in ``reference`` are included.
     """
     yield root / "pyproject.toml"
     yield root / "requirements.lock"
@@ -102,7 +103,7 @@ def _hidden(work: Work) -> dict[str, bytes]:
     """Read the instructor's hidden checks of the graded chapters, to be put into Gradescope's zip.
 
     Returns:
-        The contents of the files by their paths in the zip.
+        The content of each file, with its path in the zip as the key.
     """
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()

@@ -44,11 +44,12 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write Moodle's grading worksheet for an assignment, and return whether it has any students.
+    """Write Moodle's grading worksheet for an assignment, and return whether it was needed.
 
-    The participants' numbers come from the folder names in a Moodle download, so no roster is
-    needed. If no submission comes from Moodle, nothing is written. The column for comments is left
-    out, since empty cells in it would delete the comments in Moodle.
+    The worksheet lists all submissions that come from Moodle. If there are none, nothing is
+    written. The participants' numbers come from the folder names in a Moodle download, so no roster
+    is needed. The column for comments is left out, since empty cells in it would delete the
+    comments in Moodle.
     """
     rows = []
     for member in people.members:

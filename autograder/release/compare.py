@@ -21,9 +21,10 @@ OUTSIDE = ""  # stands for code outside of functions
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function, as shown on a page that compares a student's code with the reference.
+    """The body of a function, ready to be shown next to another version of the same function.
 
-    It has no indentation, and comes with the number of lines, calls and new objects in it.
+    ``text`` is the code without its indentation. ``counts`` says how many lines, calls and new
+    objects it contains.
     """
 
     text: str
@@ -32,7 +33,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Pair:
-    """A student's version of a function beside the one in the reference solution.
+    """A function as the student wrote it, next to the same function in the reference solution.
 
     Either version is None if it does not exist.
     """
@@ -68,8 +69,8 @@ def compare_others(
 ) -> list[Compared]:
     """Pair functions that belong to no exercise, such as helpers, with the reference solution.
 
-    A function that is identical on both sides, perhaps because it was given, is left out. So is all
-    code outside functions.
+    If a function is identical on both sides, perhaps because students did not have to write it, it
+    is left out. So is all code outside functions.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []
@@ -92,7 +93,8 @@ def compare_others(
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
     """Read the functions in one module of a student or of the reference solution.
 
-    Functions that cannot be parsed are left out.
+    The result maps names such as "Particle.mass" to the code. Functions that cannot be parsed are
+    left out.
     """
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}

@@ -19,9 +19,9 @@ END_OF_LINE = ";"
 class Counts:
     """The number of lines, calls and new objects in the body of a function.
 
-    ``lines`` excludes blank lines, comments and docstrings. ``calls`` counts calls such as
-    v.dot(w), and ``objects`` counts calls that create an object, such as Vector3(...). An error
-    created in a raise statement counts as neither.
+    ``lines`` excludes blank lines, comments and docstrings. ``calls`` counts all calls, and
+    ``objects`` counts those that create an object, such as Vector3(...). An error created in a
+    raise statement counts as neither.
     """
 
     lines: int
@@ -32,7 +32,7 @@ class Counts:
 def count(function: Function) -> Counts:
     """Count the lines, calls and new objects in the body of a function.
 
-    A student can then compare a function with the one in the reference solution.
+    The counts let students compare their own function with the one in the reference solution.
     """
     words = [token.word.removeprefix(LOCAL) for token in function.tokens]
     called = [words[i - 1] for i, word in enumerate(words) if word == "(" and _is_call(words, i)]

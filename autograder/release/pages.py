@@ -17,9 +17,9 @@ TEMPLATES = Path(__file__).parent / "templates"
 def write_page(
     out: Path, student: str, compared: Sequence[Compared], not_compared: Sequence[str]
 ) -> Path:
-    """Write the page that compares a student's code with the reference solution.
+    """Write a page that shows a student's code next to the reference solution.
 
-    The file is students/<student>.html. ``not_compared`` names the released exercises that the
+    The file is students/<student>.html. ``not_compared`` lists the released exercises that the
     student has not solved.
 
     Returns:

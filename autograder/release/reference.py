@@ -1,4 +1,4 @@
-"""Write those parts of the reference solution that students may see now.
+"""Write the part of the reference solution that students may see now.
 
 Exercises that are not released yet remain stubs, so that students can still solve them.
 """
@@ -18,7 +18,8 @@ from autograder.manifest import ROOT, Chapter
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
     """Return copies of the chapters that contain only the exercises to be released.
 
-    If ``exercises`` is empty, the copies keep all of their exercises.
+    If ``exercises`` is empty, the copies keep all of their exercises. Chapters without any exercise
+    to release are left out.
 
     Raises:
         ValueError: An exercise does not exist in any of the chapters.
@@ -36,7 +37,7 @@ def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapte
 
 
 def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return a module of the reference solution in which only the released exercises are solved.
+    """Return the text of a reference module in which only the released exercises are solved.
 
     The functions of all other exercises are stubs, which do not give away the solution.
     """
@@ -50,9 +51,10 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
 def write_reference(
     out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
 ) -> dict[str, str]:
-    """Write the released solutions of a chapter into ``out``, and return each module's text.
+    """Write the released solutions of a chapter into ``out``, and return the text of each module.
 
-    The folder reference/ in ``out`` also gets the data files and the model answers of the chapter.
+    The files go into the folder reference/ in ``out``, together with the data files and the
+    released model answers of the chapter.
     """
     folder = out / "reference" / whole.name
     folder.mkdir(parents=True)

@@ -44,8 +44,8 @@ def release(
 
     If ``exercises`` is not empty, only those exercises are released. If ``submissions`` and
     ``grades`` are given, each student also gets a page that compares the student's code with the
-    reference solution. Use the same ``roster`` as for grading, because the results go by the names
-    in it.
+    reference solution. Use the same ``roster`` as for grading, so that each submission is matched
+    with its grade.
 
     Returns:
         The exit code 0.
@@ -94,7 +94,7 @@ def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
     """Create the folder ``out`` for the released solutions, or delete an earlier release from it.
 
     Raises:
-        ValueError: The folder contains other files, or is one whose files go into handouts.
+        ValueError: The folder contains other files, or could end up in a handout or a submission.
     """
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
@@ -119,11 +119,12 @@ def _compare(
     reference: dict[str, dict[str, str]],
     root: Path,
 ) -> tuple[list[Compared], list[str], str]:
-    """Compare a student's solved exercises with the reference solution.
+    """Compare a student's solved exercises with the reference solution, function by function.
 
     Returns:
-        The compared functions, the released exercises that were left out, and the reason to give if
-        nothing could be compared.
+        Three things: the comparisons, the ids of the released exercises that the student has not
+        solved, and the reason why there are no comparisons. The reason matters only if there are
+        none.
     """
     if report is None:
         return [], [], "the work was not graded"
@@ -149,7 +150,7 @@ def _own_texts(
 ) -> dict[str, Texts] | None:
     """Read the modules that a student handed in, grouped by chapter.
 
-    Return None if the submission has changed since it was graded, because we then no longer know
+    Return None if the submission has changed since it was graded. In that case we no longer know
     which exercises work.
     """
     chapters = load_chapters(root)

@@ -22,7 +22,7 @@ class ExerciseRate:
     """How many students of a class pass an exercise, and how many points they earn on average.
 
     ``counted`` is the number of students with a score for the exercise. A student has no score if
-    the grader itself failed, or while a written answer is still waiting to be marked.
+    grading failed, or while a written answer is still waiting to be marked.
     """
 
     exercise: Exercise

@@ -79,7 +79,7 @@ def write_gradebook(
 def _late(report: StudentReport) -> list[float | None]:
     """Return the gradebook's cells about a late submission: points earned, days late and penalty.
 
-    A cell is None if its value is unknown, for example because the grader failed.
+    A cell is None if its value is unknown, for example because the work could not be graded.
     """
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]

@@ -122,7 +122,7 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """File each mark under the name that the reports use for the student.
+    """Store each mark under the name that the reports use for the student.
 
     In marks.csv a student may go by another name, such as the one on the roster. ``names`` maps
     every such name to the one in the reports.

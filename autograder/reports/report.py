@@ -101,7 +101,7 @@ class StudentReport:
     """The report on one student: the results of all exercises, and the points.
 
     Attributes:
-        score: The points from checks. It is None if the grader failed.
+        score: The points from checks. It is None if grading failed.
         score_on_given: The points from checks when our solutions replace the student's earlier
             chapters.
         points: The points that the checks are worth.
@@ -134,7 +134,7 @@ class StudentReport:
     def earned(self) -> float | None:
         """The student's points from checks and marks, before any late penalty.
 
-        It is None if the grader failed.
+        The result is None if the submission could not be graded.
         """
         return None if self.score is None else self.score + (self.by_hand or 0)
 

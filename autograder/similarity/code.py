@@ -90,7 +90,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield names that a student has not made up: Python's own, and those in one of our files.
+    """Yield the names that students did not invent: Python's own, and those in one of our files.
 
     ``text`` is the contents of that file. Any other name in a student's code is replaced before the
     comparison, so renaming a variable does not hide a copy.

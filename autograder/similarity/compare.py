@@ -199,7 +199,7 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Add up the weights of fingerprints in an exercise, to compare students by them.
+        """Add up the weights of some fingerprints of students' code for one exercise.
 
         A fingerprint weighs more if fewer students share it, because it is less likely to be a
         coincidence.
@@ -208,10 +208,10 @@ class Measure:
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """Compute how much more similar each pair of students is than one would expect.
+    """Compute how much more similar the code of each pair of students is than expected.
 
-    Each student's code has a usual similarity to that of others, the median over all pairs. We
-    expect the average of the two students' medians.
+    A student's usual similarity is the median of the similarities to all other students. For a
+    pair, we expect the average of their two medians.
     """
     of: dict[str, list[float]] = {}
     for pair in pairs:

@@ -43,7 +43,7 @@ def fingerprints(words: tuple[str, ...]) -> set[int]:
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
     """Find the tokens of a student's function that belong to code shared with another student.
 
-    A token does if some sequence of tokens around it has one of the ``shared`` hashes. Return the
+    Such a token is part of a sequence of tokens that has one of the ``shared`` hashes. Return the
     indices of these tokens.
     """
     found = hashes(tuple(token.word for token in tokens))

@@ -17,7 +17,7 @@ from autograder.manifest import Chapter
 class Memory:
     """Runs checks on a student's code, and remembers the verdicts until the student changes a file.
 
-    ``run`` is the function that runs them, and has the same parameters as ``run_checks``.
+    ``run`` is the function that runs the checks. It has the same parameters as ``run_checks``.
     """
 
     def __init__(self, seed: str, run: Callable[..., list[Verdict]] = run_checks) -> None:

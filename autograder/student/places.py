@@ -21,9 +21,9 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
     """Find the line of code that the student should open to fix a failed check, as path:line.
 
     If the check's message names a line, we take that one. Otherwise, we take the start of the
-    function that the check calls. We never send the student to a complete file, which must not be
-    edited, or to a function of another exercise, which may be correct. If the check is about data
-    that the student entered, the result is the data file.
+    function that the check calls. We ignore a line in a file that must not be edited. Usually we
+    also ignore a line in a function of another exercise, which may be correct. If the check is
+    about data that the student entered, the result is the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -60,9 +60,9 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Name the student's function that contains a line of a file, as in vector.Vector3.dot.
+    """Name the function in a student's file that contains a certain line, as in vector.Vector3.dot.
 
-    The result is None if there is no such function.
+    The result is None if the line is outside all functions.
     """
     tree = _read(_file(engine, chapter, file))
     for name, node in functions(tree).items() if tree else ():

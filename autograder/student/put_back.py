@@ -12,7 +12,7 @@ from autograder.definitions import functions
 
 
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
-    """Put functions that a student has deleted, such as Vector3.dot, back as stubs.
+    """Put stubs in place of functions that a student has deleted, such as Vector3.dot.
 
     Return the new module. If the student has deleted a whole class, all of it is restored.
 
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return a student's class with its deleted methods put back, as stubs."""
+    """Return a student's class with stubs in place of the methods that were deleted."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]

@@ -78,7 +78,7 @@ def reset(
 
 
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
-    """Write the question whether the student really wants to start an exercise over.
+    """Write the question that asks a student to confirm the reset of an exercise.
 
     It names the functions to reset, their files, and the folder in which a copy will be kept.
 

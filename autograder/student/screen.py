@@ -43,9 +43,9 @@ BAR = 40
 class Report:
     """The results of checking a student's code for one chapter.
 
-    ``results`` come from a run on the student's own earlier chapters. ``on_reference`` comes from a
-    second run with our earlier chapters, and is empty if there was none. ``suspects`` are earlier
-    chapters that may be to blame for failures.
+    ``results`` come from a run with the student's own earlier chapters. ``on_reference`` comes from
+    a second run with our solutions to those chapters, and is empty if there was none. ``suspects``
+    are earlier chapters that may be to blame for failures.
     """
 
     chapter: Chapter
@@ -136,7 +136,7 @@ def passed_words(
 ) -> str:
     """Write the sentence that tells the student that all checks pass.
 
-    ``changed`` is true if the student has edited a file that should not be changed.
+    If the student has ``changed`` a file that must not be edited, it warns of that instead.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."
@@ -228,7 +228,7 @@ def passing(checks: Sequence[Verdict]) -> str:
 
 
 def bar(part: float, whole: float) -> str:
-    """Draw a progress bar as text, filled with number signs up to the fraction ``part / whole``."""
+    """Draw a progress bar of number signs and dots, which shows the fraction ``part / whole``."""
     filled = min(BAR, int(BAR * part / whole)) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 

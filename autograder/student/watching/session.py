@@ -56,9 +56,9 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """Make the exercise that the student has just edited the current one.
+        """Switch to the exercise that the student has just edited.
 
-        If the student edited several at once, prefer one that does not work yet.
+        If the student has edited several at once, prefer one that does not work yet.
         """
         edited = self.edits.look()
         if edited:
@@ -100,7 +100,7 @@ class Session:
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
         """Check the student's current exercise, show the result, and return whether it is done.
 
-        At first, an exercise is done as soon as its physics passes. Robust checks count only when
+        At first, an exercise is done as soon as its physics passes. Robust checks count only after
         the physics of the whole chapter passes. If the physics of a prerequisite no longer passes,
         that exercise becomes the current one.
         """

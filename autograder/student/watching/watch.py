@@ -61,7 +61,7 @@ class Keyboard:
         self.asking = False  # whether we have asked if the current exercise should be reset
 
     def press(self, key: str) -> None:
-        """Do what a key stands for that the student has pressed, such as showing a hint for h.
+        """React to a key that the student has pressed, for example by showing a hint for h.
 
         Other keys do nothing. If we have just asked whether to reset an exercise, the key is the
         answer.

@@ -134,7 +134,7 @@ class StudentReport:
     def earned(self) -> float | None:
         """The student's points from checks and marks, before any late penalty.
 
-        The result is None if the submission could not be graded.
+        The result is None if grading failed.
         """
         return None if self.score is None else self.score + (self.by_hand or 0)
 
@@ -148,7 +148,7 @@ class StudentReport:
 
     @property
     def total(self) -> float | None:
-        """The student's points after the late penalty, or None if the grader failed."""
+        """The student's points after the late penalty, or None if grading failed."""
         return None if self.earned is None else round(self.earned - self.penalty, 2)
 
 

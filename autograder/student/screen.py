@@ -136,7 +136,8 @@ def passed_words(
 ) -> str:
     """Write the sentence that tells the student that all checks pass.
 
-    If the student has ``changed`` a file that must not be edited, it warns of that instead.
+    If ``changed`` is true, the student has edited a file that should stay as it is. The sentence
+    then warns that grading uses the original.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."

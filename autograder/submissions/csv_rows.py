@@ -29,8 +29,8 @@ class Table:
         """Yield the rows below the header of a CSV file, each with its first and last line number.
 
         Blank rows are skipped, and cells missing at the end of a row are empty. If a row has too
-        many cells, somebody has probably forgotten to quote a cell that contains a separator. The
-        error message then suggests a cell of the column ``longest``, such as "comment".
+        many cells, somebody has probably forgotten to quote a cell that contains a separator.
+        ``longest`` is the word for such a cell in the error message, for example "comment".
 
         Raises:
             ValueError: A row is too long, or a quote is never closed. The message names the line.

@@ -23,7 +23,7 @@ MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of o
 class NotTakenError(Exception):
     """Raised when we reject a submitted file or a whole submission.
 
-    Its text gives the reason, in words that fit into a longer sentence: "it is a symbolic link".
+    Its text gives the reason as part of a sentence, such as "it is a symbolic link".
     """
 
 

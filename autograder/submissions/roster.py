@@ -41,7 +41,7 @@ class Student:
 
     @property
     def names(self) -> set[str]:
-        """The spellings of a student's name to expect on a submission: janedoe and doejane.
+        """The spellings of a student's name to expect on a submission, such as janedoe and doejane.
 
         Canvas puts the last name first. A roster may do so too, as in "Doe, Jane".
         """

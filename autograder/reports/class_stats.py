@@ -21,8 +21,8 @@ BINS = 10
 class ExerciseRate:
     """How many students of a class pass an exercise, and how many points they earn on average.
 
-    ``counted`` is the number of students who have a score for the exercise. Students have no score
-    if the grader failed on their submission, or as long as nobody has marked their written answer.
+    ``counted`` is the number of students with a score for the exercise. A student has no score if
+    grading failed, or while a written answer is still waiting to be marked.
     """
 
     exercise: Exercise
@@ -33,9 +33,10 @@ class ExerciseRate:
 
     @property
     def share(self) -> float | None:
-        """The fraction of students who pass every check of the exercise, among those with a score.
+        """The fraction of students who pass every check of the exercise, such as 0.75.
 
-        It is None for a written exercise, which has no checks, and if no student has a score yet.
+        Students without a score are not counted. The fraction is None if nobody has a score, and
+        for a written exercise, which has no checks.
         """
         if self.exercise.kind == "written" or not self.counted:
             return None
@@ -44,10 +45,10 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """A bar in the histogram of a class's scores.
+    """One bar in the histogram of a class's scores, such as the bar from 70 to 80 percent.
 
-    ``count`` students have a score of at least ``low`` and less than ``high`` percent of the
-    points. The last bar includes full marks.
+    ``count`` students have at least ``low`` percent of the points, but less than ``high`` percent.
+    The last bar includes full marks.
     """
 
     low: int
@@ -56,9 +57,9 @@ class Bin:
 
 
 def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[ExerciseRate]:
-    """Compute the pass rate of each exercise from the reports on all students of a class.
+    """Work out how many students of a class pass each exercise, from the reports on all of them.
 
-    The exercises are in the same order as in the chapters' manifests.
+    The result lists the exercises in the order of ``chapters``.
     """
     results: dict[str, list[ExerciseReport]] = {}
     for report in reports:
@@ -71,16 +72,17 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
     """Find the five exercises with the lowest pass rates in a class, hardest first.
 
-    An exercise that every student passes is left out, so the list may be shorter or empty.
+    Exercises that everybody passes and written exercises are left out, so there may be fewer than
+    five.
     """
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
-    """Count the students of a class by score, in bins of 10 percent, for a histogram.
+    """Count how many students of a class score 0 to 10 percent, 10 to 20 percent, and so on.
 
-    A full score, or a higher one due to extra credit, goes into the last bin. Students without a
+    Full marks go into the last bin, and so do higher scores due to extra credit. Students without a
     score are not counted.
     """
     counts: Counter[int] = Counter()

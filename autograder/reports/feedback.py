@@ -1,7 +1,7 @@
 """Write the web pages of a graded class: one per student, and an overview for the instructor.
 
-The pages work offline and contain no scripts. Whatever comes from a student, such as a name or an
-error message, is inserted as plain text, so it cannot change the page.
+The pages work offline and contain no scripts. A student's name, error messages and other text from
+students are inserted as plain text, so they cannot change a page.
 """
 
 from __future__ import annotations
@@ -48,10 +48,11 @@ TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first t
 
 @dataclass
 class LostChecks:
-    """Failed checks of an exercise that have the same message, which the student's page shows once.
+    """The failed checks of an exercise that all have the same message.
 
-    For example, a module that cannot be imported makes many checks fail with the same message.
-    ``titles`` lists the checks by name, except for hidden ones, which are only counted.
+    A student's page shows that message only once. For example, a module that cannot be imported
+    makes many checks fail in the same way. ``titles`` lists the checks by name, except for hidden
+    ones, which are only counted.
     """
 
     status: Status
@@ -64,11 +65,12 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """A student's results in one exercise, as shown on the student's feedback page.
+    """A student's results in one exercise, prepared for the student's feedback page.
 
-    Only failed checks are described in full there. ``gains`` is true if the exercise earns more
-    points when our solutions replace the student's earlier chapters. ``uneven`` is true if its
-    physics checks, or its robust checks, do not all have the same weight.
+    The page explains each failed check in ``lost``, and only names the checks in ``passed``.
+    ``gains`` is true if the exercise earns more points when our solutions replace the student's
+    earlier chapters. ``uneven`` is true if some of its physics checks, or some of its robust
+    checks, count more than others.
     """
 
     anchor: str
@@ -84,8 +86,8 @@ class ShownExercise(ExerciseReport):
 def write_feedback(out: Path, report: StudentReport) -> Path:
     """Write a student's feedback page, feedback/<student>.html, and return its path.
 
-    The page shows the points for each exercise, the message of each failed check, and which
-    exercise the student should fix first.
+    The page shows the points for each exercise, explains why checks failed, and names the exercise
+    that the student should fix first.
     """
     path = out / "feedback" / f"{file_name(report.student)}.html"
     report = clean_all(report)
@@ -119,7 +121,7 @@ def write_index(
     """Write index.html, the instructor's overview of a graded class, and return its path.
 
     ``missing`` lists the students on the roster who have not handed in anything. ``unmatched``
-    lists those who have handed in something but are not on the roster.
+    lists the students who have handed in something but are not on the roster.
     """
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
@@ -175,8 +177,8 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
     """Return the exercise that the student should fix first, or None if every exercise passes.
 
-    Exercises whose physics is wrong come before those in which only robust checks fail, such as
-    checks with bad arguments.
+    An exercise with wrong physics comes first. An exercise in which only robust checks fail, such
+    as checks with bad arguments, can wait.
     """
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
@@ -189,8 +191,8 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
     """Lay out a chart for each open exercise, on which every student of the class is a dot.
 
-    The chart plots the error of each student's solution against its cost. An exercise gets no chart
-    if no student's solution could be measured.
+    Such an exercise has more than one good answer, so the chart plots the error of each solution
+    against its cost. There is no chart if no student's solution could be measured.
     """
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
@@ -203,9 +205,9 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Add up how many points a student can earn in these exercises, without extra credit.
+    """Add up the points that a student can earn in these exercises, without extra credit.
 
-    A student with extra credit can end up with more.
+    Extra credit can lift a student above this total.
     """
     return round(sum(e.points for e in exercises if not e.extra), 2)
 

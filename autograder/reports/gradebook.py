@@ -35,10 +35,11 @@ def write_gradebook(
 ) -> Path:
     """Write gradebook.csv, the instructor's table of all grades, and return its path.
 
-    The second row lists the points possible. A cell is empty if there is no grade yet, because
-    nobody has marked the answer, the grader failed, or the student has not handed anything in.
+    The row below the header shows how many points each exercise is worth. A cell is empty if there
+    is no grade, for example because nobody has marked the answer yet.
+
     ``missing`` lists students who have handed in nothing, and ``unmatched`` lists those who are not
-    on the roster. If the assignment has a due date, three more columns give the points earned, the
+    on the roster. If the assignment has a due date, three more columns show the points earned, the
     days late and the penalty. The total is then the points earned minus the penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
@@ -76,18 +77,17 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the cells of the gradebook that show how a student's late penalty comes about.
+    """Return the gradebook's cells about a late submission: points earned, days late and penalty.
 
-    They are the points earned, the days late and the penalty. A cell is None if its value is not
-    known, for example because the grader failed.
+    A cell is None if its value is unknown, for example because the work could not be graded.
     """
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
 
 
 def as_cell(text: str) -> str:
-    """Put a text on one line of a CSV file, and keep spreadsheets from running it as a formula.
+    """Turn a text into a CSV cell of one line that no spreadsheet runs as a formula.
 
-    For example, a student's name "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
+    For example, the name "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
     """
     return FORMULA.sub(r"\1\2'", clean_line(text))

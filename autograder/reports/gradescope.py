@@ -21,8 +21,8 @@ OURS = "grader error, please retry: this is not the submission's fault and does 
 class ExerciseResult:
     """The result of one exercise, which Gradescope shows to the student as a "test".
 
-    The score is None if the grader failed on the exercise, or if a person still has to mark the
-    answer.
+    The score is None if the grader failed on the exercise, or if an instructor still has to mark
+    the answer.
     """
 
     number: str
@@ -38,7 +38,8 @@ class ExerciseResult:
 class GradescopeResults:
     """The contents of results.json, the file from which Gradescope shows a student's grade.
 
-    All text in it is plain text. Students cannot see what the grader printed to standard output.
+    All texts in it are plain text, not HTML or Markdown. Students do not see what the grader prints
+    while it runs.
     """
 
     output: str
@@ -53,9 +54,9 @@ class GradescopeResults:
 
 
 def write_gradescope(out: Path, report: StudentReport) -> Path:
-    """Write results.json, the file from which Gradescope reads a student's grade.
+    """Write a student's grade to the file that Gradescope reads, and return the path of the file.
 
-    Return its path, which is gradescope/<student>/results.json in the folder ``out``.
+    The file is gradescope/<student>/results.json in the folder ``out``.
     """
     path = out / "gradescope" / file_name(report.student) / "results.json"
     replace_file(path, as_text(gradescope_results(report)))
@@ -70,8 +71,8 @@ def as_text(results: GradescopeResults) -> str:
 def gradescope_results(report: StudentReport) -> GradescopeResults:
     """Convert a student's report to the format of Gradescope, which calls each exercise a "test".
 
-    If the grader failed, the submission gets no score, because neither zero nor full marks would be
-    fair.
+    If the grader itself failed, the submission gets no score at all, because neither zero nor full
+    marks would be fair.
     """
     report = clean_all(report)
     failed = report.status != "graded" or report.score is None
@@ -86,8 +87,8 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 def ungraded_results(reason: str) -> GradescopeResults:
     """Build the results for a submission that could not be graded.
 
-    They contain no score. Instead, Gradescope shows the student the reason and says that the
-    submission is not at fault.
+    They have no score. Gradescope shows the student the reason instead, and says that the
+    submission is not to blame.
     """
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
@@ -150,9 +151,9 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Describe the result of an exercise to the student, mainly why its checks failed.
+    """Write the text that Gradescope shows below an exercise.
 
-    Gradescope shows this text below the title of the exercise.
+    It mainly explains to the student why checks failed.
     """
     status, checks = exercise.status, exercise.checks
     if status == "waiting":

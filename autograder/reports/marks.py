@@ -1,6 +1,7 @@
 """Read the marks for students' written answers, and add them to the reports.
 
-No check can judge a written answer, so instructors enter the points and a comment in marks.csv.
+The autograder cannot judge a written answer. An instructor does, and enters the points and a
+comment in marks.csv.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 @dataclass(frozen=True)
 class Mark:
-    """The points that a person gave for a student's written answer, and a comment on it."""
+    """An instructor's mark for a student's written answer: the points and a comment."""
 
     points: float
     comment: str
@@ -40,7 +41,7 @@ class Row:
     """A row of marks.csv, which holds the mark for one student's answer to one exercise.
 
     ``first`` and ``last`` are the numbers of its first and last line, counted from 1. They differ
-    if the comment has several lines.
+    if the comment spans several lines.
     """
 
     student: str
@@ -53,12 +54,12 @@ class Row:
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
     """Read marks.csv, where instructors enter points and comments for students' written answers.
 
-    Its columns are student, exercise, points and comment. If the file does not exist, there are no
-    marks. A European spreadsheet may separate the columns by semicolons and write numbers with a
-    decimal comma.
+    Its columns are student, exercise, points and comment. Semicolons between the columns and
+    decimal commas are accepted too, because European spreadsheets write them. If the file does not
+    exist, there are no marks.
 
     Raises:
-        ValueError: A line is invalid. The message names the line and the expected form.
+        ValueError: A line is invalid. The message names the line and says what should be there.
     """
     _, rows = read_rows(path, chapters, students)
     return {(row.student, row.exercise): row.mark for row in rows}
@@ -67,9 +68,12 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
 def read_rows(
     path: Path, chapters: list[Chapter], students: Iterable[str]
 ) -> tuple[str, list[Row]]:
-    """Read the marks in marks.csv with their line numbers, and the separator of the columns.
+    """Read the rows of marks.csv with their line numbers, and find out what separates the columns.
 
-    With these, a program can change a single mark and leave all other lines of the file untouched.
+    With that, a program can change a single mark and leave all other lines of the file untouched.
+
+    Returns:
+        The separator, which is a comma or a semicolon, and the rows.
 
     Raises:
         ValueError: A line is invalid, as in ``read_marks``.
@@ -107,9 +111,9 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Build the row of marks.csv that stores the mark for one student's answer.
+    """Build the cells of the row in marks.csv that records the mark for one student's answer.
 
-    The name and the comment are written so that a spreadsheet does not take them for formulas.
+    The name and the comment are escaped if a spreadsheet would take them for formulas.
     """
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
@@ -118,10 +122,10 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Relabel the marks in marks.csv with the names by which the reports call the students.
+    """Store each mark under the name that the reports use for the student.
 
-    A student may be entered in marks.csv under another name, such as the one on the roster.
-    ``names`` maps every such name to the one in the reports.
+    In marks.csv a student may go by another name, such as the one on the roster. ``names`` maps
+    every such name to the one in the reports.
 
     Raises:
         ValueError: A student has two marks for the same exercise, under different names.
@@ -138,10 +142,10 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Return a copy of a student's report that includes the marks for the written answers.
+    """Return a copy of a student's report with the marks for written answers filled in.
 
-    ``marks`` replace all earlier marks. If a written exercise has no mark, the report says that its
-    answer is still to be marked.
+    ``marks`` replace all earlier marks. An answer without a mark is reported as waiting to be
+    marked.
     """
     exercises = []
     given: list[float] = []
@@ -171,7 +175,8 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
     """Open marks.csv, in which instructors enter marks, and check its header.
 
-    Return the column separator, and the rows with their first and last line numbers.
+    Returns:
+        The column separator, and the rows below the header with their first and last line numbers.
     """
     table = read_csv(path)
     if table.header != HEADER:
@@ -191,11 +196,11 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Map every form in which a student's name may appear in marks.csv to the student.
+    """Map every way to write a student's name in marks.csv to the student.
 
-    The form may differ from the name in its accents, or in an apostrophe that keeps a spreadsheet
-    from reading it as a formula. A form that fits two students is left out, unless it is exactly
-    the name of one of them.
+    A spreadsheet may have encoded accents differently, or put an apostrophe before a name that
+    looks like a formula. A spelling that fits two students is left out, unless it is exactly the
+    name of one of them.
     """
     forms: dict[str, set[str]] = {}
     for name in students:
@@ -206,8 +211,8 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Normalize the accented letters in a student's name, so that names can be compared.
+    """Bring the accented letters in a student's name into one form, so that names can be compared.
 
-    Unicode has two encodings of such a letter, which look the same but compare different.
+    Unicode has two encodings of a letter such as é. They look the same but do not compare equal.
     """
     return unicodedata.normalize("NFC", name.strip())

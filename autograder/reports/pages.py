@@ -1,6 +1,6 @@
 """Create the web pages that the autograder writes, from HTML templates.
 
-Whatever comes from a student is inserted as plain text, so it cannot change a page.
+All text from students is inserted as plain text, so it cannot change a page.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Fill in the template of a web page, such as student.html, and return the resulting page.
+    """Fill in the template of a web page, such as student.html, and return the finished page.
 
-    The template is looked up in ``folder`` first, and then among those that all pages share.
-    ``values`` are the variables that it uses.
+    ``values`` are the variables that the template uses. We look for the template in ``folder``, and
+    then in the folder with the shared templates.
     """
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),

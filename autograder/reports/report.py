@@ -15,7 +15,7 @@ ReportStatus = Literal["graded", "error, retry"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """The result of one check of a student's code, with a message for the student if it failed."""
+    """The result of one check of a student's code, with a message that explains a failure."""
 
     name: str
     status: Status
@@ -27,10 +27,11 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """The cost and error of a student's solution to an open exercise, and those of ours.
+    """The measurements that place a student's solution to an open exercise on a chart.
 
-    An open exercise has more than one good answer, so a chart plots the error of each solution
-    against its cost. ``axes`` names the two quantities.
+    An open exercise has more than one good answer, so the chart plots the error of each solution
+    against its cost. ``own`` holds the cost and error of the student's solution, and ``reference``
+    holds those of our solution. ``axes`` names the two quantities.
     """
 
     axes: list[str]
@@ -40,10 +41,11 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """A student's results in one exercise, as stored in the report. An unknown score is None.
+    """A student's results in one exercise, as saved in the report on the student.
 
-    ``score_on_given`` is the score when our solutions of the earlier chapters replace the
-    student's. An ``extra`` credit exercise does not add to the points possible.
+    Scores are None as long as they are unknown. ``score_on_given`` is the score that the student
+    would have with our solutions to the earlier chapters. An ``extra`` exercise gives extra credit,
+    so it does not add to the points possible.
     """
 
     chapter: int
@@ -64,8 +66,8 @@ class ExerciseReport:
 class Late:
     """How late a student handed in the work, and how many points that costs.
 
-    The late policy of the course determines the cost. ``days`` is None if the delay is unknown.
-    ``words`` explains the result to the student in full sentences.
+    The course's late policy sets the cost. ``days`` is None if we do not know when the work was
+    handed in. ``words`` explains the result to the student in full sentences.
     """
 
     days: int | None
@@ -77,9 +79,9 @@ class Late:
 class RunKey:
     """The settings with which a submission was graded, such as the seed and the time limit.
 
-    A report from an earlier run is reused only if all of these settings and the submission are
-    still the same. ``points`` holds the points of each graded exercise, and ``extra`` lists the
-    exercises that give extra credit.
+    If the settings and the submission are still the same, the report from an earlier run is reused.
+    ``points`` says how many points each exercise is worth, and ``extra`` lists the exercises that
+    give extra credit.
     """
 
     seed: str
@@ -99,14 +101,14 @@ class StudentReport:
     """The report on one student: the results of all exercises, and the points.
 
     Attributes:
-        score: The points from checks. It is None if the grader failed.
+        score: The points from checks. It is None if grading failed.
         score_on_given: The points from checks when our solutions replace the student's earlier
             chapters.
         points: The points that the checks are worth.
-        by_hand: The points that people gave for written answers.
+        by_hand: The points that instructors gave for written answers.
         waiting: The points for written answers that nobody has marked yet.
         earlier: The numbers of the student's own earlier chapters that the graded ones use.
-        submission: A hash of the graded files.
+        submission: A hash of the graded files, which shows whether they have changed.
         seconds: How long grading took.
         late: How late the submission is. It is None if the work has no due date.
     """
@@ -132,7 +134,7 @@ class StudentReport:
     def earned(self) -> float | None:
         """The student's points from checks and marks, before any late penalty.
 
-        It is None if the grader failed.
+        The result is None if grading failed.
         """
         return None if self.score is None else self.score + (self.by_hand or 0)
 
@@ -146,15 +148,16 @@ class StudentReport:
 
     @property
     def total(self) -> float | None:
-        """The student's points after the late penalty, or None if the grader failed."""
+        """The student's points after the late penalty, or None if grading failed."""
         return None if self.earned is None else round(self.earned - self.penalty, 2)
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
     """Count how many of an exercise's physics checks pass, and how many of its robust checks.
 
-    For each kind of check that the exercise has, return the name of the kind, the number of checks
-    that pass, and the total number, as in ("physics", 3, 4).
+    Returns:
+        A tuple for each kind of check that the exercise has. For example, ("physics", 3, 4) means
+        that 3 of 4 physics checks pass.
     """
     found = []
     for name, robust in (("physics", False), ("robust", True)):

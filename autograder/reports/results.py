@@ -29,7 +29,7 @@ def write_result(out: Path, report: StudentReport) -> Path:
 def keep_report(path: Path, report: StudentReport) -> None:
     """Save a student's report as a JSON file.
 
-    The file is replaced atomically, so that nobody ever reads a half-written report.
+    The file is replaced atomically, so nobody ever reads a half-written report.
     """
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
@@ -64,7 +64,7 @@ def read_results(out: Path) -> list[StudentReport]:
 def write_student(out: Path, report: StudentReport) -> None:
     """Write the files about one student: the feedback page, the Gradescope file and the report.
 
-    The report is written last, so that its existence proves that the other files are complete.
+    The report is written last. If it exists, the other files are complete.
     """
     write_feedback(out, report)
     write_gradescope(out, report)
@@ -78,11 +78,13 @@ def write_class(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> list[Path]:
-    """Write the files about a whole class for its instructor: an overview and the gradebook.
+    """Write an overview and a gradebook of the class for its instructor.
 
     ``missing`` lists the students on the roster who have not handed in anything. ``unmatched``
-    lists those who have handed in something but are not on the roster. Return the paths of all
-    files and folders to show to the instructor.
+    lists the students who have handed in something but are not on the roster.
+
+    Returns:
+        The paths of all files and folders that the instructor may want to open.
     """
     index = write_index(out, chapters, reports, missing, unmatched)
     gradebook = write_gradebook(out, chapters, reports, missing, unmatched)

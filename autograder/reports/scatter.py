@@ -21,7 +21,8 @@ Point = Sequence[float]  # cost and error
 class Dot:
     """A dot on an exercise's chart, which shows the cost and the error of one student's solution.
 
-    ``x`` and ``y`` are its position in the picture, and ``best`` says whether it is on the front.
+    ``x`` and ``y`` are its position in the picture. ``best`` is true if no solution that costs the
+    same or less has a smaller error.
     """
 
     name: str
@@ -34,11 +35,11 @@ class Dot:
 
 @dataclass(frozen=True)
 class Scatter:
-    """The layout of an open exercise's chart: two axes, a dot for each student, and the front.
+    """The layout of an open exercise's chart: the axes, a dot for each student, and the front.
 
-    The front is the line through the best solutions, students' or ours. A solution is on it if no
-    other one of the same or a lower cost has a smaller error. Each tick on an axis has a position
-    and a label.
+    The front is a line through the best solutions, which may include ours. A solution is one of the
+    best if no other that costs the same or less has a smaller error. A tick on an axis is given by
+    its position and its label.
     """
 
     exercise: ExerciseReport
@@ -51,9 +52,10 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Compute the positions of the axes, the students' dots and the front on an exercise's chart.
+    """Work out where to draw the axes, the students' dots and the front on an exercise's chart.
 
-    ``named`` lists each student's name with the cost and error of the student's solution.
+    The front is the line through the best solutions. ``named`` lists the students' names, each with
+    the cost and the error of the student's solution.
     """
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
@@ -81,9 +83,10 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Find the best of several solutions from their costs and errors, and sort them by cost.
+    """Pick the best of several solutions, given the cost and the error of each.
 
-    A solution is one of the best if every other one of the same or a lower cost has a larger error.
+    A solution is one of the best if every other that costs the same or less has a larger error.
+    Cheap solutions come first in the result.
     """
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
@@ -93,10 +96,10 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Turn the best solutions on a chart into the corners of the staircase that connects them.
+    """Connect the best solutions on a chart by a staircase, and return its corners.
 
-    It is a staircase because the smallest error for a given cost stays the same until the cost
-    reaches that of the next solution.
+    The smallest error for a given cost stays the same until the cost reaches that of the next
+    solution. That is why the line has steps.
     """
     corners = line[:1]
     for x, y in line[1:]:
@@ -105,9 +108,9 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Choose ticks for a chart's logarithmic axis, at 1, 2 and 5 times powers of ten.
+    """Choose ticks for a chart's logarithmic axis, such as 0.1, 0.2, 0.5, 1 and 2.
 
-    If there would be more than nine ticks, use powers of ten only.
+    If there would be more than nine ticks, use only powers of ten.
     """
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)

@@ -16,7 +16,7 @@ LONGEST = 4000  # characters of a text in a report; the message of a check has o
 
 
 def clean_all(value: T) -> T:
-    """Return a copy of a student's report, or of a part of it, in which every text is safe to show.
+    """Return a copy of a student's report, or of a part of it, with all texts safe to show.
 
     Texts may contain anything that a student wrote. Unprintable characters are escaped, and long
     texts are cut off.
@@ -36,7 +36,7 @@ def _cleaned(value: Any) -> Any:
 
 
 def _clean_and_cut(text: str) -> str:
-    """Prepare a text that may come from a student for a report.
+    """Make a text that may come from a student safe to show in a report.
 
     Unprintable characters are escaped, and only the first 4000 characters are kept.
     """
@@ -46,7 +46,10 @@ def _clean_and_cut(text: str) -> str:
 
 
 def number(value: float | None) -> str:
-    """Format points for the reports, such as 18.27, 2.5 or 3. If they are unknown, return ""."""
+    """Format a number of points for the reports, such as "18.27" or "3".
+
+    If the points are unknown, the result is "".
+    """
     return "" if value is None else shown(value)
 
 
@@ -61,7 +64,7 @@ def check_title(name: str) -> str:
 def replace_file(path: Path, text: str) -> None:
     """Write a report or another text to a file.
 
-    The file is replaced atomically, so that nobody ever reads a half-written one.
+    The file is replaced atomically, so nobody ever reads a half-written one.
     """
     # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

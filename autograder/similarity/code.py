@@ -25,7 +25,8 @@ _Line = list[tokenize.TokenInfo]
 class Token:
     """One token of a student's code, such as a name or an operator, ready to be compared.
 
-    ``start`` and ``end`` are its positions in the student's file, as (line, column).
+    Tokens are equal if they have the same ``word``. ``start`` and ``end`` say where the token is in
+    the student's file, as (line, column).
     """
 
     word: str
@@ -37,7 +38,7 @@ class Token:
 class Function:
     """A function or method in a student's file, with the tokens of its body.
 
-    All code of the file that is outside functions is stored as one function whose name is "".
+    The code outside all functions is stored as one more function, whose name is "".
     """
 
     name: str
@@ -49,12 +50,15 @@ class Function:
 
 
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
-    """Split the functions in a student's file into tokens, and say at which line we had to stop.
+    """Split each function in a student's file into tokens, so that code can be compared.
 
-    The line is 0 if the whole file is readable. A method has a name such as Particle.mass, and its
-    setter is called Particle.mass.setter. Signatures, comments and docstrings are left out, because
-    they are given or do not change what the code does. For the same reason all strings count as
-    equal, and so do 2 and 2.0. ``known`` contains the engine's names, which all students use.
+    Signatures, comments and docstrings are left out, because they are given or do not change what
+    the code does. All strings count as equal, and so do 2 and 2.0. ``known`` contains the engine's
+    names, which all students use. A method is named as in Particle.mass, and its setter as in
+    Particle.mass.setter.
+
+    Returns:
+        The functions, and the line at which we had to stop reading (0 if the whole file was read).
     """
     text, stopped = _without_the_excessive(text)
     found: dict[str, list[Token]] = {}
@@ -86,9 +90,9 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield names that students have not made up: Python's own, and those in one of our files.
+    """Yield the names that students did not invent: Python's own, and those in one of our files.
 
-    ``text`` is the contents of that file. Any other name in a student's code is replaced for the
+    ``text`` is the contents of that file. Any other name in a student's code is replaced before the
     comparison, so renaming a variable does not hide a copy.
     """
     yield from (*dir(builtins), *dir(math))
@@ -100,10 +104,12 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Cut off a student's file where it gets so long that reading it would take too much time.
+    """Cut off a student's file at the point from which it would take too long to read.
 
-    Return the remaining text and the number of the line at which it was cut. The number is 0 if the
-    whole file is short enough.
+    This happens if a line or the whole file is far too long.
+
+    Returns:
+        The text before the cut, and the number of the first line after it (0 if nothing was cut).
     """
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
@@ -114,7 +120,10 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield each logical line of a student's file as tokens, with its depth of indentation."""
+    """Yield the logical lines of a student's file, each with its depth of indentation.
+
+    A line is a list of tokens, without comments and line breaks.
+    """
     depth, nested = 0, 0
     line: _Line = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -134,9 +143,9 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens in a line of a student's code that are compared with other students' code.
+    """Yield those tokens in a logical line of a student's code that take part in the comparison.
 
-    ``line`` is a logical line. A docstring is not compared, so it yields nothing.
+    A docstring does not take part, so it yields nothing.
     """
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
@@ -164,9 +173,10 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the body of a student's function or class if it is on the same line as def or class.
+    """Return what follows the colon in a student's line that begins with def or class.
 
-    The body is a list of tokens, which is empty if the line ends after the colon.
+    For ``def f(): return 1`` these are the tokens of ``return 1``. The list is empty if the body
+    begins on the next line.
     """
     open_brackets = 0
     for i, token in enumerate(line):
@@ -179,9 +189,9 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Find the line of a student's file at which Python's tokenizer failed.
+    """Return the line of a student's file at which Python's tokenizer failed.
 
-    The line number is in the error. If the error has none, return 1.
+    The number is taken from the error. If the error names no line, the result is 1.
     """
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()

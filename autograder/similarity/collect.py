@@ -25,10 +25,10 @@ class Ground:
     """Which functions to compare between students, and which code to ignore in the comparison.
 
     Attributes:
-        parts: The exercise of each function that students edit, such as Vector3.dot in
-            ch02_vectors/vector.py.
+        parts: The exercise that each function belongs to. A key is a file and a name, such as
+            ("ch02_vectors/vector.py", "Vector3.dot").
         known: The engine's names, which all students use.
-        given: The hashes of our own code in stubs, given modules and the reference.
+        given: The hashes of all code that we wrote, in stubs, given modules and solutions.
         small: The exercises that are too short to compare.
     """
 
@@ -40,7 +40,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Find out which code in these chapters to compare among students, and which to ignore.
+    """Decide which code of these chapters to compare among students, and which to ignore.
 
     We ignore code that was given to all students, and exercises that are so short that all
     solutions look alike.
@@ -89,7 +89,10 @@ def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, 
     """Extract the code that a student wrote from the submitted files, and sort it by exercise.
 
     Code that all students were given is left out, and so are exercises that are too short to
-    compare. Return the code with notes on any problems, for the instructor.
+    compare.
+
+    Returns:
+        The student's code, and notes for the instructor on code that could not be read.
     """
     parts: dict[str, Part] = {}
     notes = []
@@ -123,8 +126,8 @@ def _reference_sizes(
 ) -> dict[tuple[str, str], int]:
     """Count the tokens in each function of our solution to a chapter.
 
-    An exercise with a very short solution is not compared, because all students' solutions to it
-    must look alike.
+    The counts show which exercises are too short to compare, because all students' solutions to
+    them must look alike.
     """
     sizes = {}
     for name in chapter.edited_files:

@@ -1,13 +1,12 @@
 """Compare every two students' code in a class, and rate how unusual their similarity is.
 
-Code is compared by its fingerprints, which are hashes of short sequences of tokens. The fewer
-students share a fingerprint in an exercise, the more it weighs, because it is less likely to be a
-coincidence. The similarity of a pair is an average over the exercises, weighted so that a long one
-cannot dominate the result.
+We compare fingerprints of the code, which are hashes of short sequences of tokens. A fingerprint
+that few students share weighs more, because it is less likely to be a coincidence. The similarity
+of a pair is an average over the exercises, weighted so that a long one cannot dominate the result.
 
-Some students write code that resembles everybody's. To correct for that, we subtract how similar
-each of the two students usually is to the rest of the class. Dividing the result by its spread over
-the class gives the surprise of the pair.
+Some students write code that resembles everybody's. So we subtract how similar the two students
+usually are to the rest of the class. We then compare the result with those of all other pairs. How
+far it lies above their median, in units of their spread, is called the surprise of the pair.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ FALSE_ALARMS = 0.002  # pairs expected above the line by chance, if pairs vary a
 
 @dataclass(frozen=True)
 class Passage:
-    """A function as a student wrote it, with its tokens and the text of the file it is in."""
+    """A function as one student wrote it, with its tokens and the text of its file."""
 
     file: str
     name: str
@@ -38,7 +37,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """The code that a student wrote for one exercise, or in one file outside all exercises."""
+    """The code that a student wrote for one exercise, or the rest of the code in one file."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -59,7 +58,7 @@ class Work:
 class Pair:
     """Two students, and the similarity of their code on a scale from 0 to 1.
 
-    ``surprise`` says how unusual that similarity is in their class. It is None if the class is too
+    ``surprise`` rates how unusual that similarity is in their class. It is None if the class is too
     small to tell.
     """
 
@@ -71,9 +70,10 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """The code that two students have in common in one exercise, or in one file outside exercises.
+    """The code that two students have in common in one exercise, or in the rest of one file.
 
-    ``rarest`` is the number of students in the class who have the rarest fingerprint in that code.
+    ``rarest`` says how many students of the class have the rarest of the shared fingerprints. The
+    fewer they are, the less likely is a coincidence.
     """
 
     name: str
@@ -85,8 +85,8 @@ class Shared:
 class Comparison:
     """The result of comparing the code in a class: all pairs of students, most surprising first.
 
-    A pair stands out if its surprise is at least ``line``. If the class is too small to compute
-    surprises, there is no line, and the most similar pair comes first.
+    A pair stands out if its surprise is at least ``line``. In a class that is too small to compute
+    surprises, ``line`` is None, and the most similar pair comes first.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -112,9 +112,9 @@ class Comparison:
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """Return the code that two students share in each exercise, starting with the most telling.
+        """Return the code that two students have in common, by exercise, best evidence first.
 
-        Shared code counts for more if fewer other students have it.
+        Shared code is better evidence of copying if fewer other students have it.
         """
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
@@ -128,7 +128,7 @@ class Comparison:
 def compare(works: list[Work]) -> Comparison:
     """Compare the code of every two students in a class, and rate how unusual the similarity is.
 
-    With fewer than twelve students there are too few pairs for that rating, so the pairs are only
+    A class of fewer than twelve students has too few pairs for that rating. Its pairs are only
     sorted by similarity.
     """
     measure = Measure(works)
@@ -179,9 +179,9 @@ class Measure:
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def size(self, name: str) -> float:
-        """Return the weight of an exercise in the average similarity of two students.
+        """Return how much an exercise counts in the average similarity of two students.
 
-        It is the square root of the exercise's typical size, so that a long exercise cannot
+        This is the square root of the exercise's typical size, so that a long exercise cannot
         dominate.
         """
         return math.sqrt(self.usual[name])
@@ -189,7 +189,8 @@ class Measure:
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
         """Compute how similar two students' code for a single exercise is, from 0 to 1.
 
-        ``name`` can also stand for the code outside all exercises in one file.
+        ``name`` is an exercise, or a text such as "Other code in ch02_vectors/vector.py" for code
+        that belongs to no exercise.
         """
         both = one.parts[name].fingerprints & other.parts[name].fingerprints
         # A student who has written less has less to share, and must not stand out for that.
@@ -198,7 +199,7 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Add up how much some fingerprints of an exercise count when students are compared.
+        """Add up the weights of some fingerprints of students' code for one exercise.
 
         A fingerprint weighs more if fewer students share it, because it is less likely to be a
         coincidence.
@@ -207,9 +208,10 @@ class Measure:
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """Compute by how much each pair's similarity exceeds what is usual for its two students.
+    """Compute how much more similar the code of each pair of students is than expected.
 
-    What is usual for a student is the median of the similarities to all other students.
+    A student's usual similarity is the median of the similarities to all other students. For a
+    pair, we expect the average of their two medians.
     """
     of: dict[str, list[float]] = {}
     for pair in pairs:
@@ -221,11 +223,11 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Compute the median and the spread of ``values``, one for each pair of students in a class.
+    """Compute the median and the spread of ``values``, one number for each pair of students.
 
-    The spread is a robust standard deviation, estimated from the upper half of the values, which
-    has the longer tail. A few students who have copied barely change it. The result is None if the
-    values are all the same.
+    The spread is a standard deviation estimated from the upper half of the values, which has the
+    longer tail. A few students who have copied barely change it. The result is None if all values
+    are equal.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

@@ -1,7 +1,7 @@
 """Write the web pages about similar code in a class: an index, and a page per pair of students.
 
 A pair's page shows the code of both students side by side. Names and code are inserted as plain
-text, and the pages load nothing from other hosts.
+text, and the pages load nothing from the internet.
 """
 
 from __future__ import annotations
@@ -32,7 +32,8 @@ RARE = 0.1  # code is rare if at most this fraction of the class has it
 class Piece:
     """A piece of a student's code, highlighted on the page if another student has it too.
 
-    Shared code has the kind "rare" or "common", and all other code has the kind "".
+    ``kind`` is "rare" or "common" for shared code, depending on how many students have it. For all
+    other code it is "".
     """
 
     text: str
@@ -41,9 +42,9 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A student's function on the page of a pair, split into pieces to highlight shared code.
+    """A student's function on the page of a pair, split into pieces so that shared code stands out.
 
-    ``line`` is the line of the student's file at which it starts.
+    ``line`` is the line of the student's file at which the code begins.
     """
 
     name: str
@@ -148,9 +149,9 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Prepare those functions of one student that share code with the other student of a pair.
+    """Prepare one student's half of the page about a pair, with the shared code marked.
 
-    The page of the pair shows them with the shared code highlighted.
+    It contains only the functions that share code with the other student.
     """
     sides = []
     for passage in passages:
@@ -164,6 +165,9 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Count the pairs of students by how surprising their similarity is, in bins of width 1."""
+    """Count the pairs of students by surprise, in ranges such as 2 to 3, for a histogram.
+
+    The surprise of a pair rates how unusual the similarity of the two students' code is.
+    """
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

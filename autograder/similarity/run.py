@@ -1,4 +1,4 @@
-"""The command `similarity`, which shows an instructor which students' code is unusually alike."""
+"""The command `similarity`, which shows an instructor the students with unusually similar code."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = RO
     The submissions are in ``folder``, and the pages go into ``out``.
 
     Raises:
-        ValueError: There is nothing to compare, or ``out`` is inside ``folder``.
+        ValueError: There are no submissions to compare, or ``out`` is inside ``folder``.
         OSError: A file of the repository cannot be read, or a page cannot be written.
     """
     if out.resolve().is_relative_to(folder.resolve()):

@@ -23,7 +23,7 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Hash all sequences of GRAM consecutive tokens in the code of a student's function.
+    """Hash every sequence of GRAM consecutive tokens in the code of a function.
 
     The hashes are in the order of the code.
     """
@@ -41,10 +41,10 @@ def fingerprints(words: tuple[str, ...]) -> set[int]:
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Find the tokens of a student's function that are part of code shared with another student.
+    """Find the tokens of a student's function that belong to code shared with another student.
 
-    Return their indices. A token is part of shared code if a sequence that contains it has one of
-    the ``shared`` hashes.
+    Such a token is part of a sequence of tokens that has one of the ``shared`` hashes. Return the
+    indices of these tokens.
     """
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)

@@ -34,11 +34,12 @@ def check(
 ) -> bool:
     """Check a student's code, print the results, and return whether all checks pass.
 
-    With ``exercise``, only that exercise and its prerequisites are checked. With ``only``, nothing
-    but that exercise's physics checks is shown and counted, and all other checks run silently. For
-    the ``given`` chapters, the reference solution replaces the student's code. A written exercise
-    has no checks, so its question is displayed instead. Unanswered questions do not affect the
-    result.
+    With ``exercise``, check only that exercise and its prerequisites. If ``only`` is true as well,
+    show and count only the exercise's own physics checks. For the ``given`` chapters, our solution
+    replaces the student's code.
+
+    A written exercise has no checks, so its question is shown instead. Unanswered questions do not
+    affect the result.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -68,8 +69,8 @@ def report_on(
 ) -> Report:
     """Run the checks of a chapter, or of one exercise and its prerequisites, on a student's code.
 
-    ``run`` is the function that runs the checks. In the report, a check that fails only because of
-    a mistake in an earlier chapter is marked as inherited.
+    ``run`` is the function that runs checks, such as ``run_checks``. A check that fails only
+    because of a mistake in an earlier chapter is reported as inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)

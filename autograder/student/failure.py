@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """The explanation of a failed check that a student sees, with everything needed to fix it.
+    """The explanation of a failed check for the student, with the next steps to take.
 
-    ``place`` is the line to open in an editor, and ``hints`` is the exercise whose hints may help.
-    Both are empty if the student must first fix an earlier chapter.
+    ``place`` is the line of code to open in an editor, and ``hints`` is the exercise whose hints
+    may help. Both are empty if the mistake is in an earlier chapter, which must be fixed first.
     """
 
     heading: str
@@ -49,9 +49,9 @@ def failure_of(
 ) -> Failure | None:
     """Choose the failed check of an exercise that the student should see first, and explain it.
 
-    Checks of the functions in ``edited`` come first, because the student has just worked on them.
-    Next, a mistake in finished code comes before a function that is not written yet. The result is
-    None if no check has failed.
+    Physics checks come before robust ones. Within each kind, checks of the functions in ``edited``
+    come first, because the student has just worked on them. Checks of code that is not written yet
+    come last. The result is None if no check has failed.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -83,9 +83,9 @@ def failure_of(
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Explain to the student the failed check of an exercise that should be fixed first.
+    """Print why an exercise fails and what the student should do next, such as which line to open.
 
-    The next steps follow the explanation, such as which line of code to open.
+    If several checks fail, only the one that the student should fix first is explained.
     """
     failure = failure_of(chapter, result, engine)
     if failure is None:
@@ -100,9 +100,9 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Shorten what the student's code printed, to show it below the message of a failed check.
+    """Shorten the output of the student's code, to show it below the message of a failed check.
 
-    Return a row labeled "printed", in a list, or an empty list if the code printed nothing.
+    Return a list with one row, labeled "printed". The list is empty if the code printed nothing.
     """
     return _printed(few_lines(printed, lines, characters)) if printed else []
 

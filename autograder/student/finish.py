@@ -36,7 +36,7 @@ def print_finish(
 ) -> None:
     """Congratulate the student on a finished chapter, or name the scenes that can now be played.
 
-    Print nothing if no chapter is finished and no scene has become playable.
+    If no chapter is finished and no new scene can be played, print nothing.
     """
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
@@ -46,11 +46,14 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Compose the closing screen of a finished chapter, or a line that names playable scenes.
+    """Write the closing screen of a finished chapter, or a line that names playable scenes.
 
-    Each line comes with its style. The screen is that of the last chapter that the student has
-    finished, unless the student has already begun another one. In that case we only name the scenes
-    unlocked by ``exercise`` or, if it is None, by the last exercise that works.
+    The closing screen is shown until the student begins another chapter. While a chapter is
+    unfinished, we name the scenes that ``exercise`` unlocks. If it is None, the last working
+    exercise with scenes counts.
+
+    Returns:
+        The lines to print, each with its style. The list may be empty.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
@@ -68,7 +71,7 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether the student has finished a chapter, so that the closing screen can be shown.
+    """Return whether a chapter is finished, so that the student gets to see the closing screen.
 
     The physics of each exercise must work, apart from projects and going-further exercises. Written
     questions and robust checks may still be open.
@@ -79,10 +82,10 @@ def is_finished(report: Report) -> bool:
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Compose the screen that congratulates a student on a finished chapter.
+    """Write the screen that congratulates a student on a finished chapter.
 
     It names the picture to look at, the scenes to play, the tasks still open and the next chapter.
-    It has at most 20 lines of 80 columns.
+    It fits into 20 lines of 80 columns.
     """
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
@@ -105,10 +108,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Name the scenes that the student can play now that an exercise works, in one sentence.
+    """Write a sentence that names the scenes which an exercise lets the student play.
 
-    The sentence is empty if this exercise or an earlier one does not work yet, or if an earlier
-    chapter has failures, because the scenes would not work either.
+    The sentence is empty if the scenes would not work yet. That happens if this exercise or an
+    earlier one does not work, or if an earlier chapter causes failures.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -134,9 +137,9 @@ def _is_extra(exercise: Exercise) -> bool:
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return whether the student has not yet written a function of this exercise.
+    """Return whether the student has yet to write a function of this exercise.
 
-    If the file of a function is missing, the function counts as not written.
+    That is also the case if a file with its functions is missing.
     """
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
@@ -148,9 +151,9 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """List what a student can still do in a finished chapter.
+    """List the tasks that are still open in a chapter that the student has finished.
 
-    This can be robust checks, unanswered questions, projects and going-further exercises.
+    They may be robust checks, unanswered questions, projects and going-further exercises.
     """
     words = []
     robust = [
@@ -176,8 +179,8 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
     """Tell the student where to find the chapter's picture, or which command draws it.
 
-    An existing picture counts only if the student's own engine drew it after the last change to the
-    code.
+    An existing picture counts only if the student's own engine drew it, and if the code has not
+    changed since.
     """
     folder = ROOT / "build" / "plots" / chapter.name
     file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH
@@ -210,14 +213,14 @@ def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
     """Return the make variables that select the student's engine and the given chapters.
 
-    For example, GIVEN=2,3 takes chapters 2 and 3 from the reference solution.
+    For example, GIVEN=2,3 replaces the student's chapters 2 and 3 with our solution.
     """
     numbers = ",".join(str(chapter.number) for chapter in given)
     return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap one entry of the closing screen, with a label such as "Next" before its first line."""
+    """Wrap an entry of the closing screen, and put a label such as "Next" in front of it."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

@@ -1,6 +1,6 @@
-"""Remember the verdicts on checks, so that `watch` reruns them only after the student edits a file.
+"""Remember the results of checks, so that `watch` reruns them only if a file has changed.
 
-The verdicts are kept only in memory, because students could edit a file that stores them.
+The results are kept only in memory, because students could edit a file that stores them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from autograder.manifest import Chapter
 class Memory:
     """Runs checks on a student's code, and remembers the verdicts until the student changes a file.
 
-    ``run`` is a function with the same parameters as ``run_checks``.
+    ``run`` is the function that runs the checks. It has the same parameters as ``run_checks``.
     """
 
     def __init__(self, seed: str, run: Callable[..., list[Verdict]] = run_checks) -> None:
@@ -33,7 +33,7 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the verdicts on a chapter, running its checks only if a file has changed.
+        """Return the verdicts of a chapter's checks, running the checks only if a file has changed.
 
         With ``exercises``, return only the verdicts on these exercises and their prerequisites.
         """
@@ -51,7 +51,7 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Compute a hash of all the student's files on which the checks of a chapter depend.
+    """Compute a hash of all files of a student that can affect the checks of a chapter.
 
     As long as the hash stays the same, there is no need to run these checks again.
     """

@@ -14,8 +14,8 @@ from autograder.manifest import ROOT, Chapter
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
     """Return the files of a chapter that the student has edited but should have left alone.
 
-    They are compared with the hashes in stubs.lock. A file that is missing from the chapter's
-    folder or from stubs.lock does not count as changed.
+    They are recognized by their hashes in stubs.lock. A file that is missing, or not listed there,
+    does not count as changed.
     """
     locked, changed = read_lock(root), []
     for name in chapter.complete:

@@ -18,12 +18,12 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # a chapter's folder has such a name
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Find the line of code that the student should open to fix a failed check.
+    """Find the line of code that the student should open to fix a failed check, as path:line.
 
-    It is the line named in the check's message or, without one, the start of the function that the
-    check calls. A line in a function of another exercise is passed over, because it may be correct,
-    and so is a line in a complete file, which students must not edit. If the check is about data
-    that the student entered, return the data file.
+    If the check's message names a line, we take that one. Otherwise, we take the start of the
+    function that the check calls. We ignore a line in a file that must not be edited. Usually we
+    also ignore a line in a function of another exercise, which may be correct. If the check is
+    about data that the student entered, the result is the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -46,8 +46,8 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     """Find the line at which one of the student's functions is defined, as path:line.
 
-    ``name`` is the function's name in the manifest. If its file is missing or unreadable, return
-    only the path. A path inside the working folder is given relative to it.
+    ``name`` is the function's name in the manifest, such as vector.Vector3.dot. If its file is
+    missing or unreadable, return only the path. A path inside the working folder is relative to it.
     """
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")
@@ -60,7 +60,10 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Return the name of the student's function at a line of a file, such as vector.Vector3.dot."""
+    """Name the function in a student's file that contains a certain line, as in vector.Vector3.dot.
+
+    The result is None if the line is outside all functions.
+    """
     tree = _read(_file(engine, chapter, file))
     for name, node in functions(tree).items() if tree else ():
         if node.lineno <= line <= (node.end_lineno or 0):

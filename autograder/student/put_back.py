@@ -12,7 +12,7 @@ from autograder.definitions import functions
 
 
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
-    """Insert the stubs of deleted functions, such as Vector3.dot, into a student's module.
+    """Put stubs in place of functions that a student has deleted, such as Vector3.dot.
 
     Return the new module. If the student has deleted a whole class, all of it is restored.
 
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return the student's class with missing methods put back, which are copied from its stub."""
+    """Return a student's class with stubs in place of the methods that were deleted."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -57,10 +57,10 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert a function or class into a student's code, in the order of the stub.
+    """Insert a deleted function or class into a student's code, where the original file has it.
 
-    It goes after the nearest function that precedes it in the stub and still exists in the
-    student's code. If there is none, it goes before the nearest one that follows it in the stub.
+    It goes after the nearest function above it in that file that the student still has. If there is
+    none, it goes before the nearest one below.
     """
     names = [_name(other) for other in body]
     at = [*order].index(node)
@@ -77,7 +77,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the name of a function or class in a form that manifests use, such as mass.setter.
+    """Name a function or class as the manifests do, such as dot or mass.setter.
 
     For any other statement, the name is "".
     """

@@ -1,8 +1,7 @@
 """Let a student start an exercise over by restoring its stub, and keep a copy of the old file.
 
-The stub is made from the student's own file and the manifest, so that all other functions stay as
-they are. A function that the student has deleted comes from the reference or, in a handout, from
-the folder stubs/.
+Only the functions of that exercise change in the student's file. If the student has deleted one of
+them, its stub comes from our solution or, in a handout, from the folder stubs/.
 """
 
 from __future__ import annotations
@@ -26,9 +25,10 @@ COPIES = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """What resetting an exercise will change in one of the student's files.
+    """A planned change to one of a student's files, to start an exercise over.
 
-    If ``gone`` is true, the functions in ``names`` are missing because the student deleted them.
+    ``names`` lists the functions to restore. If ``gone`` is true, they are missing because the
+    student deleted them.
     """
 
     file: Path
@@ -48,9 +48,12 @@ def reset(
 ) -> str:
     """Let the student start an exercise over by restoring the stubs of its functions.
 
-    Only the functions of this exercise change. If the student deleted any of them, the reset brings
-    those back and leaves the others alone. With ``whole``, it restores entire files. Return a text
-    that lists the changes, and the copies that were made of the student's files.
+    If the student has deleted some of these functions, only those are restored. With ``whole``,
+    entire files are restored. The student's previous files are copied into the folder ``copies``
+    first.
+
+    Returns:
+        A text for the student that lists the changes and the copies.
 
     Raises:
         ValueError: A file cannot be read or lacks a function. Nothing is changed.
@@ -75,12 +78,12 @@ def reset(
 
 
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
-    """Ask the student to confirm that the code for an exercise should be replaced with its stub.
+    """Write the question that asks a student to confirm the reset of an exercise.
 
-    Return the question, which names the functions, their files, and the folder with the copies.
+    It names the functions to reset, their files, and the folder in which a copy will be kept.
 
     Raises:
-        ValueError: The reset itself would raise this error.
+        ValueError: The exercise cannot be reset, for example because a file is unreadable.
     """
     changes = planned(chapter, exercise, engine)
     names = ", ".join(name for change in changes for name in change.names)
@@ -105,7 +108,7 @@ def planned(
     The student can then be asked to confirm the reset.
 
     Raises:
-        ValueError: The reset itself would raise this error.
+        ValueError: The exercise cannot be reset, for example because a file is unreadable.
     """
     if not exercise.edit:
         raise ValueError(f"{exercise.id} is answered in answers.md, so it has no stub to restore")

@@ -1,7 +1,7 @@
 """Print what a student sees after a check: the results, one failure in full, and what to do next.
 
-rich is imported only when there is something to print. By then the checks are already running in
-their own process, so the student does not have to wait for the import.
+The library rich is slow to import, so we import it only when there is something to print. By then
+the checks are running in a process of their own, and the student does not have to wait.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ BAR = 40
 class Report:
     """The results of checking a student's code for one chapter.
 
-    ``results`` come from a run on the student's own earlier chapters. ``on_reference`` comes from a
-    second run on ours, and is empty if that run was unnecessary or impossible. ``suspects`` are
-    earlier chapters that may be to blame for failures.
+    ``results`` come from a run with the student's own earlier chapters. ``on_reference`` comes from
+    a second run with our solutions to those chapters, and is empty if there was none. ``suspects``
+    are earlier chapters that may be to blame for failures.
     """
 
     chapter: Chapter
@@ -90,8 +90,8 @@ def print_report(
 ) -> bool:
     """Print the results of a student's exercises, and explain the first failure in full.
 
-    Unanswered questions are listed, but they do not affect the result, because no check can judge
-    an answer. Return whether all checks pass.
+    Unanswered questions are listed but do not count as failures. Return whether all checks pass and
+    no file was edited that should stay as it is.
     """
     for report in reports:
         print_chapter(console, report, engine)
@@ -134,9 +134,10 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Tell the student in one sentence that all checks pass.
+    """Write the sentence that tells the student that all checks pass.
 
-    ``changed`` is true if the student has edited a file that should not be changed.
+    If ``changed`` is true, the student has edited a file that should stay as it is. The sentence
+    then warns that grading uses the original.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."
@@ -203,7 +204,8 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 def points_of(chapter: Chapter, result: Result) -> str:
     """Return the student's points for an exercise, as in "2/3", for a cell of the table.
 
-    The cell of an optional exercise says "optional", or "needed" if a required one builds on it.
+    For an optional exercise the cell says "optional", or "needed" if a required exercise builds on
+    it.
     """
     exercise = result.exercise
     if exercise.optional:
@@ -227,7 +229,7 @@ def passing(checks: Sequence[Verdict]) -> str:
 
 
 def bar(part: float, whole: float) -> str:
-    """Draw a progress bar in plain text, with ``part`` of ``whole`` filled with number signs."""
+    """Draw a progress bar of number signs and dots, which shows the fraction ``part / whole``."""
     filled = min(BAR, int(BAR * part / whole)) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
@@ -284,7 +286,7 @@ def _state(result: Result, answered: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return whether a check fails only because one of the exercise's functions is still a stub."""
+    """Return whether a check fails because a function of its exercise is not written yet."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 

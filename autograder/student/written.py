@@ -51,7 +51,7 @@ def print_written(
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
     """List the questions that the student has not answered, with the files for the answers.
 
-    The list is one line of text, or "" if every question has an answer.
+    The list is one line of text. It is "" if every question has an answer.
     """
     groups = [
         open_ones
@@ -66,7 +66,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Tell the student that all checks pass, and which written questions are still unanswered."""
+    """Write the message that all checks pass, with a list of the student's unanswered questions."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -87,11 +87,11 @@ def _ids(questions: list[Question]) -> list[str]:
 
 
 def flowing(text: str) -> str:
-    """Join the lines of each paragraph of an answer, so that the text fits any screen width.
+    """Join the lines of each paragraph in an answer, so that the text fits any screen width.
 
-    Lines of a list item are joined as well. Markdown's block quote markers (>) are removed.
-    Indented lines, such as formulas, are left as they are, and so is any text that contains code
-    blocks.
+    The lines of a list item are joined as well, and Markdown's markers for quotes (>) are removed.
+    Indented lines, such as formulas, stay as they are. A text that contains code blocks keeps all
+    of its line breaks.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

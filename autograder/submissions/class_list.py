@@ -17,7 +17,7 @@ _Index = defaultdict[str, list[Student]]
 class Member:
     """A member of the class: a student on the roster, the author of a submission, or both.
 
-    ``shown`` is the name used in all reports, and ``folder`` is the name on the submission itself.
+    ``shown`` is the name used in all reports. ``folder`` is the name on the submission itself.
     """
 
     shown: str
@@ -43,7 +43,7 @@ class Member:
 class ClassList:
     """All students of a class, from the roster and from the submissions.
 
-    Without a roster, these are the students who handed something in.
+    If there is no roster, these are the students who handed something in.
     """
 
     members: list[Member]
@@ -51,9 +51,9 @@ class ClassList:
 
     @property
     def submissions(self) -> list[Submission]:
-        """The submissions of the class, each under the name that reports use for its student.
+        """The submissions of the class, sorted by student.
 
-        They are sorted by that name.
+        Each carries the name by which the reports call the student.
         """
         renamed = [
             replace(member.submission, student=member.shown, aliases=member.aliases)
@@ -69,14 +69,14 @@ class ClassList:
 
     @property
     def unmatched(self) -> list[str]:
-        """The names of the submissions that belong to no student on the class's roster."""
+        """The names of the submissions that do not match any student on the class's roster."""
         return [m.shown for m in self.members if self.has_roster and not m.student]
 
     @property
     def names(self) -> dict[str, str]:
         """A map from each name of a student, such as an id or a login, to the name used in reports.
 
-        Names that two students share are left out, and so are students who have not handed anything
+        It leaves out names that two students share, and all students who have not handed anything
         in.
         """
         claims = defaultdict(set)
@@ -93,8 +93,8 @@ class ClassList:
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
         """Return the same class with other names for the students in the reports.
 
-        The new name of each member is ``name(member)``. Anonymous grading uses this to replace
-        names with codes.
+        The new name of each member is ``name(member)``. Anonymous grading replaces names with codes
+        in this way.
         """
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))
@@ -105,8 +105,8 @@ def match(
 ) -> ClassList:
     """Match each submission with a student on the roster, and return the members of the class.
 
-    Submissions without a student are part of the class as well, and so are students without a
-    submission.
+    Submissions that match nobody belong to the class as well, and so do students who have not
+    handed anything in.
 
     Raises:
         ValueError: A submission matches two students, or a student matches two submissions. The
@@ -152,7 +152,7 @@ def match(
 def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
     """Find the students on the roster whose id or name matches a submission.
 
-    There should be at most one. If there are more, ``match`` reports an error.
+    There should be at most one. If there are more, ``match`` raises an error.
     """
     export = submission.export
     identity = submission.student

@@ -1,6 +1,6 @@
 """Replace students' names with codes, so that the reports on a class are anonymous.
 
-A key file says whose code is whose.
+A key file tells the instructor which student each code stands for.
 """
 
 from __future__ import annotations
@@ -26,12 +26,14 @@ QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
-    """Give each student of a class a code instead of a name, and write a key file to decode it.
+    """Give each student of a class a code instead of a name, and write the codes to a key file.
 
-    A code is computed from the student's id and from a secret in the key file, so every student
-    keeps the same code for as long as that file exists. For a submission that belongs to no student
-    on the roster, the name of the submission takes the place of the id. In the class that is
-    returned, reports call each student by the code.
+    A code is computed from the student's id and a secret in the key file. As long as that file
+    exists, every student keeps the same code. If a submission matches nobody on the roster, its own
+    name is used in place of an id.
+
+    Returns:
+        The class with a code as the name of each student.
 
     Raises:
         ValueError: The key file is damaged.
@@ -51,24 +53,25 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
 
 
 def key_path(roster: Path | None, out: Path) -> Path:
-    """Return the path of the key file, which says whose code is whose.
+    """Return the path of the key file, which lists the student behind each code.
 
-    It is next to the roster or, without a roster, next to the folder of the reports.
+    The file is next to the roster or, without a roster, next to the folder of the reports.
     """
     beside = (roster or out).resolve()
     return beside.with_name(f"{beside.stem if roster else beside.name}-key.csv")
 
 
 def without_names(note: str) -> str:
-    """Replace the quoted parts of a note in an anonymous report.
+    """Remove students' names from a note, so that it can go into an anonymous report.
 
-    A quoted part, such as the name of a folder, may identify the student.
+    Any quoted part of the note, such as the name of a folder, may identify the student, so we
+    replace it.
     """
     return QUOTED.sub("one of them", note)
 
 
 def refuse_names(out: Path) -> None:
-    """Raise ValueError if a folder already has reports in which students are named.
+    """Raise ValueError if a folder already contains reports with students' names.
 
     Anonymous reports must not be added to such a folder.
     """
@@ -100,7 +103,7 @@ def _secret_in(path: Path) -> str:
 
 
 def _write_private(path: Path, text: str) -> None:
-    """Write the key file atomically, and let only its owner read it.
+    """Write the key file so that only its owner can read it, and replace it atomically.
 
     The file contains the names of the students behind the codes.
     """

@@ -14,7 +14,10 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file such as a roster, with its separator and its column names in lower case."""
+    """The contents of a CSV file such as a roster, with the separator and the column names.
+
+    The column names are in lower case.
+    """
 
     path: Path
     text: str
@@ -23,11 +26,11 @@ class Table:
     header: list[str]
 
     def rows(self, longest: str) -> Iterator[tuple[int, int, list[str]]]:
-        """Yield the rows of a CSV file below its header, each with its first and last line number.
+        """Yield the rows below the header of a CSV file, each with its first and last line number.
 
         Blank rows are skipped, and cells missing at the end of a row are empty. If a row has too
         many cells, somebody has probably forgotten to quote a cell that contains a separator.
-        ``longest`` names the likeliest culprit for the error message, such as "comment".
+        ``longest`` is the word for such a cell in the error message, for example "comment".
 
         Raises:
             ValueError: A row is too long, or a quote is never closed. The message names the line.
@@ -55,9 +58,9 @@ class Table:
 
 
 def read_csv(path: Path) -> Table:
-    """Read a CSV file, such as a roster, whose cells are separated by commas or semicolons.
+    """Read a CSV file, such as a roster, with commas or semicolons between the cells.
 
-    Spreadsheets in many European countries write semicolons.
+    Semicolons are common in files from European spreadsheets.
 
     Raises:
         ValueError: The file is not UTF-8. The message names the line.

@@ -1,4 +1,4 @@
-"""Parse the names that Canvas and Moodle give to submissions when an instructor downloads them.
+"""Parse the file names of submissions that an instructor has downloaded from Canvas or Moodle.
 
 Such a name identifies the student and the upload.
 """
@@ -24,7 +24,7 @@ RESUBMITTED = re.compile(r"-([0-9]+)$")
 
 @dataclass(frozen=True)
 class Exported:
-    """The student and the upload that the name of a downloaded submission stands for.
+    """The parts of the name that Canvas or Moodle gives to a downloaded submission.
 
     For Canvas, ``name`` is the last name and the first name without a space in between, and
     ``number`` is the user id. For Moodle, ``name`` is the full name, and ``number`` identifies the
@@ -46,9 +46,10 @@ class Exported:
 
 
 def read_export(name: str) -> Exported | None:
-    """Parse the name that Canvas or Moodle has given to a submission, without .zip at its end.
+    """Parse the name that Canvas or Moodle has given to a student's submission.
 
-    The result is None if the name does not come from one of these platforms.
+    ``name`` does not include a final .zip. The result is None if it is not from one of these
+    platforms.
     """
     if found := MOODLE.fullmatch(name):
         order = 0, _resubmission(found["file"] or "")
@@ -64,9 +65,9 @@ def read_export(name: str) -> Exported | None:
 
 
 def _resubmission(file: str) -> int:
-    """Return the number that a platform appends to later uploads, such as 2 for work-2.zip.
+    """Return the number at the end of the name of a later upload, such as 2 for work-2.zip.
 
-    A student's first upload has no number, and the result is 0.
+    Platforms add it when a student uploads again. A first upload has no number, so the result is 0.
     """
     found = RESUBMITTED.search(file)
     return int(found[1]) if found else 0

@@ -1,4 +1,4 @@
-"""Find the submissions of a class, and choose file names for the reports on the students."""
+"""Find the submissions of a class, and choose names for the files with the students' reports."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 @dataclass(frozen=True)
 class Submission:
-    """What a student has handed in, as a folder or a zip file.
+    """The folder or zip file that a student has handed in.
 
-    If a platform chose the name of that file, ``export`` holds the parts of the name. ``aliases``
-    are the student's other names, taken from the folder or file and from the roster.
+    If Canvas or Moodle has named it, ``export`` holds the parts of that name. ``aliases`` are the
+    student's other names, taken from the folder or file and from the roster.
     """
 
     student: str
@@ -41,7 +41,7 @@ class Submission:
 
     @property
     def late(self) -> bool:
-        """Whether the platform marked the student's submission as late. Only Canvas does that."""
+        """Whether Canvas has marked the submission as late. No other platform does so."""
         return self.export is not None and self.export.late
 
 
@@ -49,10 +49,11 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     """Find the students' submissions in the folder of a class, with notes on everything else in it.
 
     A submission is a folder or a .zip file. It is named after its student, or has a name from
-    Canvas or Moodle. If a student uploaded several files there, we take the last one. Links are
+    Canvas or Moodle. If a student uploaded several files there, only the last one counts. Links are
     never followed. Hidden files, caches and the instructor's own files are skipped without a note.
 
-    Return the submissions sorted by student, and the notes.
+    Returns:
+        The submissions, sorted by student, and the notes.
 
     Raises:
         ValueError: The path is not a folder, or it contains no submissions or two by the same
@@ -103,10 +104,10 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 
 
 def file_name(student: str) -> str:
-    """Turn a student's name into a safe name for the report files on the student, without a suffix.
+    """Turn a student's name into a safe file name for reports, without a suffix.
 
-    A short and harmless student name is used as is. Otherwise we replace whatever is unsafe,
-    truncate the name, and append a hash of the original, so that no two students share a file.
+    A short and harmless name is used as is. Otherwise we replace unsafe characters, truncate the
+    name, and append a hash of the original, so that no two students share a file.
     """
     # A name that seems to end with a hash could equal the file name of another student.
     harmless = _clean(student) == student and not HASHED.fullmatch(student)
@@ -120,13 +121,13 @@ def file_name(student: str) -> str:
 def printable(text: str) -> str:
     """Escape the unprintable characters in a text, such as the name of a submitted file.
 
-    Backslashes are doubled, so that no two texts look the same.
+    Backslashes are doubled, so that different texts never look the same.
     """
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
 def _order(submission: Submission) -> tuple[int, int]:
-    """Return a sort key that puts a student's later upload after an earlier one.
+    """Return a sort key that puts a student's uploads in order, oldest first.
 
     Only the last upload is graded.
     """
@@ -134,6 +135,6 @@ def _order(submission: Submission) -> tuple[int, int]:
 
 
 def _clean(name: str) -> str:
-    """Replace all characters in a student's name that are special to some file system."""
+    """Replace each character in a student's name that could cause trouble in a file name."""
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in name]
     return re.sub(r"^\.", "_", "".join(kept))

@@ -23,18 +23,19 @@ MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of o
 class NotTakenError(Exception):
     """Raised when we reject a submitted file or a whole submission.
 
-    Its text is a clause with the reason, such as "it is a symbolic link".
+    Its text gives the reason as part of a sentence, such as "it is a symbolic link".
     """
 
 
 @dataclass(frozen=True)
 class Found:
-    """A file to be graded that was found in a student's submission.
+    """A file that we have found in a student's submission and want to grade.
 
-    ``place`` lists the folders on the path to the file, ending with the chapter's own. ``read``
-    takes the maximum size to accept, and returns the contents or raises NotTakenError. A
-    ``doubtful`` file is in an unreadable folder, which counts only if the chapter has no other
-    folder.
+    ``place`` lists the folders on the path to it, as in ("work", "ch02_vectors"). ``read`` reads
+    the file. It takes the largest size to accept, and raises NotTakenError if it rejects the file.
+
+    If ``doubtful`` is true, the file's folder is unreadable. The file then counts only if the
+    submission has no other folder for that chapter.
     """
 
     place: tuple[str, ...]
@@ -47,6 +48,8 @@ def search_folder(
     submission: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
     """Find the files to be graded in a student's submitted folder, with notes on any problems.
+
+    ``wanted`` lists the files to look for in the folder of each chapter.
 
     Raises:
         NotTakenError: The submission's folder cannot be read at all.
@@ -83,9 +86,9 @@ def search_folder(
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Read a submitted file, provided that it is a regular file and not larger than ``largest``.
+    """Read a submitted file, but only if it is a regular file of at most ``largest`` bytes.
 
-    ``what`` names the file in error messages, as the subject of the sentence.
+    ``what`` is how error messages refer to the file, such as "the zip".
 
     Raises:
         NotTakenError: The file is too large, or it is a link, a pipe or something else.
@@ -106,9 +109,9 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Create a function that stands in for reading a submitted file that cannot be graded.
+    """Create a ``Found.read`` for a submitted file that cannot be graded.
 
-    It can be used as ``Found.read``, and always raises NotTakenError with this reason.
+    Whenever somebody tries to read the file, it raises NotTakenError with this reason.
     """
 
     def read(_: int) -> bytes:
@@ -120,7 +123,7 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
     """Reject all files that a chapter's folder in a submission should contain, for the same reason.
 
-    This is used if the folder cannot be read.
+    For example, the folder may be a symbolic link, or we may not be allowed to read it.
     """
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
@@ -131,9 +134,9 @@ def too_large(what: str, largest: int) -> NotTakenError:
 
 
 def is_skipped(name: str) -> bool:
-    """Return whether to skip a folder in a submission, because it is hidden or made by a program.
+    """Return whether to ignore a folder in a student's submission.
 
-    Examples of the latter are __MACOSX and __pycache__.
+    We ignore hidden folders, and folders that programs create, such as __MACOSX and __pycache__.
     """
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
@@ -141,7 +144,7 @@ def is_skipped(name: str) -> bool:
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
     """Find the files to be graded in a chapter's folder of a student's submission.
 
-    Links are found too. They are rejected later, when the grader tries to read them.
+    Links are found too, but rejected later, when the grader tries to read them.
     """
     found: list[Found] = []
     try:
@@ -167,9 +170,9 @@ def _mode(path: Path) -> int:
 
 
 def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """List the folders in a submitted folder, looking at no more than ``most`` of its entries.
+    """List the folders inside a submitted folder, looking at no more than ``most`` entries.
 
-    Return their names, and the number of entries examined.
+    Return their names, and the number of entries that we looked at.
     """
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
@@ -198,9 +201,10 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Say why a submitted file cannot be read, unless the reason is an error of our own machine.
+    """Say why a submitted file cannot be read.
 
-    Such an error says nothing about the submission, so it is raised again.
+    If our own machine is to blame, for example because it ran out of memory, the error is raised
+    again. It says nothing about the submission.
     """
     if error.errno in OURS:
         raise error

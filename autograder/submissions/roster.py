@@ -19,9 +19,10 @@ UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a st
 
 @dataclass(frozen=True)
 class Student:
-    """A student on the roster of a class, with the line of the file that lists the student.
+    """A student on the roster of a class.
 
-    The ``email`` and the ``login`` may be empty.
+    ``line`` is the line of the file that lists the student. The ``email`` and the ``login`` may be
+    empty.
     """
 
     id: str
@@ -34,13 +35,13 @@ class Student:
     def keys(self) -> set[str]:
         """The student's id, e-mail address and login, in a form that can be compared.
 
-        A submission that is named after one of these belongs to the student.
+        A submission that is named after one of them belongs to the student.
         """
         return {key(text) for text in (self.id, self.email, self.login) if text}
 
     @property
     def names(self) -> set[str]:
-        """The ways in which a folder or a platform may write the student's name.
+        """The spellings of a student's name to expect on a submission, such as janedoe and doejane.
 
         Canvas puts the last name first. A roster may do so too, as in "Doe, Jane".
         """
@@ -52,8 +53,8 @@ class Student:
 def read_roster(path: Path) -> list[Student]:
     """Read the list of students from the roster of a class, which is a CSV file.
 
-    The roster may have other columns too, in any order, separated by commas or semicolons. The
-    students are returned in file order.
+    The columns may be in any order, separated by commas or semicolons, and there may be others too.
+    The students are returned in the order of the file.
 
     Raises:
         ValueError: The roster contains a mistake. The message names the line.
@@ -95,15 +96,15 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def key(text: str) -> str:
-    """Normalize a student's id, e-mail address or login for comparison.
+    """Normalize a student's id, e-mail address or login, so that it can be compared.
 
-    Upper and lower case compare equal, and so do two encodings of the same accented letter.
+    Upper and lower case become equal, and so do the two encodings of an accented letter.
     """
     return unicodedata.normalize("NFC", text.strip()).casefold()
 
 
 def letters(name: str) -> str:
-    """Reduce a student's name to its letters and digits, in lower case, for comparison.
+    """Reduce a student's name to its letters and digits, in lower case, so that it can be compared.
 
     Platforms drop all other characters from the names of the files that students upload.
     """

@@ -1,6 +1,6 @@
 """Copy the files to be graded from a student's submission into a new folder.
 
-No other file of the submission is ever imported.
+The grader imports only these copies, and never any other file of the submission.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten
 
 @dataclass(frozen=True)
 class Staged:
-    """The result of copying the files to be graded from a submission: which were rejected, and why.
+    """The files that were rejected when we copied a student's submission for grading.
 
-    ``missing`` maps the rejected modules, such as ch02_vectors.vector, to the reasons. ``notes``
-    are for the instructor, and quote nothing but names from the student. ``digest`` depends on
-    everything that was accepted or rejected, so submissions with the same digest get the same
-    grade.
+    ``missing`` maps each rejected module, such as ch02_vectors.vector, to the reason. ``notes`` are
+    for the instructor, and contain no text from the student except for names. Submissions with the
+    same ``digest`` get the same grade, because it depends on everything that was accepted or
+    rejected.
     """
 
     missing: dict[str, str]
@@ -36,11 +36,12 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Assemble the engine to be graded in the folder ``box``, from the student's files and ours.
+    """Put together the engine to be graded in the folder ``box``.
 
-    Ours are the modules that no student edits. The submission is a folder or a zip file, and may
-    contain anything. If something is wrong with it, the result says so. A missing file stays
-    missing, because neither a stub nor our solution would be the student's work.
+    It consists of the student's files and of our copies of the modules that students do not edit.
+    The submission is a folder or a zip file, and may contain anything. The result says what is
+    wrong with it, if anything. A missing file stays missing, because neither a stub nor our
+    solution would be the student's work.
 
     Raises:
         OSError: The box cannot be written, or a file of the repository cannot be read.
@@ -94,11 +95,11 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Choose a chapter's folder if a submission has several, and return the files in it.
+    """Choose one of several folders for a chapter in a submission, and return the files in it.
 
-    We take the least deeply nested folder and, if several tie, the first by name. A note says so if
-    there are several. A handout also has a folder with the original stubs, which counts only if
-    there is no other.
+    We take the least deeply nested folder and, if several tie, the first by name. A folder with the
+    original stubs of a handout counts only if there is no other. If there are several folders, a
+    note for the instructor says which one was used.
     """
     mine = [file for file in found if file.place[-1] == chapter.name]
     places = sorted(
@@ -119,7 +120,7 @@ def _text(content: bytes) -> bytes:
     """Make sure that a submitted file is a text file, and return its contents unchanged.
 
     Raises:
-        NotTakenError: The contents are not text.
+        NotTakenError: It is not a text file.
     """
     try:
         content.decode()

@@ -1,7 +1,6 @@
 """Unpack the zip with all submissions of a class, as downloaded from Canvas or Moodle.
 
-The new folder is beside the zip. Everything in the zip was uploaded by students, so none of it is
-trusted.
+The new folder is next to the zip. Students uploaded everything in the zip, so we trust none of it.
 """
 
 from __future__ import annotations
@@ -41,9 +40,10 @@ NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EI
 
 @dataclass(frozen=True)
 class Unpacked:
-    """What the zip of a class contained: the names of the submissions, and notes on skipped files.
+    """A record of what was unpacked from the zip of a class.
 
-    ``zip`` is a hash of the zip, which shows whether it has changed since it was unpacked.
+    ``names`` are those of the submissions, and ``notes`` are about skipped files. ``zip`` is a hash
+    of the zip, which shows whether the zip has changed since then.
     """
 
     zip: str
@@ -55,7 +55,7 @@ class Unpacked:
 class _File:
     """A file in the zip of a class, which contains the submissions of all students.
 
-    The first of its ``parts`` names the submission it is from.
+    ``parts`` are the parts of its path. The first one names the submission that the file is from.
     """
 
     parts: list[str]
@@ -63,7 +63,7 @@ class _File:
 
 
 def class_folder(path: Path) -> Path:
-    """Return the folder with the submissions of a class, first unpacking it if it is a zip.
+    """Return the folder with the submissions of a class. If ``path`` is a zip, unpack it first.
 
     The new folder has the same name as the zip. If the zip has changed since the last time, it is
     unpacked again, but marks.csv in the folder is kept.
@@ -88,7 +88,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Replace the submissions from an earlier version of a class's zip with those from this one."""
+    """Unpack the zip of a class. Replace the submissions from an earlier version of the zip."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:
@@ -116,7 +116,10 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
 
 
 def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
-    """Decide which files in the zip of a class to write to disk, with notes on those left out."""
+    """Decide which files from the zip of a class to write to disk.
+
+    Return these files, with notes on those that are left out.
+    """
     if len(file.infolist()) > MOST_FILES:
         raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")
     files: list[_File] = []
@@ -138,8 +141,8 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
     """Extract the students' files from the zip of a class into ``folder``.
 
-    Only zips and the types of files that students hand in are extracted. Return notes on rejected
-    files.
+    Only zips and the types of files that students hand in are extracted. Return notes on the files
+    that were rejected.
     """
     notes: list[str] = []
     sizes: Counter[str] = Counter()

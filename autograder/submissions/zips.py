@@ -50,6 +50,8 @@ UNREADABLE = (
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
     """Find the files to be graded in a student's submitted zip, with notes on any problems.
 
+    ``wanted`` lists the files to look for in the folder of each chapter.
+
     Raises:
         NotTakenError: The zip as a whole is rejected.
     """
@@ -89,7 +91,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files to be graded in the zips that a student has put into the submitted folder.
+    """Find the files to be graded in zips that a student has put into the submitted folder.
 
     They count as if they had been unpacked there. Return the files, with notes on any problems.
     """
@@ -118,16 +120,16 @@ def search_zips_in(
 def path_in_zip(entry: zipfile.ZipInfo) -> str:
     """Return the path of a file in a submitted zip, with forward slashes between its parts.
 
-    This is needed because some Windows tools write backslashes into a zip.
+    Some Windows tools write backslashes instead.
     """
     # Some Windows tools write backslashes, and other tools begin paths with a dot.
     return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path in a submitted zip could lead outside the zip, or is not a plain path.
+    """Return whether a path in a submitted zip is unsafe, because it may lead outside the zip.
 
-    Such a path is absolute, or one of its parts is empty or made of dots.
+    A path is unsafe if it is absolute, or if one of its parts is empty or made of dots.
     """
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 
@@ -136,7 +138,7 @@ def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> b
     """Read a file from a submitted zip into memory, and return its contents.
 
     Raises:
-        NotTakenError: It is not a regular file, is too large, or cannot be read.
+        NotTakenError: The file is not a regular file, is too large, or cannot be read.
     """
     mode = entry.external_attr >> 16
     if stat.S_ISLNK(mode):

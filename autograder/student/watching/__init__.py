@@ -1,1 +1,1 @@
-"""The command watch, which checks the code of a student after every save."""
+"""The command `watch`, which checks a student's code after every save."""

@@ -22,9 +22,9 @@ class Edits:
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
         """Find the exercises that the student has edited since the last call.
 
-        Each comes with the functions or data files that changed. Changes to layout or comments are
-        ignored. If a module cannot be read at the moment, all of its functions count as edited,
-        because any of them may have changed.
+        Each comes with the names of the functions or data files that have changed. New comments or
+        a new layout do not count. If a module cannot be read at the moment, all of its functions
+        count as edited, because any of them may have changed.
         """
         edited = []
         for chapter in self.chapters:
@@ -36,9 +36,9 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return which functions in one of the student's files changed since the last call.
+        """Return which functions in one of the student's files have changed since the last call.
 
-        A data file, such as drops.csv, counts as a whole. The file is remembered for the next call.
+        A data file, such as drops.csv, is compared as a whole.
         """
         path = self.engine / chapter.name / name
         try:

@@ -19,11 +19,11 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """The page of the command `watch`, which shows the student a failed check and how to fix it.
+    """What the command `watch` prints after a failed check: the explanation, and lines around it.
 
-    ``top`` and ``bottom`` are the lines above and below the explanation of the failed check. If the
-    explanation does not fit on the terminal, the page names ``whole``, the command that prints it
-    in full.
+    The lines in ``top`` come before the explanation, and those in ``bottom`` after it. If the
+    explanation does not fit on the terminal, the page names ``whole``, the command that prints all
+    of it.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -37,7 +37,7 @@ class Page:
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
-        """Print the page of `watch` on the console, with a line of keys for the student at the end.
+        """Print the page of `watch`, ending with a list of the keys that the student can press.
 
         On a terminal, clear the screen first and shorten the page until it fits.
         """

@@ -69,8 +69,8 @@ class Progress:
     def words(self, chapter: Chapter) -> str:
         """Say how far the student is in a chapter, as in "3 of 8 exercises work".
 
-        An exercise works if its physics checks pass. Once all of them work, count those whose
-        robust checks pass as well.
+        An exercise works if its physics checks pass. Once all of them work, the robust checks count
+        too, as in "3 of 8 are complete".
         """
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
@@ -86,16 +86,17 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether an exercise has physics checks that the student's code does not pass yet.
+    """Return whether an exercise still has physics checks that fail on the student's code.
 
-    A written exercise has no checks, so it never counts.
+    For a written exercise the answer is False, because it has no checks.
     """
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether an exercise has checks of any kind that the student's code does not pass yet.
+    """Return whether an exercise still has any checks that fail on the student's code.
 
-    They may be physics checks or robust checks. A written exercise never counts.
+    They may be physics checks or robust checks. For a written exercise the answer is False, because
+    it has no checks.
     """
     return result.status not in ("passed", "waiting")

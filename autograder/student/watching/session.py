@@ -26,9 +26,9 @@ TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows 
 
 
 class Session:
-    """What the command `watch` remembers about a student between two saves.
+    """Keeps track of the student's current exercise while the command `watch` is running.
 
-    It knows which exercise the student is working on and, once that exercise is done, the next one.
+    Once that exercise is done, it also knows the next one.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """Rerun the checks if the student has changed a file, and return whether that was so."""
+        """Run the checks again if the student has changed a file, and return whether they ran."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -56,9 +56,9 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """Make the exercise that the student has just edited the current one.
+        """Switch to the exercise that the student has just edited.
 
-        If the student edited several at once, prefer one that does not work yet.
+        If the student has edited several at once, prefer one that does not work yet.
         """
         edited = self.edits.look()
         if edited:
@@ -72,9 +72,9 @@ class Session:
             self.current, self.edited = (chapter, exercise), names
 
     def go_on(self) -> None:
-        """Make the next exercise the current one.
+        """Move on to the next exercise, because the student has pressed Enter.
 
-        This is what the student asks for by pressing Enter when an exercise is done.
+        If no next exercise has been offered, nothing happens.
         """
         if self.next:
             self.current, self.edited = self.next, []
@@ -100,9 +100,9 @@ class Session:
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
         """Check the student's current exercise, show the result, and return whether it is done.
 
-        An exercise is done as soon as its physics passes. Robust checks wait until the physics of
-        the whole chapter passes. The prerequisites are checked too: if the physics of one no longer
-        passes, it becomes the current exercise.
+        At first, an exercise is done as soon as its physics passes. Robust checks count only after
+        the physics of the whole chapter passes. If the physics of a prerequisite no longer passes,
+        that exercise becomes the current one.
         """
         worked = self.progress.works(chapter, exercise)
         report = self.progress.report(chapter, exercise)
@@ -124,7 +124,7 @@ class Session:
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
         """Show the student a failed check of an exercise, and how many of its checks pass.
 
-        ``tier`` contains either the physics checks or the robust checks, and ``kind`` says which.
+        ``tier`` contains only physics checks or only robust checks, and ``kind`` says which.
         """
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):
@@ -160,9 +160,9 @@ class Session:
     def find_next(self) -> None:
         """Find the next exercise that is not done yet, and offer it to the student.
 
-        The student accepts with Enter or by editing its code. When `watch` starts, we move on at
-        once, because there is no other exercise to finish first. We do the same if keys cannot be
-        read, because then the student cannot press Enter.
+        The student accepts by pressing Enter or by editing the code for that exercise. When `watch`
+        starts, nothing has to be finished first, so we move on at once. We also do so if keys
+        cannot be read, because Enter would not work.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

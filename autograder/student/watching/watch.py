@@ -33,7 +33,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
     that is still open. The command ends when the student presses q.
 
     Raises:
-        ValueError: The reference of a given chapter is not in this folder.
+        ValueError: A given chapter needs our solution, but this folder does not contain it.
     """
     with with_given(given, engine) as folders, keys.single_keys():
         progress = Progress(chapters, folders, given, Memory(seed))
@@ -61,7 +61,7 @@ class Keyboard:
         self.asking = False  # whether we have asked if the current exercise should be reset
 
     def press(self, key: str) -> None:
-        """Run the command for a key that the student has pressed, such as h for a hint.
+        """React to a key that the student has pressed, for example by showing a hint for h.
 
         Other keys do nothing. If we have just asked whether to reset an exercise, the key is the
         answer.
@@ -82,7 +82,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show the student a short message, such as a hint, at the end of the page.
+        """Show a short message, such as a hint, at the end of the student's page.
 
         It replaces the previous message.
         """
@@ -110,7 +110,7 @@ class Keyboard:
         self.asking = True
 
     def answer(self, key: str) -> None:
-        """Reset the current exercise to its stubs if the student has confirmed that with y."""
+        """Reset the current exercise to its stubs if the student has answered y."""
         self.asking = False
         if key != "y" or not self.session.current:
             self.note("Nothing was reset.")
@@ -120,7 +120,7 @@ class Keyboard:
         self.note(done)
 
     def list(self) -> None:
-        """Show the student a table of the current chapter, with the state of each exercise."""
+        """Print a table of the current chapter for the student, with the state of each exercise."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         print_chapter(session.console, session.progress.report(chapter), session.engine)
@@ -133,7 +133,7 @@ class Keyboard:
         print_report(session.console, reports, None, session.engine, progress.given)
 
     def plot(self) -> None:
-        """Draw the plots of the current chapter to files, using the student's engine.
+        """Draw the plots of the current chapter with the student's engine, and save them as files.
 
         A separate process draws them, without opening a window.
         """

@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A question that asks the reader to predict what a scene will do before it runs.
 
-    ``answer`` returns the index of the correct option for the current parameters. Once the scene
-    has run for ``seconds``, ``why`` explains what happened.
+    ``answer`` takes the scene and returns the index of the correct option. Once the scene has run
+    for ``seconds``, ``why`` explains what happened.
     """
 
     words: str
@@ -79,7 +79,7 @@ class Scene:
         raise NotImplementedError
 
     def chart(self) -> dict[str, float]:
-        """Return the values to plot over time, keyed by name and unit, such as "energy, J"."""
+        """Return the values to plot over time, by name and unit: {"energy, J": 2.5}."""
         return {}
 
     def state(self) -> list[float]:
@@ -95,7 +95,7 @@ class Scene:
         return ""
 
     def facts(self) -> str:
-        """Say in one line what the parameters mean, such as "k h^2 / m = 0.028, stable below 4"."""
+        """Sum up the settings in one line, such as "k h^2 / m = 0.028, stable below 4"."""
         return ""
 
     def press(self, key: str) -> None:
@@ -108,7 +108,7 @@ class Scene:
         """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Make the moves of a scripted player at ``time``, in s, such as aiming and firing.
+        """Do what a scripted player does at ``time``, in s, such as aiming or firing.
 
         Recordings and tests call this before each frame, because they have no human player.
         """

@@ -205,8 +205,8 @@ def blob_bonds() -> Picture:
 def sleeping_balls() -> Picture:
     """Plot how much work the engine saves by letting balls at rest sleep.
 
-    A late ball finally wakes them all. The work is the number of balls moved and contacts resolved
-    in each frame.
+    The last ball arrives late and wakes all the others. The work in a frame is the number of balls
+    that are moved, and the number of contacts that are resolved.
     """
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     kinds: dict[type[ParticleWorld], tuple[str, str]] = {
@@ -246,7 +246,11 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Find the throw of a trebuchet that releases at this angle, or None if it never does."""
+    """Find the throw that a trebuchet makes if it is set to release at ``angle``.
+
+    ``found`` lists the possible throws of one swing. If the swing never reaches the angle, return
+    None.
+    """
     return next((release for release in found if release.angle <= angle), None)
 
 

@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Compute how much too long the worst cable of the bridge is, in percent."""
+        """Compute by how much the worst cable of the bridge is too long, in percent."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:

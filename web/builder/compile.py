@@ -24,11 +24,11 @@ MAGIC = importlib.util.MAGIC_NUMBER + (1).to_bytes(4, "little")  # 1: the source
 def packed(folder: Path, place: str, prefix: str = "", optimize: int = 0) -> dict[str, bytes]:
     """Read the files of a folder, and compile most of the Python modules among them.
 
-    `place` is the folder in which the files will be at run time. `optimize` is Python's level of
-    optimization: at level 2, modules have no docstrings.
+    `place` is the folder in which the files will be at run time. `optimize` is Python's
+    optimization level. At level 2, docstrings are removed from the modules.
 
     Returns:
-        The contents of each file, by its path in the archive.
+        A dict from the path of each file in the archive to the contents of the file.
     """
     files = {}
     for path in folder.rglob("*"):

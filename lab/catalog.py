@@ -33,7 +33,7 @@ class Entry:
 
 @cache  # the scenes are part of the program, so they do not change while it runs
 def entries() -> tuple[Entry, ...]:
-    """List all scenes of the lab, ordered by chapter and then as their modules list them."""
+    """List all scenes of the lab by chapter, in the order in which their modules list them."""
     found = []
     for file in sorted(FOLDER.glob("ch??_*.py")):
         tree = ast.parse(file.read_text(encoding="utf-8"))

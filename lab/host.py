@@ -139,7 +139,7 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Collect everything that the page shows for the current frame, such as drawing and chart.
+        """Collect what the page shows for the current frame, such as the drawing and the chart.
 
         Raises:
             ArithmeticError: The scene has exploded, so a number is far too large or not finite.
@@ -181,7 +181,7 @@ class Host:
 
 
 def _numbers(items: list[list[Any]]) -> list[float]:
-    """Collect the coordinates and sizes of the drawn items, to detect that a scene has exploded."""
+    """Collect all drawn coordinates and sizes, which show whether the scene has exploded."""
     found: list[float] = []
     for item in items:
         for value in item:

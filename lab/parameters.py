@@ -111,7 +111,7 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Find the option that a value from the page or the command line stands for.
+        """Find the option that the reader means by a value such as "runge-kutta-4".
 
         Hyphens may stand for spaces, and case does not matter, so that options are easy to type on
         a command line.

@@ -131,7 +131,10 @@ class Scene:
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
-    """Collect the parameters of a scene class by name, with those of its base classes last."""
+    """Collect the parameters of a scene class and of its base classes, by name.
+
+    The parameters of the class itself come first.
+    """
     found: dict[str, Parameter] = {}
     for kind in scene.__mro__:
         for name, value in vars(kind).items():
@@ -141,7 +144,7 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return the name of a scene in addresses and commands, such as one-spring for OneSpring."""
+    """Return the name of a scene for addresses and commands: OneSpring becomes "one-spring"."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 

@@ -38,11 +38,10 @@ def draw_box(
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """List the six faces of a box, each with its corners and the number of the axis across it.
+    """List the six faces of a box, each with its corners and the axis perpendicular to it.
 
-    The axis that is perpendicular to a face is 0 for X, 1 for Y or 2 for Z. The corners run
-    counter-clockwise as seen from outside the box, so the cross product of two successive edges
-    points outward.
+    The axis is 0 for X, 1 for Y or 2 for Z. The corners run counter-clockwise as seen from outside
+    the box, so the cross product of two successive edges points outward.
     """
     around = ((-1, -1), (1, -1), (1, 1), (-1, 1))
     faces = []

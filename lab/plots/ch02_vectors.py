@@ -1,7 +1,7 @@
 """Plots of chapter 2, drawn with the vectors of the student's engine: make plot CH=2.
 
-The title of each plot says how exact the drawn vectors are. It is computed without the engine, so a
-bug in the engine shows up there.
+The title of each plot says how exact the drawn vectors are. This is computed without the engine, so
+a bug in the engine shows up there.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def addition() -> Picture:
 
 
 def projection() -> Picture:
-    """Draw a vector, its projection onto a direction, and what remains perpendicular to it."""
+    """Draw a vector and its two parts, one along a direction and one perpendicular to it."""
     a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
@@ -61,7 +61,7 @@ def projection() -> Picture:
 
 
 def cross_product() -> Picture:
-    """Draw the vector product of two vectors, and plot its length against their angle."""
+    """Draw the vector product of two vectors, and plot how its length depends on their angle."""
     a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
     product = numbers(Vector3(*a).cross(Vector3(*b)))
     figure = pyplot.figure(figsize=(10, 5), layout="constrained")

@@ -1,7 +1,7 @@
 """Plots of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
-The title of each plot reports a result that was measured in the plot, such as an error. A bug in
-the student's engine shows up there. For the computing time of each force generator, see ch05_cost.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. For the computing time of each force generator, see ch05_cost.
 """
 
 from __future__ import annotations
@@ -222,9 +222,8 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 def _momentum_drift(h: float) -> float:
     """Predict how much angular momentum the book's integrator adds per orbit.
 
-    Each step changes r x v by h^2 (v x a), because r x a is 0. On an exact orbit, v x a is L / r^3,
-    where L = (1 - e^2)^(1/2) is the angular momentum. The mean of 1 / r^3 over an orbit is (1 -
-    e^2)^(-3/2).
+    Each step changes r x v by h^2 (v x a), because r x a is 0. On an exact orbit, v x a is L / r^3.
+    Here L = (1 - e^2)^(1/2) is the angular momentum, and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 

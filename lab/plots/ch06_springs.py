@@ -1,8 +1,8 @@
 """Plots of chapter 6: the forces of springs, and the energy and error of oscillations.
 
-The title of each plot reports a result that was measured in the plot, such as an error. A bug in
-the student's engine shows up there. A curve is left out if the student has not yet written the
-function that it needs. For the stability limits, see ch06_stability.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. A curve is left out if the student has not yet written the function
+that it needs. For the stability limits, see ch06_stability.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ def force_against_length() -> Picture:
 def three_regimes() -> Picture:
     """Plot the motion of under-damped, critically damped and over-damped springs.
 
-    Each motion is drawn both simulated and exact.
+    Each motion is drawn twice: as simulated, and as the exact curve.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, frames = 100.0, 90

@@ -1,7 +1,7 @@
 """Plots of chapter 6: when springs, cloths and penalty forces become unstable.
 
-The title of each plot reports a result that was measured in the plot, such as an error. A bug in
-the student's engine shows up there.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there.
 """
 
 from __future__ import annotations

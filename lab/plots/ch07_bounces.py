@@ -1,8 +1,7 @@
 """Plots of chapter 7: bounces, resting contacts, and the restitution of dropped balls.
 
-The title of each plot reports a result that was measured in the plot, such as an error. A bug in
-the student's engine shows up there. A curve is left out if the student has not yet solved its
-exercise.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
 """
 
 from __future__ import annotations
@@ -82,7 +81,7 @@ def bounce_heights() -> Picture:
 def resting_jitter() -> Picture:
     """Plot the height of a ball that should lie still on the ground.
 
-    The resting rule is compared with a stricter rule and with no rule at all.
+    The engine's rule for resting contacts is compared with a stricter rule and with no rule.
     """
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []

@@ -1,8 +1,7 @@
 """Plots of chapter 7: errors that the contact resolver leaves in a pile, and how far stacks sink.
 
-The title of each plot reports a result that was measured in the plot, such as an error. A bug in
-the student's engine shows up there. A curve is left out if the student has not yet solved its
-exercise.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
 """
 
 from __future__ import annotations

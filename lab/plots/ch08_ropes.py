@@ -1,7 +1,7 @@
 """Plots of chapter 8: how well ropes and the cables of the rope bridge hold, and at what cost.
 
-The title of each plot reports a result that was measured in the plot, such as an error. A bug in
-the student's engine shows up there.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how far balls of 1 kg to 1 t stretch the cables of the rope bridge, for each method."""
+    """Plot how much balls of 1 kg to 1 t stretch the cables of the rope bridge, for each method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -167,7 +167,7 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Find the largest value that a simulation recorded from the time ``since`` on, in s.
+    """Find the largest value that a simulation recorded after the first ``since`` seconds.
 
     If the engine raised an exception, return infinity.
     """

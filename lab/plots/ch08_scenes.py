@@ -32,7 +32,7 @@ FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)
 def trebuchet_range() -> Picture:
     """Plot the range of the student's trebuchet against its release angle.
 
-    There is a curve for each of several counterweights.
+    Each curve is for a different counterweight.
     """
     figure, (left, right) = pyplot.subplots(
         1, 2, figsize=(13, 5.4), layout="constrained", width_ratios=(3, 2)

@@ -210,7 +210,10 @@ def _of_drift(off: Sequence[float], unit: str) -> str:
 
 
 def _ends(way: str, notes: list[str]) -> list[float]:
-    """Measure the final error of one integration method in degrees, for each step rate."""
+    """Measure the error in degrees at the end of a rotation, for each step rate.
+
+    ``way`` is the name of the integration method.
+    """
     step, velocity, share, *_ = WAYS[way]
     wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
     errors = []

@@ -232,7 +232,7 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
     """Draw a rotated disc at ``place``, with a radius of 0.45 m.
 
-    ``found`` says where the axes X, Y and Z of the disc point. The disc is perpendicular to its Y.
+    ``found`` says where its axes X, Y and Z point. Y is perpendicular to the disc.
     """
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]

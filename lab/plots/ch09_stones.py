@@ -1,6 +1,6 @@
 """A plot of chapter 9: the lines on which a box of stones would balance.
 
-It also shows how exactly these lines divide the mass of the stones.
+It also shows how much mass the student's code finds on either side of each line.
 """
 
 from __future__ import annotations

@@ -27,7 +27,7 @@ class Ropes(Scene):
     """A scene of three copies of a rope, each made of rods and simulated by a different method.
 
     The methods are one step per frame, substeps, and a direct solve. A rope should not stretch, so
-    the picture shows how much too long each copy is.
+    the picture shows by how much each copy is too long.
     """
 
     chapter = 7

@@ -19,7 +19,7 @@ LATE = 0.5  # s, duration of a late frame
 class Bridge(WorldScene):
     """A scene of a rope bridge that has to carry a heavy ball.
 
-    The reader can walk the ball across it and make some of the frames late.
+    The reader can walk the ball across it, and let some of the frames arrive late.
     """
 
     chapter = 8

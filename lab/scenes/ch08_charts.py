@@ -53,7 +53,7 @@ class Charts(Scene):
     def chosen(self) -> Model:
         """Find the simulation method that the reader chose.
 
-        If the study has not run that method on this test, fall back on the first one.
+        If the study has not run that method on this test, use the first method that it has run.
         """
         models = {model.name: model for model in self.scene.models}
         return models.get(self.method, self.scene.models[0])

@@ -148,7 +148,10 @@ def forget_modules() -> None:
 
 
 def forget_folders() -> None:
-    """Clear Python's cache of the course's folders, because the page may have changed their files."""
+    """Clear Python's cache of the course's folders.
+
+    The page may have changed the files in them.
+    """
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):
             del sys.path_importer_cache[folder]

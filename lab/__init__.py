@@ -1,1 +1,1 @@
-"""Run interactive physics scenes on a student's engine: in a browser, a window or a recording."""
+"""Run and record interactive physics scenes on a student's engine, in a browser or a window."""

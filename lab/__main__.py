@@ -117,15 +117,18 @@ def _play(options: argparse.Namespace) -> int:
 
 
 def settings_of(options: argparse.Namespace) -> dict[str, str]:
-    """Read the scene's parameters from options such as ``--set mass=2``, as a dict of strings."""
+    """Collect the scene's parameters from the options ``--set NAME=VALUE``.
+
+    For ``--set mass=2``, the result is {"mass": "2"}.
+    """
     return dict(setting.partition("=")[::2] for setting in options.set)
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Build the query string that tells the lab's page which scene to open first.
+    """Build the query that tells the lab's page which scene to open first.
 
-    An example is "scene=one-spring&mass=2". If no scene is given, the first scene of ``chapter`` is
-    opened. The parameter values in ``settings`` follow the name of the scene.
+    An example is "scene=one-spring&mass=2", where mass=2 comes from ``settings``. If ``scene`` is
+    empty, the query names the first scene of ``chapter``.
 
     Raises:
         ValueError: The scene does not exist, or the chapter has no scenes.

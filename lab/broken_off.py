@@ -12,8 +12,8 @@ TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 def why_it_broke_off(stack: str, engine: list[Path]) -> str:
     """Explain to a student why the process that runs their engine stopped during a scene.
 
-    ``stack`` is the stack trace that the process writes when it runs out of time. It shows where an
-    endless loop is. If ``stack`` is empty, the process ended on its own.
+    A process that runs out of time writes a stack trace, which shows where the endless loop is.
+    Pass it as ``stack``. An empty ``stack`` means that the process ended on its own.
     """
     if stack:
         return str(explain_hang(stack, TIME_LIMIT, engine))

@@ -20,8 +20,8 @@ FOLDER = Path(__file__).parent / "scenes"
 class Entry:
     """An entry in the lab's list of scenes, with the module and the class that define the scene.
 
-    The lab reads the entries from the source code of the scene modules. It can therefore list the
-    scenes without importing an engine.
+    The lab finds the entries by reading the source code of the scene modules. It can therefore list
+    the scenes without importing an engine.
     """
 
     name: str
@@ -33,7 +33,7 @@ class Entry:
 
 @cache  # the scenes are part of the program, so they do not change while it runs
 def entries() -> tuple[Entry, ...]:
-    """List all scenes of the lab, ordered by chapter and then as their modules list them."""
+    """List all scenes of the lab by chapter, in the order in which their modules list them."""
     found = []
     for file in sorted(FOLDER.glob("ch??_*.py")):
         tree = ast.parse(file.read_text(encoding="utf-8"))
@@ -76,7 +76,7 @@ def load(name: str) -> type[Scene]:
 
 
 def _listed(tree: ast.Module) -> list[str]:
-    """Find the class names in a module's SCENES tuple, without importing the module."""
+    """Read the names in the tuple SCENES from the syntax tree of a module, without importing it."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "SCENES":
             return [ast.unparse(name) for name in node.value.elts]  # type: ignore[attr-defined]
@@ -84,7 +84,7 @@ def _listed(tree: ast.Module) -> list[str]:
 
 
 def _title(node: ast.ClassDef) -> str:
-    """Find the title of a scene in the source of its class, or use the class name instead."""
+    """Read the title of a scene from the syntax tree of its class, or return the class name."""
     for line in node.body:
         if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
             return str(ast.literal_eval(line.value))

@@ -1,6 +1,6 @@
 """Run a student's engine in a separate process that exchanges messages with the lab's server.
 
-Each line is one message in JSON. If the engine takes longer than TIME_LIMIT to answer, the process
+Each message is one line of JSON. If the engine takes longer than TIME_LIMIT to answer, the process
 writes a stack trace to the file given by ``--stack`` and exits. The server reads that file to tell
 the student where the engine got stuck.
 """

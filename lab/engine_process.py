@@ -23,8 +23,8 @@ LONGEST_RECORDING = 120.0  # s
 class EngineProcess:
     """The process that runs an engine for one open page of the lab.
 
-    The process starts when the page sends its first message. It can be killed without stopping the
-    server if the student's code never ends.
+    It starts when the page sends its first message. If the student's code never ends, the process
+    can be killed while the server keeps running.
     """
 
     def __init__(self, engine: str, given: str = "") -> None:

@@ -80,7 +80,7 @@ class Host:
         """Build the scene called ``name``, and return its description and its first frame.
 
         ``peer`` selects another method of running the scene, such as "exact" or "pymunk". If the
-        value of a parameter is invalid, an answer reports that and the default is used instead.
+        value of a parameter is invalid, the scene uses the default, and one of the answers says so.
         """
         self.scene = None
         kind = load(name)
@@ -115,7 +115,10 @@ class Host:
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Check and store the value of a parameter, or return a message that rejects it."""
+        """Check and store the value of a parameter.
+
+        Return an empty list, or a list with a message that says why the value was rejected.
+        """
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:
@@ -136,7 +139,7 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Collect everything that the page shows for the current frame, such as drawing and chart.
+        """Collect what the page shows for the current frame, such as the drawing and the chart.
 
         Raises:
             ArithmeticError: The scene has exploded, so a number is far too large or not finite.
@@ -178,7 +181,7 @@ class Host:
 
 
 def _numbers(items: list[list[Any]]) -> list[float]:
-    """Collect the coordinates and sizes of the drawn items, to detect a scene that has exploded."""
+    """Collect all drawn coordinates and sizes, which show whether the scene has exploded."""
     found: list[float] = []
     for item in items:
         for value in item:

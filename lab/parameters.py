@@ -1,4 +1,4 @@
-"""Define the parameters of a scene: numbers and options that the reader can change."""
+"""The parameters of a scene, which the reader changes with sliders and menus."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any
 class Parameter:
     """A value that the reader can change, such as the stiffness of a spring.
 
-    A parameter is defined as an attribute of the scene's class. On a scene, the attribute is the
-    current value, so ``self.stiffness`` is a number. A ``live`` parameter can change while the
-    scene runs. Changing any other parameter rebuilds the scene.
+    Define a parameter as an attribute of a scene's class. In an instance of the scene, the
+    attribute is the current value, so ``self.stiffness`` is a number. A ``live`` parameter can
+    change while the scene runs. Changing any other parameter rebuilds the scene.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -37,7 +37,7 @@ class Parameter:
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
-        """Return the data from which the page creates a control for this parameter."""
+        """Return the data from which the page creates a slider or a menu for this parameter."""
         return {
             "name": self.name,
             "label": self.label,
@@ -111,7 +111,7 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Find the option that a value from the page or the command line stands for.
+        """Find the option that the reader means by a value such as "runge-kutta-4".
 
         Hyphens may stand for spaces, and case does not matter, so that options are easy to type on
         a command line.

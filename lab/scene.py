@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A question that asks the reader to predict what a scene will do before it runs.
 
-    ``answer`` returns the index of the correct option for the current parameters. Once the scene
-    has run for ``seconds``, ``why`` explains what happened.
+    ``answer`` takes the scene and returns the index of the correct option. Once the scene has run
+    for ``seconds``, ``why`` explains what happened.
     """
 
     words: str
@@ -79,7 +79,7 @@ class Scene:
         raise NotImplementedError
 
     def chart(self) -> dict[str, float]:
-        """Return the values to plot over time, keyed by name and unit, such as "energy, J"."""
+        """Return the values to plot over time, by name and unit: {"energy, J": 2.5}."""
         return {}
 
     def state(self) -> list[float]:
@@ -95,7 +95,7 @@ class Scene:
         return ""
 
     def facts(self) -> str:
-        """Say in one line what the parameters mean, such as "k h^2 / m = 0.028, stable below 4"."""
+        """Sum up the settings in one line, such as "k h^2 / m = 0.028, stable below 4"."""
         return ""
 
     def press(self, key: str) -> None:
@@ -108,7 +108,7 @@ class Scene:
         """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Make the moves of a scripted player at ``time``, in s, such as aiming and firing.
+        """Do what a scripted player does at ``time``, in s, such as aiming or firing.
 
         Recordings and tests call this before each frame, because they have no human player.
         """
@@ -131,7 +131,10 @@ class Scene:
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
-    """Collect the parameters of a scene class by name, with those of its base classes last."""
+    """Collect the parameters of a scene class and of its base classes, by name.
+
+    The parameters of the class itself come first.
+    """
     found: dict[str, Parameter] = {}
     for kind in scene.__mro__:
         for name, value in vars(kind).items():
@@ -141,7 +144,7 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return the name of a scene in addresses and commands, such as one-spring for OneSpring."""
+    """Return the name of a scene for addresses and commands: OneSpring becomes "one-spring"."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 

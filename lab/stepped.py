@@ -21,7 +21,7 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
 class Stepped(Scene):
-    """A scene whose particles move under the forces in a registry, by an integrator of chapter 6.
+    """A scene that moves particles with an integrator of chapter 6, under the forces in a registry.
 
     The ``build`` method of a subclass must create ``particles`` and ``registry``.
     """

@@ -24,7 +24,7 @@ class WorldScene(Scene):
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Make the scene advance ``world`` by calling ``step``, and record contacts for drawing."""
+        """Use ``step`` to advance ``world`` from now on, and record its contacts for drawing."""
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)

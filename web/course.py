@@ -22,8 +22,8 @@ def course() -> dict[str, Any]:
 def _chapter(chapter: Chapter, stubs: dict[str, str]) -> dict[str, Any]:
     """Collect the data about one chapter for the website.
 
-    ``files`` holds the stubs that students edit, and ``complete`` holds the modules that are given
-    to them.
+    In the result, "files" holds the stubs that students edit, and "complete" holds the modules that
+    are given to them.
     """
     files = {path: text for path, text in stubs.items() if path.startswith(f"{chapter.name}/")}
     answers = files.get(f"{chapter.name}/{FILE}")

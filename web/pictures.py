@@ -15,7 +15,7 @@ def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
     Animations are not copied, because the page runs the scene itself instead.
 
     Returns:
-        The name, width and height of the new file, for the path of each original picture.
+        A dict from the path of each original picture to the name, width and height of the new file.
     """
     out.mkdir(parents=True, exist_ok=True)
     found = {}

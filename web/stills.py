@@ -63,7 +63,10 @@ def wanted() -> list[tuple[str, str]]:
 
 
 def still_name(scene: str, settings: str) -> str:
-    """Return the file name of a scene's picture without suffix, such as one-spring_stiffness-36."""
+    """Return the file name of a scene's picture, without its ending.
+
+    For the scene one-spring with the setting stiffness=36, it is "one-spring_stiffness-36".
+    """
     return "_".join([scene, *settings.replace("=", "-").split()])
 
 

@@ -41,7 +41,7 @@ class View:
 
 
 def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
-    """Draw the items that a scene's pen has recorded as an SVG picture of the scene's view."""
+    """Turn the shapes that a scene's pen has recorded into an SVG picture of the scene."""
     place = View(view)
     shapes = "\n".join(shape for kind, *values in items if (shape := DRAW[kind](place, *values)))
     width, height = f"{WIDTH:g}", f"{HEIGHT:g}"
@@ -53,7 +53,7 @@ def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
 
 
 def _style(names: set[str]) -> str:
-    """Write CSS rules for these color names, with the values from the lab's style sheet."""
+    """Write CSS rules for the named colors, with the values from the lab's style sheet."""
     light, dark = COLORS.read_text(encoding="utf-8").split("@media")
     rules = []
     for sheet in (light, dark):

@@ -1,4 +1,7 @@
-"""Draw a 3D box with a color for each axis, leaving out the faces that the viewer cannot see."""
+"""Draw a box in 3D, with only the faces that the viewer can see.
+
+Opposite faces have the same color, so that the reader can tell the three axes of the box apart.
+"""
 
 from __future__ import annotations
 
@@ -18,10 +21,11 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a rotated box whose sides have the lengths ``sides``, in m.
+    """Draw a box in 3D that has been rotated.
 
-    ``turn`` rotates a vector from the box's axes to the world's axes. ``center`` is the position of
-    the box's center in the picture.
+    ``sides`` are the lengths of its sides in m. ``turn`` is a function that rotates a vector from
+    the axes of the box to those of the world. ``center`` is where the center of the box appears in
+    the picture.
     """
     x0, y0 = center
     for face, axis in _faces(sides):
@@ -34,10 +38,10 @@ def draw_box(
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """Return the corners of each face of a box, with the index of the axis perpendicular to it.
+    """List the six faces of a box, each with its corners and the axis perpendicular to it.
 
-    The corners run counter-clockwise as seen from outside the box, so the cross product of two
-    successive edges points outward.
+    The axis is 0 for X, 1 for Y or 2 for Z. The corners run counter-clockwise as seen from outside
+    the box, so the cross product of two successive edges points outward.
     """
     around = ((-1, -1), (1, -1), (1, 1), (-1, 1))
     faces = []

@@ -12,7 +12,7 @@ from lab.drawing.pen import Pen
 class ContactView(ContactResolver):
     """A contact resolver that records the contacts and impulses of the last step for drawing.
 
-    The engine's own resolver, which this class wraps, does the actual work.
+    It wraps the engine's own resolver, which does the actual work.
     """
 
     def __init__(self, resolver: ContactResolver) -> None:
@@ -50,7 +50,7 @@ class ContactView(ContactResolver):
     def draw(self, pen: Pen, scale: float) -> None:
         """Draw each recorded impulse as an arrow, and each contact between two particles as a dot.
 
-        ``scale`` is the length of the arrows in m per N s.
+        ``scale`` is the length in m of the arrow for an impulse of 1 N s.
         """
         for position, impulse in self.impulses:
             pen.arrow(position, impulse * scale, "pink", "contact")

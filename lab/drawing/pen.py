@@ -29,9 +29,10 @@ Item = list[Any]
 
 
 class Pen:
-    """The pen a scene draws with, which records each shape instead of drawing it right away.
+    """The pen that a scene draws with. It records each shape instead of drawing it right away.
 
-    A recorded shape is a list that starts with its kind, such as "circle", and its color.
+    A recorded shape is a list such as ["ground", "gray", 0.0]: its kind, its color and more values
+    that depend on the kind.
     """
 
     def __init__(self) -> None:
@@ -46,9 +47,9 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle, which the reader can drag if it has a name in ``grab``.
+        """Draw a circle. The reader can drag it if ``grab`` gives it a name.
 
-        When the reader drags the circle, the name is passed to ``Scene.drag``.
+        When the reader drags the circle, ``Scene.drag`` is called with that name.
         """
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
@@ -74,7 +75,7 @@ class Pen:
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
-        """Fill an area with a color, translucent like water unless ``solid`` is true."""
+        """Fill an area with a color, which is translucent like water unless ``solid`` is true."""
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
@@ -82,11 +83,14 @@ class Pen:
         self._add("spring", color, *_xy(a), *_xy(b))
 
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
-        """Draw an arrow from ``start``. The reader can show or hide the kinds listed in ARROWS."""
+        """Draw an arrow from ``start`` to ``start + vector``.
+
+        The reader can show or hide all arrows of a kind, such as "velocity" or "force".
+        """
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
-        """Write ``words``, centered at the point ``at``. ``size`` is in pixels."""
+        """Write ``words`` centered at the point ``at``, in letters of ``size`` pixels."""
         self._add("text", color, *_xy(at), words, size)
 
     def ground(self, height: float = 0.0) -> None:

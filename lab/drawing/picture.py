@@ -1,4 +1,8 @@
-"""Draw a scene with matplotlib, from the shapes that its pen has recorded."""
+"""Draw a scene of the lab with matplotlib, for windows and recordings.
+
+A scene does not draw by itself. It tells a ``Pen`` which lines, circles and texts to show, and this
+module draws them.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Plots of chapter 2, drawn with the vectors of the student's engine: make plot CH=2.
 
-Each title quotes a number measured from the picture without using the engine, so a bug in the
-engine shows up in the title.
+The title of each plot says how exact the drawn vectors are. This is computed without the engine, so
+a bug in the engine shows up there.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def addition() -> Picture:
 
 
 def projection() -> Picture:
-    """Draw a vector, its projection onto a direction, and what remains perpendicular to it."""
+    """Draw a vector and its two parts, one along a direction and one perpendicular to it."""
     a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
@@ -61,7 +61,7 @@ def projection() -> Picture:
 
 
 def cross_product() -> Picture:
-    """Draw the vector product of two vectors, and plot its length against the angle they form."""
+    """Draw the vector product of two vectors, and plot how its length depends on their angle."""
     a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
     product = numbers(Vector3(*a).cross(Vector3(*b)))
     figure = pyplot.figure(figsize=(10, 5), layout="constrained")
@@ -127,7 +127,7 @@ PLOTS = (addition, projection, cross_product, basis)
 def _product_length(angle: float) -> float:
     """Compute the length of a x b with the engine, for |a| = 2 and |b| = 3.
 
-    ``angle`` is the angle between a and b, which lie in a tilted plane.
+    ``angle`` is the angle between the two vectors. Both lie in a tilted plane.
     """
     along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
     a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)

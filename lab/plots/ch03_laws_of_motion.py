@@ -1,6 +1,7 @@
 """Plots of chapter 3, drawn with the particle of the student's engine: make plot CH=3.
 
-Each title quotes a number measured from the picture, so a bug in the engine shows up there.
+The title of each plot reports a measured result, such as the largest error, so a bug in the engine
+shows up there.
 """
 
 from __future__ import annotations
@@ -38,9 +39,10 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Plot how much velocity three forms of damping remove in a fall of 1 s (exercise 3.5).
+    """Plot how much velocity a falling body loses to damping within 1 s (exercise 3.5).
 
-    The loss is plotted against the frame rate, on which damping per frame depends.
+    The plot compares three formulas for damping over a range of frame rates. With damping per
+    frame, the loss depends on the frame rate.
     """
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
@@ -109,7 +111,7 @@ def integration_error() -> Picture:
 def trajectories() -> Picture:
     """Draw the path of a thrown ball with and without damping.
 
-    Each path is drawn twice, once simulated in long time steps and once exact.
+    Each path is drawn twice: as simulated in long time steps, and as the exact curve.
     """
     frame = 0.1
     frames = round(PROJECTILE.duration / frame)
@@ -146,7 +148,7 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
     """Measure the fraction of the velocity that each form of damping removes in a fall of 1 s.
 
-    The frames vary randomly in length around 1 / ``rate``. Each fraction is the mean of several
+    The frames vary at random in length around 1 / ``rate`` s. Each fraction is the mean of several
     runs.
     """
     gravity = Vector3(*GRAVITY)

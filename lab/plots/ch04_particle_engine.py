@@ -157,9 +157,11 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire a shot, and yield the type, position and velocity of its particles after every frame.
+    """Fire a shot of the type ``name``, and follow all of its pieces until the last one is gone.
 
-    A grenade, for example, bursts into several particles.
+    Yields:
+        For each frame, a list with the type, position and velocity of every piece. Most shots stay
+        in one piece, but a grenade bursts into fragments.
     """
     at = BallisticRange()
     at.fire(name)

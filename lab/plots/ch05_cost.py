@@ -91,7 +91,7 @@ def _frames(frame: Callable[[float], None]) -> None:
 
 
 def _registered(particle: Particle, generator: ForceGenerator) -> Callable[[float], None]:
-    """Return a function that advances ``particle`` by a frame under the force of ``generator``."""
+    """Return a function that moves ``particle`` by one frame under the force of ``generator``."""
     registry = ForceRegistry()
     registry.add(particle, generator)
 

@@ -1,7 +1,7 @@
 """Plots of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
-Each title quotes a number measured from the picture, so a bug in the student's engine shows up
-there. For the computing time of each force generator, see ch05_cost.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. For the computing time of each force generator, see ch05_cost.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ PERIOD = 2.0 * math.pi
 
 
 def terminal_speeds() -> Picture:
-    """Plot the speeds of falls with linear and quadratic drag, along with their terminal speeds."""
+    """Plot the speed of bodies that fall with linear or quadratic drag, and the terminal speed."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     rows: list[Sequence[object]] = []
     worst = 0.0
@@ -131,7 +131,10 @@ def fall_with_drag() -> Picture:
 
 
 def orbit() -> Picture:
-    """Plot how 20 orbits simulated by the book's integrator gain energy and angular momentum."""
+    """Plot how a planet gains energy and angular momentum in 20 orbits.
+
+    The orbits are simulated by the book's integrator. An exact orbit would gain neither.
+    """
     figure, (path, energies, momenta) = pyplot.subplots(
         1, 3, figsize=(14, 4.6), layout="constrained"
     )
@@ -198,9 +201,10 @@ def _fall(
 
 
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
-    """Simulate an orbit with mu = 1, which starts at the point farthest from the center.
+    """Simulate an orbit that starts at the point farthest from the center.
 
-    Return the position and velocity at the start and after every ``every`` frames.
+    The gravitational parameter mu is 1. Return the position and the velocity at the start, and then
+    once every ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
@@ -218,8 +222,8 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 def _momentum_drift(h: float) -> float:
     """Predict how much angular momentum the book's integrator adds per orbit.
 
-    A step changes r x v by h^2 v x a, because r x a is 0. On an exact orbit, v x a is L / r^3 with
-    L = (1 - e^2)^(1/2), and 1 / r^3 averages (1 - e^2)^(-3/2) over an orbit.
+    Each step changes r x v by h^2 (v x a), because r x a is 0. On an exact orbit, v x a is L / r^3.
+    Here L = (1 - e^2)^(1/2) is the angular momentum, and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
@@ -227,8 +231,8 @@ def _momentum_drift(h: float) -> float:
 def _energy_drift(h: float) -> float:
     """Predict how much energy the book's integrator adds per orbit.
 
-    A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. On an exact orbit,
-    that sum equals 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which is added up here over the angles of one
+    Each step adds (h^2 / 2) (a^2 + v . H v), where H is the Hessian of -1 / r. On an exact orbit,
+    the second factor is 1 / r^4 + (v^2 - 3 v_r^2) / r^3. This function integrates it over one
     orbit.
     """
     p = 1.0 - ECCENTRICITY**2

@@ -1,8 +1,8 @@
 """Plots of chapter 6: the forces of springs, and the energy and error of oscillations.
 
-Each title quotes a number measured from the picture, so a bug in the student's engine shows up
-there. Curves that need a function the student has not written yet are left out. For the stability
-limits, see ch06_stability.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. A curve is left out if the student has not yet written the function
+that it needs. For the stability limits, see ch06_stability.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ FRAME = 1.0 / 60.0
 def force_against_length() -> Picture:
     """Plot the forces of chapter 6: springs and bungees, buoyancy, and the lift of a balloon.
 
-    The forces of springs are plotted against their length, and lifts against height.
+    Spring forces are plotted against the length of the spring, and the other two against height.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, rest = 10.0, 2.0
@@ -99,7 +99,7 @@ def force_against_length() -> Picture:
 def three_regimes() -> Picture:
     """Plot the motion of under-damped, critically damped and over-damped springs.
 
-    Each motion is drawn both simulated and exact.
+    Each motion is drawn twice: as simulated, and as the exact curve.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, frames = 100.0, 90
@@ -184,7 +184,7 @@ def energy_over_time() -> Picture:
 
 
 def error_against_work() -> Picture:
-    """Plot the accuracy of each integration method on a spring against the work that it takes.
+    """Plot how accurately each integration method simulates a spring, and how much work it takes.
 
     The accuracy is the largest error within 1 s, and the work is the number of force evaluations.
     """
@@ -251,9 +251,10 @@ PLOTS = (
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Compute the force that a force generator exerts on a particle, along one axis.
+    """Compute the force that a force generator exerts on a particle at ``place`` on an axis.
 
-    ``place`` is the particle's position on that axis.
+    ``axis`` is 0 for x, 1 for y or 2 for z. The result is the component of the force along that
+    axis.
     """
     particle = Particle(Vector3(*(place if i == axis else 0.0 for i in range(3))))
     generator.update_force(particle, FRAME)

@@ -1,7 +1,7 @@
-"""Plots of chapter 6: where integrators, faked springs, cloths and penalty forces become unstable.
+"""Plots of chapter 6: when springs, cloths and penalty forces become unstable.
 
-Each title quotes a number measured from the picture, so a bug in the student's engine shows up
-there.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ CLOTH_SECONDS = 2
 
 
 def stability_map() -> Picture:
-    """Map how much each integrator makes a spring's oscillations grow or shrink per time step.
+    """Map how much a spring's oscillations grow or shrink per time step, for each integrator.
 
-    The map covers a range of stiffnesses and dampings, and includes the theoretical limits of
-    stability.
+    The map covers a range of stiffnesses and dampings, and shows the stability limits predicted by
+    theory.
     """
     figure, panels = pyplot.subplots(2, 4, figsize=(16, 8), layout="constrained")
     *maps, key = panels.flat
@@ -89,7 +89,10 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Plot the faked stiff spring next to the true spring, and show where its oscillations grow."""
+    """Plot the motion of the faked stiff spring next to that of a true spring.
+
+    A second plot shows for which time steps the oscillations of the faked spring grow.
+    """
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -182,7 +185,11 @@ def cloth_frame_rates() -> Picture:
 
 
 def penalty_bounces() -> Picture:
-    """Plot falls onto soft and stiff penalty ground, which may throw a body higher than it fell."""
+    """Plot the bounces of a body on ground that pushes back with a penalty force.
+
+    The ground is soft in one run and stiff in another. Stiff ground may throw the body higher than
+    it fell.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     rows: list[Sequence[object]] = []
     falls = [0.5 + i / 40.0 for i in range(21)]

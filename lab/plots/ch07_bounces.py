@@ -1,7 +1,7 @@
 """Plots of chapter 7: bounces, resting contacts, and the restitution of dropped balls.
 
-Each title quotes a number measured from the picture, so a bug in the student's engine shows up
-there. Curves for exercises that are not written yet are left out.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": G
 
 
 def bounce_heights() -> Picture:
-    """Plot the height of a bouncing ball over time, dropped from 2 m with restitution 1 and 0.5."""
+    """Plot the height of a ball dropped from 2 m over time, with restitution 1 and with 0.5."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     found = written(
@@ -81,7 +81,7 @@ def bounce_heights() -> Picture:
 def resting_jitter() -> Picture:
     """Plot the height of a ball that should lie still on the ground.
 
-    The resting rule is compared with a stricter rule and with no rule at all.
+    The engine's rule for resting contacts is compared with a stricter rule and with no rule.
     """
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
@@ -153,7 +153,7 @@ def restitution_of_materials() -> Picture:
     """Plot the coefficient of restitution of several balls, computed from measured bounce heights.
 
     The coefficient is the square root of bounce height over drop height. A second set of marks
-    leaves the root out, as the formula in our copy of exercise 7.1 does.
+    shows the ratio without the root, which is the formula printed in our copy of exercise 7.1.
     """
     path, drops = _drops()
     table = table_of_drops(drops)
@@ -217,9 +217,9 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """Return a function that simulates a ball released slightly above the ground.
+    """Return a function that simulates a ball released one micrometer above the ground.
 
-    At that height, explicit Euler has no contact in its first step.
+    Because of this gap, explicit Euler finds no contact in its first step.
     """
     return lambda: ball(STEPS[name], 1e-6, restitution, 120, rule, generated)
 
@@ -239,7 +239,7 @@ def _highest(run: Track) -> float:
 
 
 def _rise(run: Track) -> float:
-    """Find how high a ball rises after its first low point."""
+    """Find how high a ball rises after it first bounces, or 0 if it never rises."""
     for i, (a, b) in enumerate(pairwise(run.values)):
         if b > a:
             return max(run.values[i:])
@@ -247,9 +247,10 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Read the bounce heights that the student has measured, and return them with their file name.
+    """Read the bounce heights that the student has measured.
 
-    If the student has not recorded any drops yet, use the sample file.
+    If the student has not recorded any drops yet, read the sample file instead. Return the name of
+    the file along with the drops.
     """
     for name in ("drops.csv", "drops_sample.csv"):
         try:

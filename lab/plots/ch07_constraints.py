@@ -1,7 +1,7 @@
 """Plots of chapter 7: errors that the contact resolver leaves in a pile, and how far stacks sink.
 
-Each title quotes a number measured from the picture, so a bug in the student's engine shows up
-there. Curves for exercises that are not written yet are left out.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def resolver_convergence() -> Picture:
 def stack_height() -> Picture:
     """Plot how far stacks of 3 and 10 spheres sink, and how far the spheres overlap.
 
-    Both depend on how many iterations per contact the resolver may make.
+    Both depend on how many iterations the resolver may make per contact.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)

@@ -1,4 +1,4 @@
-"""Plots of chapter 7: a rope of rods by several methods, how well rods hold, and a pendulum."""
+"""Plots of chapter 7: how well chains of rods keep their length, and the energy of a pendulum."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def rope_by_method() -> Picture:
 
 
 def rods_hold() -> Picture:
-    """Plot how far the rods of a hanging chain deviate from their length.
+    """Plot how much too long or too short the rods of a hanging chain become.
 
     The largest error is plotted against the number of rods, for various iterations and substeps.
     """
@@ -125,7 +125,7 @@ def rods_hold() -> Picture:
 
 
 def pendulum_energy() -> Picture:
-    """Plot how a pendulum on a rod gains or loses energy within 10 s, released from horizontal."""
+    """Plot the energy of a pendulum on a rod for 10 s after it is released from horizontal."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     shown = [("explicit Euler", 60, RED), ("semi-implicit Euler", 60, SKY)]
     shown += [("semi-implicit Euler", 240, PINK), ("semi-implicit Euler", 960, BLACK)]

@@ -1,8 +1,8 @@
-"""Plots of chapter 8: the energy of scenes at rest, and scenes with uneven frames.
+"""Plots of chapter 8: the energy of scenes at rest, and how scenes react to uneven frames.
 
-Each title quotes a number measured from the picture, so a bug in the student's engine shows up
-there. Curves for exercises that are not written yet are left out. For cables and ropes, see
-ch08_ropes. For the projects, see ch08_scenes.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
+For cables and ropes, see ch08_ropes. For the projects, see ch08_scenes.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ Way = tuple[Callable[[], MassAggregate], int, float, str]  # with rate, time, co
 def energy_of_bridge() -> Picture:
     """Plot the energy of the rope bridge at three frame rates, as it comes to rest under a ball.
 
-    A fourth curve shows the energy with the default number of iterations.
+    A fourth curve shows a run at 30 Hz with the default number of iterations.
     """
     ways: dict[str, Way] = {
         f"{rate} Hz": (Bridge, rate, seconds, color) for rate, (color, seconds) in RATES.items()
@@ -71,7 +71,8 @@ def energy_of_platform() -> Picture:
 def variable_frames() -> Picture:
     """Plot how a blob and a rope bridge react to uneven frames, two of which last 0.5 s.
 
-    Even frames and FixedStep are shown for comparison.
+    For comparison, each scene also runs in even frames, and in uneven frames that ``FixedStep``
+    divides into steps of equal length.
     """
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
@@ -134,9 +135,9 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Plot the energies of several runs of a scene, and how much each varies once it is at rest.
+    """Plot the energy of several runs of a scene, and how constant it is once the scene rests.
 
-    That variation is plotted in percent, relative to the middle of the energy's range.
+    A second panel shows the late energy in percent, as the deviation from the middle of its range.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(

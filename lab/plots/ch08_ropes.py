@@ -1,7 +1,7 @@
 """Plots of chapter 8: how well ropes and the cables of the rope bridge hold, and at what cost.
 
-Each title quotes a number measured from the picture, so a bug in the student's engine shows up
-there.
+The title of each plot reports a measured result, such as the largest error, so a bug in the
+student's engine shows up there.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how far balls of 1 kg to 1 t stretch the cables of the rope bridge, for each method."""
+    """Plot how much balls of 1 kg to 1 t stretch the cables of the rope bridge, for each method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -167,9 +167,9 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Find the largest value that a simulation recorded after the time ``since``, in s.
+    """Find the largest value that a simulation recorded after the first ``since`` seconds.
 
-    If the engine failed with an exception, return infinity.
+    If the engine raised an exception, return infinity.
     """
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
@@ -178,9 +178,9 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Wrap the simulation of a rope so that an exception does not prevent the whole plot.
+    """Wrap the simulation of a rope, so that an exception in one run does not stop the whole plot.
 
-    The exception becomes a note in the picture, and the simulation returns None.
+    If the simulation raises an exception, it returns None and a note in the picture says why.
     """
 
     def run() -> Hanging | None:

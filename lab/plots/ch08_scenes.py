@@ -32,7 +32,7 @@ FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)
 def trebuchet_range() -> Picture:
     """Plot the range of the student's trebuchet against its release angle.
 
-    There is a curve for each of several counterweights.
+    Each curve is for a different counterweight.
     """
     figure, (left, right) = pyplot.subplots(
         1, 2, figsize=(13, 5.4), layout="constrained", width_ratios=(3, 2)
@@ -205,8 +205,8 @@ def blob_bonds() -> Picture:
 def sleeping_balls() -> Picture:
     """Plot how much work the engine saves by letting balls at rest sleep.
 
-    A late ball finally wakes them all. The work is the number of balls moved and contacts resolved
-    in each frame.
+    The last ball arrives late and wakes all the others. The work in a frame is the number of balls
+    that are moved, and the number of contacts that are resolved.
     """
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     kinds: dict[type[ParticleWorld], tuple[str, str]] = {
@@ -246,7 +246,11 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Find the throw of a trebuchet that releases at this angle, or None if it never does."""
+    """Find the throw that a trebuchet makes if it is set to release at ``angle``.
+
+    ``found`` lists the possible throws of one swing. If the swing never reaches the angle, return
+    None.
+    """
     return next((release for release in found if release.angle <= angle), None)
 
 

@@ -52,7 +52,10 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """Plot how Eq. 9.5 makes a quaternion too long and its angle wrong, next to better methods."""
+    """Plot how Eq. 9.5 lengthens a quaternion and rotates it by a wrong angle.
+
+    Better integration methods are shown for comparison.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -100,7 +103,8 @@ def drift_of_first_order() -> Picture:
 def gimbal_lock() -> Picture:
     """Plot how Euler angles fail near gimbal lock, where the middle angle is 90°.
 
-    There the mapping to their rates loses a direction, and the rates grow without bound.
+    In gimbal lock, no change of the angles can rotate a body about a certain axis. Near it, a
+    rotation about that axis makes the angles change faster and faster.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     x, z = 0.4, 1.1  # rad; any values would do
@@ -186,7 +190,7 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
     """Return the length and the angle in degrees that the student's first_order_drift predicts.
 
-    If that function is not written yet, both are NaN.
+    If the student has not written that function yet, both are NaN.
     """
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
@@ -198,7 +202,7 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 def _of_drift(off: Sequence[float], unit: str) -> str:
     """Write the part of a title that says how far first_order_drift is from the measured error.
 
-    If that function is not written yet, the text is empty.
+    If the student has not written that function yet, the text is empty.
     """
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
@@ -206,7 +210,10 @@ def _of_drift(off: Sequence[float], unit: str) -> str:
 
 
 def _ends(way: str, notes: list[str]) -> list[float]:
-    """Measure the final error of one integration method in degrees, for each step rate."""
+    """Measure the error in degrees at the end of a rotation, for each step rate.
+
+    ``way`` is the name of the integration method.
+    """
     step, velocity, share, *_ = WAYS[way]
     wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
     errors = []
@@ -219,10 +226,10 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 
 
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
-    """Measure how large the Euler rates get near gimbal lock, about the worst axis.
+    """Measure how fast Euler angles change near gimbal lock, in a rotation about the worst axis.
 
-    Return their magnitude in rad/s and the text of any error. ``distance`` is how far gimbal lock
-    is away, in degrees.
+    ``distance`` is how far away gimbal lock is, in degrees. Return the magnitude of the Euler rates
+    in rad/s for a rotation of 1 rad/s, and the text of any error.
     """
     left = math.radians(distance)
     found: list[float] = []

@@ -1,8 +1,8 @@
 """Plots of chapter 9: a disc that spins as it flies, and the order of two rotations.
 
-Each title quotes errors computed without the student's engine, so that bugs in the engine show up.
-Curves that need unwritten functions are left out. For Eq. 9.5 and gimbal lock, see ch09_rates. For
-the box of stones, see ch09_stones.
+The title of each plot reports errors that are computed without the student's engine, so a bug in
+the engine shows up there. A curve is left out if the student has not yet written the functions that
+it needs. For Eq. 9.5 and gimbal lock, see ch09_rates. For the box of stones, see ch09_stones.
 """
 
 from __future__ import annotations
@@ -174,9 +174,9 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Rotate the three coordinate axes with the engine's quaternion.
+    """Rotate the vectors X, Y and Z by a quaternion with the student's engine.
 
-    An error in the engine is added to the notes.
+    If the engine raises an exception, add its text to ``notes`` and return NOWHERE.
     """
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
@@ -185,9 +185,10 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Rotate the three coordinate axes with the engine's matrices.
+    """Rotate the vectors X, Y and Z twice with matrices of the student's engine.
 
-    Return the axes at the start, after the first rotation, and after both.
+    Return them before the first rotation, after it, and after both. If the engine fails or its
+    matrices are not written yet, return an empty list.
     """
     found: list[Arrows] = []
 
@@ -202,16 +203,21 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
 
 
 def _letter(space: Any, found: Arrows) -> None:
-    """Draw an upright letter L that faces along Z, with its axes rotated to ``found``."""
+    """Draw a letter L that has been rotated.
+
+    Before the rotation, it stands upright and faces along Z. ``found`` says where its axes X, Y and
+    Z point now.
+    """
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
             _block(space, found, (x, y, (-0.1, 0.1)))
 
 
 def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
-    """Draw a rectangular block with its axes rotated to ``found``.
+    """Draw a rectangular block that has been rotated.
 
-    ``sides`` are the ranges that the block spans along its own X, Y and Z.
+    ``sides`` are the intervals that the block covers along its own axes X, Y and Z. ``found`` says
+    where these axes point now.
     """
     corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
     faces = []
@@ -224,7 +230,10 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
-    """Draw a disc of radius 0.45 m around its own Y axis, with its axes rotated to ``found``."""
+    """Draw a rotated disc at ``place``, with a radius of 0.45 m.
+
+    ``found`` says where its axes X, Y and Z point. Y is perpendicular to the disc.
+    """
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]
         rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
@@ -233,10 +242,10 @@ def _disc(space: Any, place: Numbers, found: Arrows) -> None:
 
 
 def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
-    """Convert a point on a rotated object to world coordinates.
+    """Convert a point of a rotated object to world coordinates.
 
-    ``own`` is the point in the object's own coordinates. The object is at ``place``, with its axes
-    rotated to ``found``.
+    ``own`` is the point in the object's own coordinates. The object is at ``place``, and ``found``
+    says where its axes X, Y and Z point.
     """
     x, y, z = (
         at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))

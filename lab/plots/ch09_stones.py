@@ -1,4 +1,7 @@
-"""A plot of chapter 9: the balance lines of a box of stones, and how exact they are."""
+"""A plot of chapter 9: the lines on which a box of stones would balance.
+
+It also shows how much mass the student's code finds on either side of each line.
+"""
 
 from __future__ import annotations
 
@@ -19,10 +22,10 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def balance_lines() -> Picture:
-    """Draw a box of the student's stones with its balance lines and center of mass (exercise 9.7).
+    """Draw a box of the student's stones, its center of mass and its balance lines (exercise 9.7).
 
-    The box would balance on each of these lines. A second panel shows the mass on either side of
-    each line.
+    The box would balance on each of these lines. A second panel shows how much mass lies on either
+    side of each line.
     """
     masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
     stones = read_stones(own_stones())

@@ -22,7 +22,8 @@ def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
 class Projection(Scene):
     """A scene that shows how much of one vector points along another.
 
-    This component is the scalar product with a unit vector. The reader drags both vectors.
+    That length is the scalar product of the first vector and a unit vector along the second. The
+    reader drags both vectors.
     """
 
     chapter = 2

@@ -80,7 +80,7 @@ class FrameRates(Scene):
             pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
 
     def off(self, i: int) -> float:
-        """Measure how far ball ``i`` of the throw is from its exact position, in m."""
+        """Compute the distance between ball ``i`` and its exact position, in m."""
         x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
         return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
 
@@ -107,10 +107,10 @@ class FrameRates(Scene):
 
 
 class DampingForms(Scene):
-    """A scene of three sliding pucks, which compares two forms of damping with the exact solution.
+    """A scene of three sliding pucks, which shows how exact two forms of damping are.
 
-    The first puck is damped per step by Eq. 3.5 and the second per second by Eq. 3.6. The third
-    follows the exact solution.
+    The first puck is damped once per step by Eq. 3.5, and the second per second by Eq. 3.6. The
+    third follows the exact solution.
     """
 
     chapter = 3

@@ -67,7 +67,7 @@ class Throw(Scene):
 
     @property
     def hoop(self) -> Point:
-        """The center of the hoop's rim, in m. The hoop moves whenever a ball goes in."""
+        """The position of the hoop's center, in m. The hoop moves whenever a ball goes in."""
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
@@ -144,8 +144,8 @@ class Throw(Scene):
     def is_in(self, beyond: float | None) -> bool:
         """Return whether a ball goes through the hoop.
 
-        ``beyond`` is how far beyond the center of the rim it comes down, as returned by
-        ``past_hoop``.
+        ``beyond`` is the result of ``past_hoop``: how far beyond the center of the rim the ball
+        comes down.
         """
         return beyond is not None and abs(beyond) < self.RIM
 

@@ -108,9 +108,9 @@ class Ballistics(Scene):
         pen.arrow((0.0, MIDDLE), above, COLORS.get(self.name, "pink"))
 
     def muzzle(self) -> float:
-        """Return the elevation of the gun's muzzle in radians.
+        """Return the elevation of the gun in radians.
 
-        Until the reader changes the elevation, it is the usual one for the type of shot.
+        Until the reader aims, it is the usual elevation for the type of shot.
         """
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))
@@ -141,7 +141,11 @@ class Ballistics(Scene):
             self.range.fire(self.name, self.azimuth, self.elevation)
 
     def click(self, x: float, y: float) -> None:
-        """Fire at the clicked point, in the view from the side or in the view from above."""
+        """Aim at the clicked point, and fire.
+
+        A click in the side view changes the elevation of the gun. A click in the view from above
+        changes its direction to the left or right.
+        """
         if x <= MUZZLE[2]:
             return
         if y > 0.5 * MIDDLE:
@@ -203,14 +207,17 @@ class Artillery(Scene):
         return Particle(Vector3(), velocity, Vector3(0.0, -9.81), damping=self.damping)
 
     def place_after(self, time: float, elevation: float) -> tuple[float, float]:
-        """Compute a shell's exact position at ``time`` in s, for an ``elevation`` in degrees."""
+        """Compute the exact position of a shell ``time`` s after it was fired.
+
+        ``elevation`` is in degrees.
+        """
         position, _ = state_after(self.shot(elevation), time)
         return position.x, position.y
 
     def landing(self, elevation: float) -> tuple[float, float]:
-        """Find by bisection how far a shell flies, in m, and for how long, in s.
+        """Compute how far a shell flies, in m, and how long it is in the air, in s.
 
-        ``elevation`` is in degrees.
+        ``elevation`` is in degrees. The time of landing is found by bisection.
         """
         low, high = 0.01, 20.0  # s; the shell is above the ground at low and below it at high
         while high - low > 1e-9:

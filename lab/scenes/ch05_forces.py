@@ -125,9 +125,10 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A scene of a planet that orbits a star, which compares two forms of the time step.
+    """A scene of a planet that orbits a star, for comparing two versions of the time step.
 
-    Each step moves the planet either before its velocity changes, as in the book, or afterwards.
+    In the book's version, a step moves the planet before it changes the velocity. In the other
+    version, the velocity changes first.
     """
 
     chapter = 5

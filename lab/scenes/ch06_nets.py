@@ -15,7 +15,7 @@ from lab.stepped import STEPS, Stepped
 
 
 class SpringBridge(Stepped):
-    """A scene of a bridge whose planks hang from springs, with a walker on it (G6.2).
+    """A scene of a bridge whose planks hang from springs, with a walker on it (exercise G6.2).
 
     If the springs are too stiff for the time step, the bridge explodes.
     """

@@ -78,7 +78,10 @@ class IntegratorRace(Scene):
                 self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
 
     def phase(self, ball: Particle) -> tuple[float, float]:
-        """Return a ball's position and scaled velocity, which together trace a circle if exact."""
+        """Return the position and the scaled velocity of a ball.
+
+        In an exact motion, this point moves on a circle.
+        """
         return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
 
     def draw(self, pen: Pen) -> None:

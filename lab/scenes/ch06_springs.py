@@ -115,7 +115,7 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """The scene OneSpring simulated by the library pymunk, with its own damped spring."""
+    """The scene OneSpring simulated by the library pymunk, which has a damped spring of its own."""
 
     def build(self) -> None:
         import pymunk  # not needed by the other scenes

@@ -23,11 +23,14 @@ RATES = [30, 60, 120, 240, 480]
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces. Gravity is already the acceleration of each particle."""
+    """Add no forces, because gravity is already part of each particle's acceleration."""
 
 
 def rises(scene: Bounce) -> int:
-    """Judge the height of the last bounces: 0 if unchanged within 2 %, 1 if higher, 2 if lower."""
+    """Find out whether the last bounces were as high as the drop.
+
+    The result is 0 for the same height within 2 %, 1 for higher, or 2 for lower.
+    """
     share = max(y for _, y in scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 

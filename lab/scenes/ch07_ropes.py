@@ -20,14 +20,14 @@ COLORS = ("red", "blue", "green")
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces. Gravity is already the acceleration of each particle."""
+    """Add no forces, because gravity is already part of each particle's acceleration."""
 
 
 class Ropes(Scene):
     """A scene of three copies of a rope, each made of rods and simulated by a different method.
 
     The methods are one step per frame, substeps, and a direct solve. A rope should not stretch, so
-    the picture shows how much too long each copy is.
+    the picture shows by how much each copy is too long.
     """
 
     chapter = 7
@@ -78,7 +78,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Compute how much too long rope ``i`` is, in m, summed over its rods."""
+        """Compute by how much rope ``i`` is too long, in m, as the sum over all of its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

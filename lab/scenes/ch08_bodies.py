@@ -106,7 +106,7 @@ class Platform(WorldScene):
     def play(self, time: float) -> None:
         """Make the scripted player move the weight to and fro, and free the pivot.
 
-        Before that, the platform has time to tip.
+        The player first waits 3 s, so that the platform has time to tip.
         """
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")

@@ -19,7 +19,7 @@ LATE = 0.5  # s, duration of a late frame
 class Bridge(WorldScene):
     """A scene of a rope bridge that has to carry a heavy ball.
 
-    The reader can walk the ball across it and make some of the frames late.
+    The reader can walk the ball across it, and let some of the frames arrive late.
     """
 
     chapter = 8
@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Compute how much too long the worst cable of the bridge is, in percent."""
+        """Compute by how much the worst cable of the bridge is too long, in percent."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:

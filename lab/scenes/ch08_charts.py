@@ -53,7 +53,7 @@ class Charts(Scene):
     def chosen(self) -> Model:
         """Find the simulation method that the reader chose.
 
-        If the study has not run that method on this test, fall back on the first one.
+        If the study has not run that method on this test, use the first method that it has run.
         """
         models = {model.name: model for model in self.scene.models}
         return models.get(self.method, self.scene.models[0])
@@ -62,7 +62,10 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Compute where to draw the points of ``place``, scaled so that the whole path fits."""
+        """Convert the positions in ``place`` to picture coordinates.
+
+        They are scaled so that the whole path of the test fits into the picture.
+        """
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 
@@ -95,7 +98,10 @@ class Charts(Scene):
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Split a flat tuple of coordinates into points (x, y). A single coordinate is a height."""
+    """Split a flat tuple of coordinates into points (x, y).
+
+    If the tuple holds a single coordinate, it is a height.
+    """
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

@@ -183,7 +183,7 @@ class Cube(WorldScene):
 
 
 def tilted(place: Vector3) -> tuple[float, float]:
-    """Project a 3D point onto the picture, as seen from above, toward a corner of the ground."""
+    """Project a 3D point onto the picture, as seen from above at an angle."""
     across, away = 0.87 * place.x - 0.5 * place.z, 0.5 * place.x + 0.87 * place.z
     return across, 0.94 * place.y + 0.34 * away
 

@@ -60,9 +60,9 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the path of the trebuchet's projectile and the energies after a time step.
+        """Record where the projectile is after a time step, and how the energies have changed.
 
-        Once the projectile has landed, note where.
+        Once the projectile has reached the ground, say where it landed.
         """
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
@@ -99,7 +99,7 @@ class Trebuchet(WorldScene):
     def draw_machine(self, pen: Pen, scale: float, x0: float, y0: float) -> None:
         """Draw the frame, the beam, the counterweight and the sling of the trebuchet.
 
-        The drawing is enlarged by ``scale``, with its origin at (x0, y0).
+        ``scale`` enlarges the drawing, and (x0, y0) is the position of its origin.
         """
         engine = self.engine
         pivot, weight, tip, stone = (

@@ -19,8 +19,8 @@ SPINS = ("smallest", "middle", "largest")
 class Spin(Scene):
     """A scene of a box shaped like a thick book, which spins about one of its axes as if thrown.
 
-    A small spin about another axis disturbs it. About the middle axis, the disturbance makes the
-    box turn over again and again.
+    A small spin about another axis disturbs it. If the box spins about its middle axis, the
+    disturbance makes it turn over again and again.
     """
 
     chapter = 9

@@ -68,10 +68,9 @@ class Orientations(Scene):
             self.step_angles(h)
 
     def step_matrix(self, h: float) -> None:
-        """Rotate the box's matrix by one step of ``h`` s, column by column.
+        """Rotate the matrix of the first box by one step of ``h`` s, column by column.
 
-        Each column is an axis of the box, and the tip of that axis moves with the velocity w x
-        column.
+        Each column is an axis of the box, and its tip moves with the velocity w x column.
         """
         for column in self.columns:
             column.add_scaled(self.velocity.cross(column), h)
@@ -99,7 +98,10 @@ class Orientations(Scene):
         return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 
     def turns(self) -> dict[str, list[Vector3]]:
-        """Compute where the axes of each box point, keyed by how the box stores its orientation."""
+        """Compute where the three axes of each box point.
+
+        The keys are "matrix", "quaternion" and "Euler angles", the ways to store an orientation.
+        """
         angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
         q = self.quaternion.copy()
         q.normalize()
@@ -111,7 +113,11 @@ class Orientations(Scene):
         }
 
     def errors(self) -> list[float]:
-        """Measure how far each box's worst axis is from the exact one, in percent of its length."""
+        """Compute how far the axes of each box are from the exact ones.
+
+        The result holds one error per box: the largest distance between the tip of an axis and the
+        exact tip, in percent of the length of an axis.
+        """
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
         axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]
@@ -121,7 +127,10 @@ class Orientations(Scene):
         ]
 
     def worst(self) -> int:
-        """Find the box with the largest error, by index, or return 3 if no error exceeds 10 %."""
+        """Return the index of the box with the largest error.
+
+        If no error exceeds 10 %, return 3.
+        """
         errors = self.errors()
         return errors.index(max(errors)) if max(errors) > 10.0 else 3
 
@@ -145,10 +154,9 @@ class Orientations(Scene):
         return dict(zip(names, self.errors(), strict=True))
 
     def state(self) -> list[float]:
-        """Return how far the box with the quaternion is from its exact orientation.
+        """Return the error of the box that stores its orientation as a quaternion.
 
-        The result is the distance between the tips of an exact and an actual axis, each of length
-        1.
+        It is the distance from the tip of its worst axis to the exact one, if axes have length 1.
         """
         return [0.01 * self.errors()[1]]
 
@@ -169,7 +177,7 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A scene of a clock-like hand that rotates by Eq. 9.5, next to one that rotates steadily.
+    """A scene of a clock hand that rotates by Eq. 9.5, next to one that rotates steadily.
 
     Each step of Eq. 9.5 moves the quaternion in a straight line, so the hand falls behind.
     """

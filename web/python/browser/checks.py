@@ -46,7 +46,7 @@ class Progress(ProgressBar):
 class Runs:
     """Runs the checks that a student requested, and remembers the results of other chapters.
 
-    Checking another chapter takes seconds, so the page first shows the failure found in the
+    Checking the other chapters takes seconds, so the page first shows the failure found in the
     requested chapter. If the student's code contains an endless loop, no other chapter is checked
     at all. The failure already names the line, and the other chapters would run into the same loop.
     """

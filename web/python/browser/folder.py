@@ -15,7 +15,7 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 class Folder:
     """The folder in the browser's file system that holds the student's chapters.
 
-    If the page has not sent a file, the folder holds its stub, which students start from.
+    If the page has not sent a certain file, the folder holds the stub that students start from.
     """
 
     def __init__(self, folder: Path = CHAPTERS) -> None:

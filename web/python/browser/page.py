@@ -9,7 +9,10 @@ import worker  # type: ignore[import-not-found]  # worker.js creates this module
 
 
 def post(kind: str, **values: Any) -> None:
-    """Send a message to the page, with plain data that can be written as JSON."""
+    """Send the page a message of the kind ``kind``, such as "progress".
+
+    The values must be plain data that can be written as JSON.
+    """
     worker.post(json.dumps({"kind": kind, **values}, allow_nan=False))
 
 

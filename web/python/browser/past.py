@@ -32,9 +32,9 @@ from web.python.browser.watchdog import watchdog
 class Past:
     """The record of one process of checks that an earlier web worker ran.
 
-    ``run`` names the chapter and the checks that the process was meant to run, and ``lines`` are
-    its reports. ``left`` is how many seconds remained for all checks when the process began, and
-    ``seconds`` is how many it took.
+    ``run`` names the chapter and the checks that the process was meant to run. ``lines`` are the
+    reports that it sent. ``left`` is how many seconds remained for all checks when the process
+    began, and ``seconds`` is how many it took.
     """
 
     run: str

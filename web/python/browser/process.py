@@ -121,7 +121,10 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
 
 @contextlib.contextmanager
 def as_a_process() -> Iterator[None]:
-    """Undo the changes that a run of checks makes to this interpreter, when the context ends."""
+    """Run a with block, and then undo its changes to this interpreter.
+
+    These are the imported modules, sys.path, the recursion limit and the working folder.
+    """
     path, limit = list(sys.path), sys.getrecursionlimit()
     forget_modules()
     os.chdir(ROOT)
@@ -145,7 +148,10 @@ def forget_modules() -> None:
 
 
 def forget_folders() -> None:
-    """Clear Python's cache of the files in the course's folders, which the page may change."""
+    """Clear Python's cache of the course's folders.
+
+    The page may have changed the files in them.
+    """
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):
             del sys.path_importer_cache[folder]

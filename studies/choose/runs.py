@@ -38,7 +38,7 @@ class Tried:
     failure: str = ""
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Add the next run, which has shorter time steps, and update the estimated errors of all runs.
+        """Add the next run, which has shorter time steps, and update all estimated errors.
 
         ``run`` holds the measured values. If the run failed, it is a text that says why. ``taken``
         is the processor time in s.

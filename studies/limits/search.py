@@ -1,12 +1,9 @@
 """Find by bisection where integrators become unstable, and measure the energy where they are not.
 
-There are limits for springs, for drag, and for the ground of the penalty method. In each case, one
-time step multiplies position and velocity by a matrix:
-
-- A spring is unstable if the larger eigenvalue of this matrix exceeds 1 in magnitude.
-- Drag is unstable if a time step multiplies the velocity by a factor above 1 in magnitude.
-
-Pymunk is measured in the same way.
+There are limits for springs, for drag, and for the ground of the penalty method. One time step
+multiplies position and velocity by a matrix. A spring is unstable if the larger eigenvalue of this
+matrix exceeds 1 in magnitude. Drag is unstable if a step multiplies the velocity by a factor above
+1 in magnitude. Pymunk is measured in the same way.
 """
 
 from __future__ import annotations
@@ -81,10 +78,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Take one time step of a pymunk body that is slowed down only by the damping of its space.
-
-    The damping is e^(-c / m). Return the position and the velocity.
-    """
+    """Take one time step of a pymunk body without a spring, in a space with damping e^(-c / m)."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -104,13 +98,10 @@ PYMUNK: dict[str, Solver] = {
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
     """Set up an integrator and a spring, to measure how fast oscillations grow.
 
-    The spring has the stiffness k at which k h^2 / m = ``kappa``, where h is the time step. The
-    meaning of ``damping`` depends on the integrator. For one of ours, it is d^h, the fraction of
-    the velocity that the particle keeps in a step. For any other method, it is c h / m, where c is
-    the damping of the spring.
-
-    Returns:
-        The integrator, the spring, and the damping d of the particle.
+    The spring has the stiffness k at which k h^2 / m = ``kappa``, where h is the time step. For one
+    of our integrators, ``damping`` is d^h, the fraction of the velocity that the particle keeps in
+    a step. For any other method, it is c h / m, where c is the damping of the spring. Return the
+    integrator, the spring, and the damping d of the particle.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -129,15 +120,12 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest k h^2 / m at which a spring is stable in theory.
+    """Return the largest k h^2 / m at which a spring is stable in theory, where h is the time step.
 
-    Here k is the stiffness, and h is the time step. ``damping`` has the same meaning as in
-    ``stepping``.
-
-    Pymunk's spring takes the step p' = p + v h, v' = (v + a' h) e^(-c h / m). That is semi-implicit
-    Euler with D = e^(-c h / m). If the force is applied by hand, pymunk's step is explicit Euler.
-    Its matrix has the determinant 1 - c h / m + kappa, which is 1 at kappa = c h / m. This is the
-    limit as long as c h / m is at most 2.
+    ``damping`` has the same meaning as in ``stepping``. Pymunk's spring takes the step p' = p + v
+    h, v' = (v + a' h) e^(-c h / m). That is semi-implicit Euler with D = e^(-c h / m). If the force
+    is applied by hand, pymunk's step is explicit Euler. Its matrix has the determinant 1 - c h / m
+    + kappa, which is 1 at kappa = c h / m. This is the limit as long as c h / m is at most 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -171,17 +159,17 @@ def spring_limits() -> list[Bound]:
 def spring_limit(name: str, damping: float, at: str) -> Bound:
     """Measure the largest k h^2 / m at which a spring is stable with the integrator ``name``.
 
-    ``damping`` has the same meaning as in ``stepping``, and ``at`` is its label in the table, such
-    as "d^h = 0.5".
+    ``damping`` has the same meaning as in ``stepping``, and ``at`` is its label, such as "d^h =
+    0.5".
     """
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
 
 def ground_limit() -> Bound:
-    """Find the stiffness above which a penalty ground throws a resting body into the air.
+    """Find the k h^2 / m above which a penalty ground throws a resting body into the air.
 
-    The stiffness is given as k h^2 / m, where h is the time step. In theory the limit is 4, which
-    is also the stability limit of the integrator.
+    Here k is the stiffness, and h is the time step. In theory the limit is 4, as for the
+    integrator.
     """
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
@@ -292,9 +280,9 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
     """Compute the energy of a spring after each number of oscillations in ``swings``.
 
-    It is given as a fraction of the initial energy, and averaged over one oscillation. The energy
-    of a symplectic integrator oscillates, but its mean is constant. ``matrix`` is the matrix by
-    which a time step multiplies (x, v h).
+    It is a fraction of the initial energy, averaged over one oscillation. The energy of a
+    symplectic integrator oscillates, but its mean is constant. ``matrix`` multiplies (x, v h) in
+    each time step.
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

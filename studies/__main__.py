@@ -1,6 +1,7 @@
 """Run one of the studies of the physics engine, for example with python -m studies plot.
 
-Each study is a module with a function ``main``, and the first argument says which one to run.
+The first argument names the study. Each study is a module with a function ``main``, which gets the
+other arguments.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy",
 def main() -> int:
     """Run the study that the first command-line argument names, and return its exit status.
 
-    A status of 2 means that the study could not run, for example because no study has that name.
+    The status is 2 if the study could not run, for example because there is no study of that name.
     """
     there = [name for name in COMMANDS if importlib.util.find_spec(f"studies.{name}")]
     name = sys.argv[1] if len(sys.argv) > 1 else ""

@@ -1,7 +1,7 @@
 """Measure how fast the physics engine is, and report which of its speed targets it meets.
 
-Most results are ratios of two times, such as pymunk's time for a step divided by ours, because a
-ratio barely changes from one machine to the next.
+Most results are ratios of two times, such as pymunk's time for a step divided by ours. Such a ratio
+is almost the same on every machine.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from studies.timing import Line, Measurement, measure
 def main(arguments: list[str]) -> int:
     """Run all speed benchmarks of the physics engine, print the results, and save them as JSON.
 
-    Return 0 even if a result misses its target.
+    Return 0, even if some results miss their targets.
     """
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
     parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
@@ -58,7 +58,7 @@ def every(console: Console) -> list[Measurement]:
     """Set up all benchmarks of the engine, in the order in which the report lists them.
 
     Some of them compare the engine with other libraries, such as NumPy. If a library is not
-    installed, its benchmarks are left out, and ``console`` shows how to install it.
+    installed, its benchmarks are left out, and a message on ``console`` shows how to install it.
     """
     # These modules import chapters.
     from studies.benchmarks import (
@@ -83,16 +83,17 @@ def every(console: Console) -> list[Measurement]:
 
 
 def told(line: Line) -> str:
-    """Format a benchmark's result: the median, the quartiles, and whether it meets its target.
+    """Format the result of a benchmark, as in "1.32 (1.30 to 1.35), target at most 1.6: met".
 
-    For example, the result is "1.32 (1.30 to 1.35), target at most 1.6: met".
+    The numbers are the median and the quartiles of its rounds. The target is left out if there is
+    none.
     """
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
 
 
 def number(figure: float) -> str:
-    """Format a benchmark's result with two decimals, or as a whole number from 100 up.
+    """Format a benchmark's result with two decimals, or as a whole number if it is 100 or more.
 
     For example, 1.234 becomes "1.23", and 1234.4 becomes "1,234".
     """

@@ -1,6 +1,6 @@
 """Define the colors, labels and arrows that the plots of all chapters and studies share.
 
-Each integrator, for example, has the same color in every plot.
+For example, each integrator has the same color in every plot.
 """
 
 from __future__ import annotations
@@ -47,9 +47,9 @@ GROWTH = ListedColormap(
 
 @dataclass(frozen=True)
 class Picture:
-    """A plot as a matplotlib figure, along with the numbers that it shows.
+    """A plot, as a matplotlib figure, and the numbers that it shows.
 
-    The numbers are saved as a CSV file next to the image, with ``columns`` as the header row.
+    The numbers are saved in a CSV file next to the image, with ``columns`` as the header row.
     """
 
     figure: Figure
@@ -58,10 +58,10 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Explain below a plot why some of the simulations that it shows stopped early.
+    """Write below a plot why some of its simulations stopped early.
 
-    Each of the ``notes`` gives the reason for one simulation, such as an error in the student's
-    code. No more than three notes are shown, and a last line says how many more there are.
+    Each of the ``notes`` is the reason for one simulation, such as an error in the student's code.
+    At most three notes are shown, followed by the number of the others.
     """
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
@@ -75,8 +75,7 @@ def arrow(
 ) -> None:
     """Draw a vector as a labeled arrow in the X-Y plane.
 
-    Nothing is drawn if a coordinate is NaN or infinite, which can happen if a student's code
-    computed the vector.
+    A vector from a student's code may contain NaN or infinity. In that case nothing is drawn.
     """
     if not is_drawable(tip, tail):
         return
@@ -91,8 +90,8 @@ def arrow_3d(
 ) -> None:
     """Draw a vector as an arrow in a 3D plot in which +Y points up.
 
-    The label, which may be empty, is placed beyond the tip. Nothing is drawn if a coordinate is NaN
-    or infinite.
+    The label is placed beyond the tip, and may be empty. If a coordinate is NaN or infinite,
+    nothing is drawn.
     """
     if not is_drawable(tip, tail):
         return
@@ -106,10 +105,10 @@ def arrow_3d(
 
 
 def axes_3d(figure: Figure, place: Any, size: float) -> Any:
-    """Add a 3D plot to a figure, with axes from -size to size, and with +Y pointing up.
+    """Add a 3D plot to a figure, with +Y pointing up and axes from -size to size.
 
-    Draw the arrows in it with ``arrow_3d``. ``place`` is the position of the plot in the figure, in
-    the form that ``add_subplot`` expects.
+    ``place`` is where the plot goes in the figure, in any form that ``add_subplot`` accepts. Draw
+    vectors in the plot with ``arrow_3d``.
     """
     axes: Any = figure.add_subplot(place, projection="3d")
     axes.set(xlim=(-size, size), ylim=(-size, size), zlim=(-size, size))
@@ -120,11 +119,11 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Fit the power law y ~ x^p to data, and return the exponent p.
+    """Fit a power law y ~ x^p to data, and return the exponent p.
 
-    The exponent is the slope of a straight line through the data on logarithmic axes. If x is the
-    length of a time step and y is the error, p is the order of the integrator. Return NaN if a
-    value is not positive.
+    It is the slope of a straight line through the data on logarithmic axes. For example, if x is
+    the time step of an integrator and y is its error, p is the order of the integrator. Return NaN
+    if a value is not positive.
     """
     if not all(value > 0.0 for value in (*x, *y)):
         return math.nan
@@ -134,20 +133,20 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Draw a heat map of how much oscillations grow in one time step of a simulation.
+    """Draw a heat map that shows by which factor oscillations grow in one time step.
 
-    ``grown`` has one row of growth factors for each value in ``y``. A factor above 1, which means
-    that the simulation explodes, is drawn in red. Factors outside the color scale get the color of
-    its nearest end. Pass the result to ``growth_bar`` to draw the scale.
+    ``grown`` has one row of factors for each value in ``y``. A factor above 1 means that the
+    simulation explodes, and is drawn in red. Pass the result to ``growth_bar``, which draws the
+    color scale. Factors outside the scale get the color of its nearest end.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
 
 
 def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
-    """Draw the color scale of a heat map from ``growth_map`` beside its panels.
+    """Draw the color scale of a heat map from ``growth_map`` beside the panels.
 
-    The scale goes from 1/4 in blue, which means that an oscillation decays, to 4 in red.
+    It goes from 1/4 in blue, which means that an oscillation decays, to 4 in red.
     """
     label = "growth of the oscillation per step (red: explodes)"
     bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
@@ -156,9 +155,9 @@ def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
 
 
 def _shade(growth: float) -> float:
-    """Move a growth factor away from 1, so that its color shows whether an oscillation grows.
+    """Move a growth factor slightly away from 1, so that its color is clearly red or blue.
 
-    Even slow growth becomes at least 1.001, which is drawn in red. Any other factor, including a 1
-    with a rounding error, becomes at most 0.999, which is drawn in blue.
+    A factor above 1 becomes at least 1.001, which is red. Any other factor becomes at most 0.999,
+    which is blue. A factor that exceeds 1 only by a rounding error counts as 1.
     """
     return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

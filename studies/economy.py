@@ -1,8 +1,8 @@
-"""Measure what it costs to simulate falling particles with more features than they need.
+"""Measure what it costs to simulate falling particles with features that they do not need.
 
-Two hundred particles fall, and nothing else happens. Each bar of the chart stands for a feature
-that is not needed, such as a search for collisions. It shows the time per frame with the feature
-divided by the time without it. The two times are measured back to back.
+Two hundred particles fall, and nothing else happens. Each bar of the chart is for one feature, such
+as a search for collisions. It shows the time per frame with the feature divided by the time without
+it. The two times are measured one right after the other.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure the cost of features that falling particles do not need, and draw it as a bar chart.
+    """Measure the cost of features that falling particles do not need, and draw a bar chart.
 
-    The chart is saved as a PNG file, with its numbers in a CSV file next to it. Return 0.
+    The chart is saved as a PNG file, and a CSV file next to it contains the numbers. Return 0.
     """
     parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
     parser.add_argument(
@@ -63,10 +63,10 @@ def main(arguments: list[str]) -> int:
 
 
 def draw(lines: list[Line], png: Path) -> None:
-    """Draw the cost of each unneeded feature as a bar, with the most expensive one on top.
+    """Draw the cost of each feature as a bar, with the most expensive feature on top.
 
     The cost is the time per frame with the feature divided by the time without it. Whiskers show
-    the quartiles, and a dashed line at 1 shows where a bar would end if the feature cost nothing.
+    the quartiles. A feature that costs nothing would end at the dashed line at 1.
     """
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
@@ -88,10 +88,10 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List features that falling particles do not need, so that their cost can be measured.
+    """List features that falling particles do not need, such as gravity as a force generator.
 
-    One of them is gravity as a force generator. Each feature comes with its name, a function that
-    simulates a frame with it, and a function that simulates the same frame without it.
+    Each feature is a tuple of its name and two functions, which simulate the same frame with it and
+    without it.
     """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
@@ -110,10 +110,10 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Create two hundred falling particles, far from the ground and from one another.
+        """Create two hundred falling particles, far from the ground and from each other.
 
-        If ``acceleration`` is false, the particles do not accelerate by themselves, and a force
-        generator has to supply gravity.
+        If ``acceleration`` is false, they have no acceleration of their own, and a force generator
+        must supply gravity.
         """
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
@@ -180,10 +180,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that moves two hundred falling particles by a frame, in plain floats.
+    """Return a function that moves two hundred falling particles by a frame, in plain numbers.
 
-    The particles have 2 or 3 coordinates, as given by ``dimensions``. Comparing the times for 2 and
-    3 shows what the third dimension costs.
+    ``dimensions`` is the number of coordinates, 2 or 3. The difference between the two is the cost
+    of a third dimension.
     """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 

@@ -1,6 +1,6 @@
-"""Choose which physics engine the plots, scenes and measurements run: a student's or the reference.
+"""Choose whether plots, scenes and measurements run a student's engine or the reference.
 
-An engine is a folder with a package for each chapter of the course.
+An engine is a folder with one package for each chapter of the course.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ _limited: set[tuple[Path, ...]] = set()
 
 
 def add_engine_options(parser: argparse.ArgumentParser) -> None:
-    """Add ``--engine`` and ``--given`` to a command that students run on their own code.
+    """Add the options ``--engine`` and ``--given`` to a command for students.
 
-    ``--engine`` names the folder with their work. ``--given`` lists chapters to take from the
-    reference solution instead.
+    ``--engine`` is the folder with their work. ``--given`` lists the chapters that are taken from
+    the reference solution instead, such as "2-4".
     """
     parser.add_argument("--engine", default="chapters", help="the folder with your work")
     parser.add_argument("--given", default="", help="chapters to take from the reference")
 
 
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
-    """Make Python import the chapters of the course from ``engine``, such as a student's folder.
+    """Make Python import the chapters of the course from a folder, such as a student's work.
 
-    The chapters listed in ``given``, such as "2-4", come from the reference solution instead. The
-    student's code is restricted in the same way as during grading. If a folder or a chapter does
-    not exist, ``parser`` exits with a usage error.
+    ``engine`` is the folder. Chapters listed in ``given``, such as "2-4", come from the reference
+    solution instead. The student's code runs under the same restrictions as during grading. If a
+    folder or a chapter does not exist, ``parser`` exits with a usage error.
     """
     try:
         chapters = select_chapters(given) if given else []

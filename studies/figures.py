@@ -1,8 +1,8 @@
-"""Redraw the pictures of all lessons with the reference solution, for `make figures`.
+"""Draw the pictures of all lessons with the reference solution, for `make figures`.
 
-The pictures are the plots of `make plot` and recordings of scenes in the lab. All of them are
-reduced to fewer colors. The recordings are also scaled down and have fewer frames per second, so
-that the pages load quickly.
+They are the plots of `make plot` and animations of scenes in the lab. To make pages load quickly,
+all pictures are reduced to few colors. The animations are also made smaller, with fewer frames per
+second.
 """
 
 from __future__ import annotations
@@ -101,15 +101,15 @@ def main(arguments: list[str]) -> int:
 
 
 def _file(out: Path, name: str) -> Path:
-    """Return where a lesson keeps its picture, such as ch02_vectors/addition.png."""
+    """Return where a picture is stored, such as ch02_vectors/pictures/addition.png."""
     return out / Path(name).parent / "pictures" / Path(name).name
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
-    """Shrink a recorded animation, and return its frames, one for every PICTURE_TIME ms.
+    """Reduce an animation in size and colors, and return one frame for every PICTURE_TIME ms.
 
-    The frames are WIDTH px wide. They share one small palette, so that parts of the scene that
-    stand still do not flicker.
+    The frames are WIDTH px wide. All of them have the same small palette. If each had its own, the
+    parts that do not move would flicker.
     """
     pictures: list[Image.Image] = []
     time = 0.0
@@ -129,9 +129,9 @@ def _shrunk(animation: Path) -> list[Image.Image]:
 
 
 def _still(animation: Path, seconds: float) -> Image.Image:
-    """Return the frame that an animation shows at ``seconds``, at full size.
+    """Return the frame that an animation shows at ``seconds``, in full size.
 
-    A lesson shows this frame as a still picture that links to the animation.
+    The lesson shows this still picture, with a link to the animation.
     """
     left = 1000.0 * seconds
     with Image.open(animation) as frames:
@@ -143,9 +143,9 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 
 
 def _few_colors(picture: Image.Image) -> Image.Image:
-    """Reduce a picture to as few colors as possible without a visible change.
+    """Reduce the colors of a picture as far as possible without a visible change.
 
-    A picture with few colors is a small file.
+    Fewer colors make the file smaller.
     """
     full = picture.convert("RGB")
     reduced = functools.cache(functools.partial(_palette, full))
@@ -159,10 +159,10 @@ def _few_colors(picture: Image.Image) -> Image.Image:
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """Reduce ``picture`` to ``count`` colors that cover as wide a range as possible.
+    """Reduce ``picture`` to ``count`` colors that are as different from one another as possible.
 
-    If the most frequent colors were chosen instead, the many grays along the edges of letters would
-    take up most of the palette, and the few colored lines would lose their colors.
+    The most frequent colors would be a bad choice. Most of them are grays along the edges of
+    letters, and the few colored lines of a plot would turn gray.
     """
     few = picture.quantize(
         count, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=3
@@ -175,7 +175,7 @@ def _palette(picture: Image.Image, count: int) -> Image.Image:
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:
-    """Save an image, or several as an endlessly repeating GIF, and print its path and size."""
+    """Save an image, or several as an endless GIF animation, and print the path and the size."""
     place.parent.mkdir(parents=True, exist_ok=True)
     if len(pictures) == 1:
         pictures[0].save(place, optimize=True)

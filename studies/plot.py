@@ -1,8 +1,8 @@
 """Draw the plots of a chapter with a student's engine, as PNG and CSV files in build/plots/.
 
-Each chapter has a module in lab/plots/ with a tuple PLOTS of functions that draw one plot each. If
-a plot takes longer than TIME_LIMIT, the run ends and prints a stack trace, which shows where the
-engine was stuck.
+The plots of each chapter are functions in a module of lab/plots/, which lists them as PLOTS. If a
+plot takes longer than TIME_LIMIT, the program ends with a stack trace, which shows where the engine
+was stuck.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ TIME_LIMIT = 30.0  # s for one plot, which normally takes about 1 s
 
 
 def main(arguments: list[str]) -> int:
-    """Draw the plots of the chapters given as arguments, or of all chapters.
+    """Draw the plots of the given chapters, or of all chapters.
 
-    If there is a display, also open the plots in windows. Return 1 if a plot could not be drawn,
-    and 0 otherwise.
+    If there is a display, the plots are also shown in windows. Return 1 if a plot could not be
+    drawn, and 0 otherwise.
     """
     parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
@@ -52,16 +52,17 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Record in a text file which engine drew the plots in ``folder``.
+    """Write down in a text file which engine drew the plots in ``folder``.
 
-    When students finish a chapter, they are referred to its plot only if their own engine drew it.
+    When students finish a chapter, a message points them to its plot, but only if their own engine
+    drew it.
     """
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
-    """Draw all plots of a chapter, and return whether all of them could be drawn.
+    """Draw all plots of a chapter, and return whether that worked for all of them.
 
     For each plot, print the names of its files, or the reason why it failed.
     """
@@ -82,11 +83,11 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
-    """Draw a plot and save it as a PNG file, with its numbers in a CSV file of the same name.
+    """Draw a plot and save it as a PNG file, and its numbers in a CSV file of the same name.
 
-    If the plot fails, print why and return False. The files of an earlier run are deleted first, so
-    that nobody mistakes them for the new plot. If the plot takes longer than ``limit`` seconds, the
-    program ends.
+    If the plot fails, print the reason and return False. Files of an earlier run are deleted first,
+    so that nobody mistakes them for the new plot. If the plot takes longer than ``limit`` seconds,
+    the program ends.
     """
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"

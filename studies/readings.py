@@ -1,6 +1,7 @@
 """Read numbers and vectors from a student's engine, which may be wrong or unfinished.
 
-Vectors become tuples of floats, so that plots can compute with them without the student's code.
+Vectors become tuples of floats. Plots can then compute with them without calling the student's
+code.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ Found = TypeVar("Found")
 def is_written(call: Callable[[], object]) -> bool:
     """Check whether a student has already written all the functions that ``call`` runs.
 
-    A function that is not written yet raises NotImplementedError.
+    A function counts as unwritten as long as it raises NotImplementedError.
     """
     try:
         call()
@@ -27,10 +28,9 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Run part of a simulation, and return the message of the error that stopped it.
+    """Run part of a simulation, and return the message of any error that stopped it.
 
-    Return an empty string if the student's engine raised no error. The message looks like this:
-    "ZeroDivisionError: division by zero".
+    For example, "ZeroDivisionError: division by zero". If there was no error, the message is empty.
     """
     try:
         act()
@@ -40,10 +40,10 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run the simulations whose code the student has written, and return their results by key.
+    """Run all simulations whose code the student has written, and return the results by key.
 
-    A simulation that needs unwritten code is left out, so that an unfinished engine can be plotted,
-    too.
+    Simulations that need unwritten code are left out. In this way even an unfinished engine can be
+    plotted.
 
     Raises:
         NotImplementedError: Every simulation needs code that is not written yet.
@@ -63,8 +63,7 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 def numbers(v: Any) -> Numbers:
     """Convert a vector of a student's engine to a tuple of three floats.
 
-    A component that is not a number becomes NaN. A plot then has a gap there, but it is still
-    drawn.
+    A component that is not a number becomes NaN. The plot is still drawn, with a gap at that point.
     """
     return (
         number(getattr(v, "x", None)),
@@ -84,7 +83,7 @@ def number(value: Any) -> float:
 def dot(a: Numbers, b: Numbers) -> float:
     """Compute the scalar product of two tuples of floats.
 
-    This does not use the student's Vector3, whose scalar product may be wrong.
+    The student's Vector3 is not used, because its scalar product may be wrong.
     """
     return math.fsum(p * q for p, q in zip(a, b, strict=True))
 
@@ -92,7 +91,7 @@ def dot(a: Numbers, b: Numbers) -> float:
 def cross(a: Numbers, b: Numbers) -> Numbers:
     """Compute the vector product of two tuples of floats.
 
-    This does not use the student's Vector3, whose vector product may be wrong.
+    The student's Vector3 is not used, because its vector product may be wrong.
     """
     return (
         a[1] * b[2] - a[2] * b[1],
@@ -102,12 +101,12 @@ def cross(a: Numbers, b: Numbers) -> Numbers:
 
 
 def angle_between(a: Numbers, b: Numbers) -> float:
-    """Compute the angle between two vectors in degrees, or NaN if either of them is zero."""
+    """Compute the angle between two vectors in degrees, or NaN if one of them is zero."""
     if not math.hypot(*a) * math.hypot(*b) > 0.0:
         return math.nan
     return math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b)))
 
 
 def is_drawable(*vectors: Numbers) -> bool:
-    """Return whether all components of the vectors are finite, so that matplotlib can draw them."""
+    """Check whether all components of the vectors are finite, so that matplotlib can draw them."""
     return all(math.isfinite(value) for vector in vectors for value in vector)

@@ -1,4 +1,4 @@
-"""Explain to students why their code failed when a plot or a scene of the lab ran it."""
+"""Explain to students why their code failed when it was run by a plot or a scene of the lab."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from autograder.manifest import ROOT
 
 
 def reason(error: BaseException) -> str:
-    """Describe an error in a student's code: its message, its line, and its likely cause.
+    """Describe an error in a student's code: the message, the line and the likely cause.
 
-    The cause is added only if the error is a common one. Code that is still to be written is
-    reported as "not written yet".
+    A cause is given only for common mistakes. Code that the student still has to write is reported
+    as "not written yet".
     """
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
@@ -35,8 +35,8 @@ def reason(error: BaseException) -> str:
 
 
 def shown(path: Path) -> Path:
-    """Shorten a path for a message by making it relative to the current folder.
+    """Shorten a path for a message, by making it relative to the current folder.
 
-    A path outside that folder is returned unchanged.
+    A path outside the current folder is not changed.
     """
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -1,9 +1,9 @@
-"""Time two pieces of code, and report the ratio of their times.
+"""Measure how long two pieces of code take, and report the ratio of their times.
 
-Unlike a time in seconds, a ratio barely changes from one machine to the next. The two times of a
-ratio are measured back to back, in several rounds. The rounds of all benchmarks are shuffled, so
-that when the machine is slow for a minute, all of them suffer a little rather than one of them a
-lot. The report shows the median and the quartiles of the rounds.
+A ratio is almost the same on every machine, unlike a time in seconds. The two times are measured
+one right after the other, in several rounds. The rounds of all benchmarks are shuffled. If the
+machine is slow for a minute, every benchmark then suffers a little, and none of them suffers a lot.
+The report shows the median and the quartiles of the rounds.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ LEAST = 5e-3  # s; a shorter time is measured several times per round
 
 @dataclass(frozen=True)
 class Target:
-    """A bound that the result of a benchmark must meet, such as "at least 4"."""
+    """A bound that the result of a benchmark should meet, such as "at least 4"."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -42,15 +42,15 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether a benchmark's result meets the bound, which includes being equal to it."""
+        """Check whether a benchmark's result meets the bound. A result equal to it does."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """A benchmark that is run in several rounds, such as pymunk's time divided by ours.
+    """A benchmark, such as pymunk's time divided by ours, that is run in several rounds.
 
-    ``what`` describes the benchmark in the report. ``once`` runs one round and returns its result.
+    ``what`` is its description in the report. ``once`` runs one round and returns the result.
     """
 
     what: str
@@ -61,7 +61,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Line:
-    """One line of the benchmark report: the median and the quartiles of a benchmark's rounds."""
+    """The result of a benchmark for the report: the median and the quartiles of all rounds."""
 
     what: str
     median: float
@@ -71,31 +71,31 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """The verdict in the report: "met" or "missed", or "" if the benchmark has no target."""
+        """Whether the median meets the target: "met" or "missed", or "" without a target."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
 
 
 def timer(run: Callable[[], object], times: int = 1) -> Timer:
-    """Return a function that calls ``run`` the given number of times, and returns the time in s."""
+    """Return a function that calls ``run`` several times and returns how long that took, in s."""
     return lambda: timeit.timeit(run, number=times)
 
 
 def statement_timer(code: str, setup: str) -> Timer:
-    """Return a function that times TIMES runs of a Python statement, in s.
+    """Return a function that measures how long TIMES runs of a Python statement take, in s.
 
-    One run would be too short to time. ``setup`` defines the variables of the statement, and is not
-    timed.
+    A single run would be too short to measure. ``setup`` is code that defines the variables of the
+    statement, and its time does not count.
     """
     prepared = timeit.Timer(code, setup)
     return lambda: prepared.timeit(TIMES)
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Measure two times back to back, and return both of them.
+    """Measure two times, one right after the other, and return both of them.
 
-    Which one is measured first is random, so that the order gives neither of them an advantage.
+    Which one comes first is random, so that the order favors neither of them.
     """
     if random.random() < 0.5:
         a = warm(first)
@@ -105,10 +105,10 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Measure how long a piece of code takes, as the mean of several runs if it is fast.
+    """Measure how long a piece of code takes, and average over several runs if it is fast.
 
-    Code that takes less than LEAST is run again for that long. The mean leaves out the first run,
-    because its cold caches would dominate a short measurement.
+    If the first run takes less than LEAST, the code is run again and again for that long. The first
+    run is then left out, because cold caches would distort a short measurement.
     """
     taken = timed()
     if taken >= LEAST:
@@ -123,7 +123,7 @@ def warm(timed: Timer) -> float:
 def versus(first: Timer, second: Timer) -> Figure:
     """Return a function that measures two times and returns their ratio, first / second.
 
-    Each call of the function is one round of a benchmark.
+    Each call is one round of a benchmark.
     """
 
     def once() -> float:
@@ -134,10 +134,10 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Run all rounds of all benchmarks in mixed order, and return a report line for each one.
+    """Run all rounds of all benchmarks in mixed order, and return their results for the report.
 
-    On a terminal, a progress bar shows the current benchmark and the time left. The bar is updated
-    only between rounds, so that it does not slow them down.
+    On a terminal, a progress bar shows the current benchmark and the time left. It is updated only
+    between rounds, so that it does not slow them down.
     """
     figures: list[list[float]] = [[] for _ in measurements]
     order = mixed([measurement.rounds for measurement in measurements])
@@ -166,16 +166,16 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 def mixed(rounds: Sequence[int]) -> list[int]:
     """Shuffle the rounds of all benchmarks, so that each benchmark is spread over the whole run.
 
-    The result lists the index ``i`` of a benchmark ``rounds[i]`` times. For each benchmark, the run
-    is divided into as many equal parts as there are rounds of it, and each part gets one round, at
-    a random time.
+    The result is a list of benchmark indices, in which index ``i`` occurs ``rounds[i]`` times. To
+    spread a benchmark, the run is divided into as many equal parts as the benchmark has rounds.
+    Each part gets one round at a random time.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
 
 
 def quartiles(values: Sequence[float]) -> tuple[float, float]:
-    """Return the lower and upper quartiles, both of which are elements of ``values``."""
+    """Return the lower and upper quartiles, without interpolating between the values."""
     ordered = sorted(values)
     return ordered[len(ordered) // 4], ordered[(3 * len(ordered)) // 4]
 
@@ -186,12 +186,12 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """Set up benchmarks of other libraries against our own classes, one for each library.
+    """Set up one benchmark per library that compares it with classes of our own.
 
     The result is the library's time divided by ours, as a geometric mean over all operations that
-    both have. ``name`` names our classes in the report. A peer is given by its module, its name in
-    the report, and a target. If a library is not installed, it is skipped, and ``console`` shows
-    how to install it.
+    both have. ``name`` is what the report calls our classes. Each of the ``peers`` consists of the
+    library's module, its name in the report, and a target. A library that is not installed is
+    skipped, and a message on ``console`` shows how to install it.
     """
     ours = statements["ours"]
     found = []
@@ -217,8 +217,8 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Return a function that measures several ratios, and returns their geometric mean.
+    """Return a function that measures several ratios and returns their geometric mean.
 
-    The mean sums up the ratios of several operations, such as adding two vectors, in one number.
+    The mean combines the ratios of several operations, such as adding two vectors, into one number.
     """
     return lambda: statistics.geometric_mean([once() for once in figures])

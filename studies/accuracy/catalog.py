@@ -1,6 +1,6 @@
-"""List the scenes in which our engine is compared with pymunk, from a pendulum to a rope bridge.
+"""The list of all scenes in which our engine is compared with pymunk.
 
-Commands use the list to select scenes by name.
+They range from a pendulum to a rope bridge. Commands select scenes from the list by name.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from studies.accuracy.scenes.springs import SPRINGS
 def scenes_with(part: str) -> list[Scene]:
     """Create the scenes whose names contain ``part``, or all scenes if ``part`` is empty.
 
-    For example, "double" selects only the double pendulum.
+    For example, ``scenes_with("double")`` creates only the double pendulum.
 
     Raises:
         ValueError: No scene matches. The message lists all names.

@@ -1,8 +1,8 @@
-"""Draw charts of how accurate each model of a scene is, and how long it takes.
+"""Draw charts of how accurate and how fast our engine and pymunk are in each scene.
 
-A model is one way to simulate the scene, such as an integrator. Each scene gets two panels, which
-plot the error of every model against its processor time and against its work. An overview compares
-our models with pymunk in all scenes.
+A scene, such as a pendulum, is simulated in several ways, for example with different integrators.
+Each way is called a model. The chart of a scene plots the error of every model, once against its
+processor time and once against its work. An overview compares our models with pymunk in all scenes.
 """
 
 from __future__ import annotations
@@ -45,11 +45,12 @@ COLUMNS = (
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Draw how accurately and how fast each model, such as an integrator, simulates a scene.
+    """Draw the chart of a scene, which shows how accurate and how fast each model is.
 
-    The left panel plots the error of each model against its processor time, and the right panel
-    against its work. ``counted`` says what the models count as work, such as "contacts resolved".
-    The chart is saved as ``png``, with its points in a CSV file next to it.
+    A model is one way to simulate the scene, such as an integrator. The left panel plots the error
+    of each model against its processor time, and the right panel plots it against its work.
+    ``counted`` is the label for work, such as "contacts resolved". The chart is saved as ``png``,
+    and a CSV file next to it contains the plotted points.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
@@ -99,9 +100,10 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Extend pymunk's curve with a dotted line to smaller errors than its runs reached.
+    """Extend pymunk's curve to smaller errors, with a dotted line to an estimated time.
 
-    The line ends at the tightest tolerance to which pymunk's time could be extrapolated.
+    The line ends at the smallest error tolerance for which pymunk's time could be extrapolated.
+    Nothing is drawn if no time was extrapolated.
     """
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
@@ -118,16 +120,15 @@ def _draw_extrapolated(
 
 
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
-    """Plot how many times as long as our fastest model pymunk takes, for each scene and tolerance.
+    """Plot the ratio of pymunk's time to ours for every scene and every error tolerance.
 
     A filled mark is a measured ratio. Other marks:
 
     - An open mark without an arrow is an estimate. Pymunk did not reach the tolerance within the
       time limit, so its time is extrapolated from its order of convergence.
-    - An open mark with an arrow is only a bound, because either pymunk or our models did not reach
-      the tolerance within the time limit.
-    - The word "never" at the edge means that either pymunk or our models cannot reach the tolerance
-      at all.
+    - An open mark with an arrow is only a bound. Either pymunk or our models did not reach the
+      tolerance within the time limit.
+    - The word "never" at the edge means that one of the two cannot reach the tolerance at all.
 
     There is no mark if neither pymunk nor our models reach the tolerance.
     """
@@ -159,11 +160,11 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw one mark of the overview: pymunk's time divided by ours, at one error tolerance.
+    """Draw one mark of the overview: the ratio of pymunk's time to ours at one tolerance.
 
-    The mark is drawn at height ``y``. It is filled if both times were measured, and open if one was
-    extrapolated. It has an arrow if the ratio is only a bound. If pymunk or our models can never
-    reach the tolerance, the word "never" appears at the edge instead.
+    The mark is drawn at height ``y``. It is filled if both times were measured, and open if
+    pymunk's time is extrapolated. An arrow shows that the ratio is only a bound. If pymunk or our
+    models can never reach the tolerance, the word "never" appears at the edge instead.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
@@ -181,7 +182,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Compare our fastest model with pymunk's in a phrase for a chart's title.
+    """Write the part of a chart's title that compares our fastest model with pymunk's.
 
     For example, "at an error of 0.0001 of the scale, leapfrog takes 3.2 ms, and pymunk takes 12
     times as long".
@@ -200,10 +201,10 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Name the fastest of our models, or of pymunk's, with its time, as in "leapfrog, 3.2 ms".
+    """Describe the fastest model of one side, ours or pymunk's, as in "leapfrog, 3.2 ms".
 
-    If the time is extrapolated, add the order of convergence. If no model met the tolerance, return
-    "never" or, if more steps might have helped, something like "not within 600 ms".
+    If the time is extrapolated, the text also gives the order of convergence. If no model met the
+    tolerance, the text is "never" or, if more steps might have helped, "not within 600 ms".
     """
     if side.time is not None:
         time = f"{side.model}, {_number(1e3 * side.time)} ms"
@@ -214,9 +215,9 @@ def told(side: Side) -> str:
 def told_ratio(found: Row) -> str:
     """Format the ratio of pymunk's time to ours, as in "5.51", "~ 5.51" or "> 120".
 
-    A "~" means that pymunk's time is extrapolated, and ">" or "<" that the ratio is only a bound.
-    The text is empty if neither pymunk nor our models reached the tolerance, or if one of them
-    never can.
+    A "~" means that pymunk's time is extrapolated. A ">" or "<" means that the ratio is only a
+    bound. The text is empty if there is no useful bound, for example because pymunk can never reach
+    the tolerance.
     """
     low, high = found.bounds
     if found.ratio:
@@ -234,8 +235,8 @@ def _number(value: float) -> str:
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
     """Choose a color and a marker for each model in a chart.
 
-    Pymunk's models are black and gray, and the textbook's are red. The integrators of chapter 6
-    have the same colors in all charts, and the remaining colors go to the other models.
+    Pymunk's models are black or gray, and the textbook's are red. The integrators of chapter 6 have
+    the same colors in all charts. All other models share the remaining colors.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)

@@ -1,11 +1,12 @@
-"""Measure the error, the work and the time of every model in a list of scenes.
+"""Measure how accurate and how fast every model of every scene is.
 
-A model is one way to simulate a scene, such as an integrator. Its error and work never vary, so
-they are measured only once. Times do vary, so they are measured in several rounds. Each round times
-all models in random order, so that a burst of load on the machine does not always hit the same one.
+A model is one way to simulate a scene, such as an integrator. Its error and its amount of work are
+the same in every run, so they are measured only once. Its time varies, so it is measured in several
+rounds. Each round times all models in random order. If the computer is busy for a moment, it is
+then not always the same model that suffers.
 
-The results are saved after every round. If a run is interrupted, the next one picks up from there,
-as long as the code and the versions have not changed.
+The results are saved after every round. An interrupted run can resume from them as long as the code
+and the versions have not changed.
 """
 
 from __future__ import annotations
@@ -36,10 +37,11 @@ LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW r
 
 @dataclass
 class Point:
-    """The error, work and time of one model in one scene, at one number of steps per frame.
+    """One point of a chart: the error, work and time of a model at one number of steps per frame.
 
-    A chart shows it as one mark. A model that chooses its own steps takes a tolerance instead, and
-    its ``steps`` is 1 / tolerance. ``times`` holds the processor time of each timing round in s.
+    A model is one way to simulate a scene, such as an integrator. If it chooses its own steps, it
+    takes a tolerance instead, and ``steps`` is 1 / tolerance. ``times`` holds the processor times
+    in s of all timing rounds.
     """
 
     scene: str
@@ -52,20 +54,20 @@ class Point:
 
     @property
     def time(self) -> float:
-        """The median of the processor times that were measured for this run, in s."""
+        """The median processor time of the run over all timing rounds, in s."""
         return statistics.median(self.times)
 
     @property
     def spread(self) -> tuple[float, float]:
-        """The lower and upper quartiles of the processor times measured for this run, in s."""
+        """The lower and upper quartiles of the run's processor times, in s."""
         return quartiles(self.times)
 
 
 @dataclass
 class Measured:
-    """The points that `make charts` has measured so far, and the number of timing rounds.
+    """Everything that `make charts` has measured so far: the points, and the number of rounds.
 
-    They are saved after every round, so that an interrupted run can resume.
+    It is saved after every timing round, so that an interrupted run can resume.
     """
 
     points: list[Point]
@@ -77,9 +79,10 @@ def explore(
 ) -> Measured:
     """Simulate each scene with all of its models to measure their errors and work, but not times.
 
-    Each model runs with more and more steps per frame until it is exact, or until a run takes
-    longer than ``slowest`` seconds, or ``theirs`` seconds for pymunk's models. Before a model runs,
-    its name is passed to ``hear``, which shows it.
+    Each model runs with more and more steps per frame until its error is down to rounding errors,
+    or until a run takes too long. The time limit is ``theirs`` seconds for pymunk's models and
+    ``slowest`` seconds for ours. Before each model, ``hear`` is called with a line that shows the
+    progress.
     """
     points = []
     for scene in scenes:
@@ -97,9 +100,10 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Simulate a scene with one of its models, and return None if the simulation fails.
+    """Simulate a scene with one of its models, with ``steps`` steps per frame.
 
-    It fails, for example, if the steps are so long that the motion explodes.
+    Return None if the simulation fails, for example because the steps are so long that the motion
+    explodes.
     """
     try:
         return model.run(steps)
@@ -108,10 +112,10 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Run one more timing round: time every model at every number of steps, in random order.
+    """Run one more timing round, which times every model at every number of steps.
 
-    A run that takes longer than LONG is timed only in the first FEW rounds. After each run,
-    ``hear`` is called to advance a progress bar.
+    The order is random. Runs that take longer than LONG are timed only in the first FEW rounds.
+    ``hear`` is called after each run, so that it can advance a progress bar.
     """
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
@@ -135,20 +139,20 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save the measured points in a file, so that an interrupted run of `make charts` can resume.
+    """Save everything measured so far, so that an interrupted run of `make charts` can resume.
 
-    ``sign`` is the signature from ``sign_of``. The file is replaced atomically, so an interruption
-    cannot corrupt it.
+    ``sign`` is the signature from ``sign_of``. The file is replaced in one step, so an interruption
+    cannot leave a damaged file.
     """
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     replace_bytes(path, json.dumps(data).encode())
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Load the points that an interrupted run of `make charts` has measured.
+    """Load everything that an interrupted run of `make charts` has measured.
 
-    Return None if the file cannot be read, or if its signature is not ``sign``, which means that
-    the points are out of date.
+    Return None if the file cannot be read, or if its signature is not ``sign``. In the latter case,
+    the measurements are out of date.
     """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
@@ -160,10 +164,10 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Compute a signature that changes whenever the saved points of `make charts` are out of date.
+    """Compute a signature by which `make charts` notices that its saved results are out of date.
 
-    It depends on the names of the scenes, the time limits, the code of the engine and the studies,
-    the platform, and the versions of Python and pymunk.
+    It changes with the names of the scenes, the time limits, and the code of the engine and the
+    studies. It also changes with the platform and the versions of Python and pymunk.
     """
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):

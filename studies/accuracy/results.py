@@ -1,8 +1,7 @@
-"""Find the fastest model that simulates a scene accurately enough, among ours and pymunk's.
+"""Compare the fastest way to simulate a scene with our engine to the fastest one with pymunk.
 
-A model is one way to simulate a scene, such as an integrator. Each side of the comparison, ours or
-pymunk's, has several models. The fastest model of one side is compared with the fastest of the
-other, at the same error tolerance.
+A way to simulate a scene, such as an integrator, is called a model. Both our engine and pymunk have
+several models of each scene. Only models that meet the same error tolerance are compared.
 """
 
 from __future__ import annotations
@@ -22,14 +21,15 @@ FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the sma
 
 @dataclass(frozen=True)
 class Side:
-    """The fastest model that meets an error tolerance in a scene, among ours or among pymunk's.
+    """The fastest model, either of our engine or of pymunk, that meets a given error tolerance.
 
-    ``time`` is in s. ``model`` and ``time`` are None if no model meets the tolerance. In that case,
-    every model that might have met it with more steps has been run for at least ``longest``
-    seconds. ``never`` is true if no number of steps would have been enough for any model.
+    A model is one way to simulate a scene, such as an integrator. ``time`` is how long it takes, in
+    s. ``model`` and ``time`` are None if no model meets the tolerance. If ``order`` is not None, no
+    run met the tolerance. ``time`` is then extrapolated with this order of convergence.
 
-    If ``order`` is not None, no run met the tolerance, and ``time`` is extrapolated with that order
-    of convergence.
+    When no model meets the tolerance, ``never`` says whether more steps could help. If it is true,
+    no number of steps would be enough. Otherwise every model that might still get there has been
+    tried for at least ``longest`` seconds.
     """
 
     model: str | None
@@ -43,7 +43,8 @@ class Side:
 class Row:
     """A comparison of our fastest model with pymunk's in one scene, at one error tolerance.
 
-    The tolerance is a fraction of the scene's scale.
+    A model is one way to simulate the scene, such as an integrator. The tolerance is a fraction of
+    the scene's size.
     """
 
     scene: str
@@ -53,23 +54,23 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """How many times as long as our model pymunk takes, or None if either time is unknown."""
+        """The ratio of pymunk's time to our model's time, or None if one of them is unknown."""
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time
 
     @property
     def is_extrapolated(self) -> bool:
-        """Whether pymunk's time is an estimate, since none of its runs was accurate enough."""
+        """Whether pymunk's time is an estimate, because none of its runs was accurate enough."""
         return self.pymunk.order is not None
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The lower and upper bounds on the ratio of pymunk's time to ours.
+        """The smallest and the largest value that the ratio of pymunk's time to ours can have.
 
-        They are needed when pymunk or our models missed the tolerance. All that is known then is
-        that meeting it takes longer than the longest run did, so only one of the two bounds is
-        useful.
+        They are for a comparison in which one side missed the tolerance. All that we know then is
+        that this side needs more time than its longest run took. The ratio is therefore bounded on
+        one side only, and the other bound is 0 or infinity.
         """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
@@ -81,11 +82,11 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Find the run with the fewest steps that reliably meets an error tolerance.
+    """Find the run with the fewest steps from which on a model is accurate enough.
 
-    ``ordered`` holds a model's runs, sorted by number of steps. Return the index of the first run
-    that meets the tolerance along with all runs after it, since a single error may be small by
-    chance. If even the last run misses the tolerance, return None.
+    ``ordered`` holds the model's runs, sorted by number of steps. Return the index of the first run
+    that meets the tolerance, provided that all runs after it meet it, too. One small error may be a
+    coincidence. Return None if even the last run misses the tolerance.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -93,9 +94,10 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s that a model takes to meet an error tolerance, or None if it never does.
+    """Return how long a model takes to meet an error tolerance, in s, or None if no run meets it.
 
-    The time is interpolated between two measured runs, on logarithmic scales.
+    ``points`` are the runs of the model. The time is interpolated between two runs, on logarithmic
+    scales.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     first = first_within(ordered, tolerance)
@@ -110,11 +112,11 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Return whether taking more steps no longer reduces a model's error.
+    """Check whether the error of a model has stopped shrinking, so that more steps are useless.
 
-    A model stalls if eight times as many steps do not even halve its error, when at order 1 they
-    would cut it to an eighth. We assume that its error never gets any smaller. While the error is
-    still a tenth of the scene's scale or more, it is too early to tell.
+    That is the case if eight times as many steps do not even halve the error. A method of order 1
+    would reduce it to an eighth. The answer is False while the error is a tenth of the scene's size
+    or more, because it may still start to shrink.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -124,9 +126,12 @@ def stalls(points: Sequence[Point]) -> bool:
 def order_of(points: Sequence[Point]) -> float | None:
     """Measure a model's order of convergence from its runs with the most steps.
 
-    The order is the exponent p of an error proportional to 1 / steps^p, measured over an eightfold
-    increase in the number of steps. Return None if the error does not fall steadily, if it is a
-    tenth of the scene's scale or more, or if there are fewer than four runs.
+    The order is the exponent p if the error is proportional to 1 / steps^p. It is measured while
+    the number of steps grows eightfold. Return None in these cases:
+
+    - The error does not fall steadily.
+    - The error is a tenth of the scene's size or more, or so small that it is only rounding.
+    - There are fewer than four such runs.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -141,11 +146,11 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Estimate how long a model would take to meet ``tolerance`` with enough steps, in s.
+    """Estimate how long a model would take, in s, to meet a tolerance that none of its runs met.
 
-    The number of steps follows from the model's order of convergence, and each step is assumed to
-    take as long as in the run with the most steps. Return None if the model has no steady order, or
-    if that run's error is more than FARTHEST times the tolerance.
+    The number of steps follows from the model's order of convergence. Each step is assumed to take
+    as long as in the run with the most steps. Return None if the model has no steady order, or if
+    the error of that run is more than FARTHEST times the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -155,9 +160,9 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group measured points by model, without changing the order of each model's points.
+    """Sort measured points into one list per model, for example to draw each model as a line.
 
-    A chart shows each group as a line.
+    The points of a model keep their order.
     """
     found: dict[str, list[Point]] = {}
     for point in points:
@@ -166,9 +171,9 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Find the fastest model that meets ``tolerance``, among ours or among pymunk's.
+    """Find the fastest model of one side, either our engine or pymunk, that meets ``tolerance``.
 
-    ``points`` are the measured runs of all of our models in a scene, or of all of pymunk's.
+    ``points`` are the runs of all models of that side, in one scene.
     """
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
@@ -179,11 +184,14 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Find the cheapest run that reliably meets an error tolerance, and the next cheaper run.
+    """Find the fastest run that is accurate enough, and for comparison the next faster run.
 
-    The cheapest run is the one that takes the least time. A run is reliable if its model also meets
-    the tolerance at every larger number of steps. The next cheaper run is for comparison, and is
-    not reliable. Either result is None if there is no such run.
+    A run counts only if all runs of its model with more steps are accurate enough, too, since one
+    small error may be a coincidence.
+
+    Returns:
+        The fastest of these runs, and the slowest of the runs that take less time. Each of them is
+        None if there is no such run.
     """
     within = []
     for own in models_of(points).values():
@@ -196,7 +204,7 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Separate the measured points of our models from those of pymunk's.
+    """Separate the runs of our models from those of pymunk's models, and return both lists.
 
     The textbook's own integrator counts as one of ours.
     """
@@ -207,7 +215,8 @@ def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
 def row(points: Sequence[Point], tolerance: float) -> Row:
     """Compare our fastest model with pymunk's fastest in one scene, at one error tolerance.
 
-    If pymunk missed the tolerance in all of its runs, its time is extrapolated if possible.
+    ``points`` are all runs in that scene. If none of pymunk's runs meets the tolerance, its time is
+    extrapolated if possible.
     """
     ours, theirs = split(points)
     side = side_of(theirs, tolerance)
@@ -219,8 +228,8 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
     """Estimate how long pymunk would take to meet a tolerance that none of its runs met.
 
-    The estimate is that of its fastest model, extrapolated from the model's order of convergence.
-    If no model has a steady order, return ``side`` unchanged.
+    The time of each of its models is extrapolated from the order of convergence, and the shortest
+    one counts. If it cannot be extrapolated for any model, return ``side`` unchanged.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
@@ -234,7 +243,7 @@ def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
 def table(points: Sequence[Point]) -> list[Row]:
     """Compare our fastest model with pymunk's in every scene, at every error tolerance.
 
-    `make charts` prints the result as a table, and draws it as the overview picture.
+    `make charts` prints these rows as a table, and draws them as the overview picture.
     """
     scenes: dict[str, list[Point]] = {}
     for point in points:
@@ -245,7 +254,7 @@ def table(points: Sequence[Point]) -> list[Row]:
 def front(points: Sequence[Point]) -> list[Point]:
     """Find the runs with the best trade-offs between speed and accuracy, sorted by time.
 
-    No other run is both faster and more accurate than one of these. Errors that come only from
+    For each of them, no other run is both faster and more accurate. Errors that come only from
     rounding count as equal.
     """
     kept: list[Point] = []

@@ -1,10 +1,12 @@
-"""Define what a scene is when our engine is compared with pymunk, and the models that simulate it.
+"""Define what a scene and a model are when our engine is compared with pymunk.
 
 A scene, such as a pendulum, has an exact solution. A model is one way to simulate the scene, such
-as an integrator, and may take any number of steps per frame. It returns the positions at the end of
-every frame, at 60 frames per second. Its error is the largest deviation of any coordinate from the
-exact solution at the end of any frame, as a fraction of the scene's scale. A model therefore has to
-be accurate all along, not just at the end of the run.
+as an integrator, and it can usually run with any number of steps per frame. It returns the
+positions at the end of every frame, at 60 frames per second.
+
+The error of a model is its largest deviation from the exact solution in any coordinate and any
+frame, divided by the scene's size. A model must therefore be accurate all the time, not just at the
+end.
 """
 
 from __future__ import annotations
@@ -35,9 +37,10 @@ Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x,
 
 @dataclass(frozen=True)
 class Outcome:
-    """The result of simulating a scene: the positions at the end of every frame, and the work.
+    """The result of a simulation: the positions at the end of every frame, and the work it took.
 
-    The work is the number of force evaluations, unless the scene's ``counted`` says otherwise.
+    The work is a number of force evaluations, unless ``Scene.counted`` names something else, such
+    as "contacts resolved".
     """
 
     places: list[Place]
@@ -46,12 +49,14 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Model:
-    """One way to simulate a scene, such as an integrator, at a given number of steps per frame.
+    """One way to simulate a scene, such as an integrator, and the numbers of steps to try.
 
-    ``by`` says whose method it is: "ours", "the book" or "pymunk". An exact model has no step count
-    to choose, so its ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own
-    steps, and the numbers in ``steps`` are 1 / tolerance, so that a larger number still means a
-    more accurate run.
+    ``run`` simulates the scene with a given number of steps per frame, and ``steps`` lists the
+    numbers to try. ``by`` is "ours", "the book" or "pymunk". An exact model, such as a closed form,
+    has no number of steps to choose, so its ``steps`` is (1,).
+
+    If ``takes_tolerance`` is true, the model chooses its own steps. The numbers in ``steps`` are
+    then 1 / tolerance, so a larger number still means a more accurate run.
     """
 
     name: str
@@ -65,12 +70,13 @@ class Model:
 class Scene:
     """A scene to simulate, such as a pendulum, with its exact solution and its models.
 
-    ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m.
-    ``models`` are the ways to simulate it, and ``counted`` says what they count as work.
+    ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m,
+    and errors are given as fractions of it. ``models`` are the ways to simulate the scene.
+    ``counted`` says what they count as work, such as "contacts resolved".
 
-    The exact solution is usually a closed form, or SciPy's solution of a single equation. When it
-    is neither, ``differs`` checks it by solving the scene in two independent ways, and returns the
-    difference as a fraction of the scale.
+    The exact solution is usually a closed form, or SciPy's solution of a single equation. Any other
+    solution needs a check. ``differs`` then solves the scene in two independent ways, and returns
+    the difference as a fraction of the scale.
     """
 
     name: str
@@ -82,10 +88,10 @@ class Scene:
     differs: Callable[[], float] | None = None
 
     def error(self, outcome: Outcome) -> float:
-        """Compute the error of a simulation, as a fraction of the scene's scale.
+        """Compute the error of a simulation, as a fraction of the scene's size.
 
-        It is the largest deviation of any coordinate from the exact solution at the end of any
-        frame. If a coordinate is not finite, the error is infinite.
+        It is the largest deviation from the exact solution in any coordinate and any frame. If a
+        coordinate is not finite, the error is infinite.
         """
         worst = 0.0
         for frame, place in enumerate(outcome.places, 1):
@@ -100,12 +106,12 @@ def solved(
     place: Callable[[Any], Place],
     frames: int,
 ) -> Callable[[float], Place]:
-    """Return the exact motion of a scene that has no closed form, as a function of time.
+    """Return the exact motion of a scene without a closed form, as a function of time.
 
-    SciPy solves the equations of motion for the end of every frame when the function is first
-    called. Its error of about 1e-11 is far below the tightest tolerance. ``rates`` are the
-    equations, as a function of time and state in the form that SciPy expects. ``start`` is the
-    initial state, and ``place`` converts a state to positions.
+    The function calls SciPy once, which solves the equations of motion for the end of every frame.
+    SciPy's error of about 1e-11 is far below the tightest tolerance. ``rates`` are the equations of
+    motion in the form that SciPy expects. ``start`` is the initial state, and ``place`` turns a
+    state into positions.
     """
 
     @cache
@@ -123,9 +129,9 @@ def solved(
 def in_frames(
     step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
 ) -> list[Place]:
-    """Simulate a scene with ``steps`` steps per frame, and return its positions after every frame.
+    """Simulate a scene with ``steps`` steps per frame, and return the positions after every frame.
 
-    ``step`` advances the simulation by a time in s, and ``place`` returns its current positions.
+    ``step`` advances the simulation by a time in s, and ``place`` returns the current positions.
     """
     places: list[Place] = []
     duration = 1.0 / (RATE * steps)
@@ -137,9 +143,9 @@ def in_frames(
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
-    """Create a model for each integrator of chapter 6, to simulate a single particle.
+    """Create a model of a one-particle scene for each integrator of chapter 6.
 
-    ``make`` returns the particle and its force generators. The last model is the adaptive
+    ``make`` creates the particle and its force generators. The last model uses the adaptive
     integrator, which chooses its own steps.
     """
     fixed = [
@@ -154,9 +160,9 @@ def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
 
 
 def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
-    """Create a model that simulates a particle with chapter 6's adaptive integrator.
+    """Create a model that simulates a particle with the adaptive integrator of chapter 6.
 
-    The integrator chooses its own steps within every frame, so the model takes a tolerance instead
+    This integrator chooses its own steps within every frame, so the model takes a tolerance instead
     of a number of steps.
     """
 
@@ -169,10 +175,10 @@ def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
 def by_forces(
     make: Callable[[], Made], integrator: Integrator, frames: int
 ) -> Callable[[int], Outcome]:
-    """Return a function that simulates a particle in the X-Y plane and counts force evaluations.
+    """Return a function that simulates a particle and counts the force evaluations.
 
-    Its argument is the number of steps per frame. ``make`` returns a new particle and its force
-    generators for each run.
+    The function takes the number of steps per frame. The particle moves in the X-Y plane. ``make``
+    is called before each run to create the particle and its force generators.
     """
 
     def run(steps: int) -> Outcome:
@@ -199,9 +205,9 @@ def by_forces(
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Create a model without time steps, which evaluates a closed form once per frame.
+    """Create a model that needs no time steps, because a closed form gives each position.
 
-    ``place_at`` returns the position at a time in s.
+    ``place_at`` is the closed form. It takes a time in s, and is called once per frame.
     """
 
     def run(_: int) -> Outcome:
@@ -216,10 +222,11 @@ def by_pymunk(
     frames: int,
     pull: Pull | None = None,
 ) -> Model:
-    """Create a model that simulates one body with pymunk, evaluating its forces once per step.
+    """Create a model that simulates a single body with pymunk.
 
-    ``make`` returns a space and the body. ``pull`` is a force that the model applies before every
-    step. Without it, only gravity and pymunk's own springs act on the body.
+    ``make`` creates the space and the body. ``pull`` is a force that is applied by hand before
+    every step. Without it, only gravity and pymunk's own springs act on the body. The work is the
+    number of steps, since pymunk evaluates the forces once per step.
     """
 
     def run(steps: int) -> Outcome:
@@ -239,7 +246,7 @@ def by_pymunk(
 
 
 def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
-    """Create a pymunk space without gravity that has a single body, and return both."""
+    """Create a pymunk space without gravity, add a single body to it, and return both."""
     import pymunk  # here, because a chapter's plots do not need it
 
     space = pymunk.Space()

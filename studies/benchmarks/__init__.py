@@ -1,4 +1,4 @@
-"""The benchmarks of `make bench`, with one module per subject, such as springs or rotations.
+"""The benchmarks of `make bench`, in one module per subject, such as springs or rotations.
 
-Each module has a function ``lines`` that sets up its benchmarks.
+Each module has a function ``lines`` that sets up its benchmarks and returns them.
 """

@@ -1,10 +1,11 @@
 """Compare how long our engine and pymunk take to simulate a scene with the same accuracy.
 
-Each result is pymunk's time divided by that of one of our models. The positions must be accurate in
-every frame, within a tolerance that is a fraction of the scene's size. Both take the fewest steps
-per frame that meet the tolerance, out of the powers of two. If even MOST steps are too few for
-pymunk, its time is extrapolated from its order of convergence, and the report says so. If pymunk's
-error does not fall steadily either, the result is a lower bound.
+Each result is pymunk's time divided by the time of one of our models. The positions must be
+accurate in every frame, to within a fraction of the scene's size. Both run with the fewest steps
+per frame that are accurate enough, as a power of two.
+
+If even MOST steps are too few for pymunk, its time is extrapolated from its order of convergence,
+and the report says so. If its error does not fall steadily, the result is only a lower bound.
 
 The last two benchmarks compare the integrator `adaptive` with fixed steps on an orbit.
 """
@@ -30,7 +31,7 @@ MOST = 2_000_000  # steps per run, which take pymunk a few seconds
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare our engine with pymunk at the same accuracy.
+    """Set up the benchmarks that compare the speed of our engine and pymunk at the same accuracy.
 
     Their scenes include a spring, an orbit and a double pendulum.
     """
@@ -53,12 +54,11 @@ def lines() -> list[Measurement]:
 
 
 def lines_of_adaptive() -> list[Measurement]:
-    """Set up two benchmarks of Runge-Kutta 4 against the integrator `adaptive` on a comet's orbit.
+    """Set up two benchmarks that compare Runge-Kutta 4 with `adaptive` on a comet's orbit.
 
-    One of them compares the evaluations of the forces, and the other the times. Each integrator
-    uses the coarsest setting that keeps its error within 1e-6 of the semi-major axis in every
-    frame. For Runge-Kutta 4, that setting is the number of steps per frame. For `adaptive`, it is a
-    tolerance, chosen from four per decade.
+    One compares the number of force evaluations, and the other compares the times. The error must
+    be at most 1e-6 of the semi-major axis in every frame. Runge-Kutta 4 uses the fewest steps per
+    frame that achieve this, and `adaptive` uses the loosest tolerance, out of four per decade.
     """
     (scene,) = scenes_with("orbit of eccentricity 0.9")
     fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
@@ -82,7 +82,7 @@ def coarsest(
 ) -> tuple[int, Outcome]:
     """Find by bisection the coarsest setting with which a model meets ``tolerance``.
 
-    ``choices`` lists the settings from the coarsest to the finest, such as numbers of steps per
+    ``choices`` lists the settings from the coarsest to the finest, such as 1 to 512 steps per
     frame. Return the setting and the result of its run.
     """
 
@@ -102,10 +102,10 @@ def line(
     target: Target | None = None,
     tolerance: float = TOLERANCE,
 ) -> Measurement:
-    """Set up a benchmark of pymunk's time divided by ours in one scene, at the same accuracy.
+    """Set up a benchmark that divides pymunk's time by ours in one scene, at the same accuracy.
 
-    ``part`` is part of the scene's name, and ``ours`` and ``theirs`` are the names of the two
-    models. If ``ours`` is None, use our fastest exact model.
+    ``part`` is part of the scene's name. ``ours`` and ``theirs`` name the two models to compare,
+    such as "leapfrog". If ``ours`` is None, our fastest exact model is used.
     """
     (scene,) = scenes_with(part)
     mine = model_of(scene, ours) if ours else fastest_exact(scene)
@@ -128,12 +128,12 @@ def line(
 
 
 def model_of(scene: Scene, name: str) -> Model:
-    """Find one of the models that simulate ``scene`` by its name, such as "leapfrog"."""
+    """Find a model of ``scene``, which is one way to simulate it, by a name such as "leapfrog"."""
     return next(model for model in scene.models if model.name == name)
 
 
 def fastest_exact(scene: Scene) -> Model:
-    """Find our fastest exact model of a scene, such as a closed form.
+    """Find the fastest of our exact models of a scene, such as a closed form.
 
     An exact model has no number of steps to choose.
     """
@@ -142,15 +142,15 @@ def fastest_exact(scene: Scene) -> Model:
 
 
 def is_exact(model: Model) -> bool:
-    """Return whether a model is exact, as a closed form is, with no number of steps to choose."""
+    """Check whether a model is exact, like a closed form, with no number of steps to choose."""
     return tuple(model.steps) == (1,)
 
 
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
-    """Find the fewest steps per frame with which a model meets ``tolerance``.
+    """Find the fewest steps per frame, as a power of two, with which a model meets ``tolerance``.
 
-    Return that number, which is a power of two, and the error. If even MOST steps per run are not
-    enough, return the largest number that was tried.
+    Return that number and the error. If even MOST steps per run are not enough, return the largest
+    number that was tried.
     """
     finest = tried_steps(scene, model, tolerance)[-1]
     return finest.steps, finest.error
@@ -159,8 +159,8 @@ def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, flo
 def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
     """Run a model with 1, 2, 4 and more steps per frame until its error is small enough.
 
-    Return one point per run. The number of steps doubles until a run meets ``tolerance``, or until
-    the next run would take more than MOST steps.
+    The number of steps doubles until a run meets ``tolerance``, or until the next run would take
+    more than MOST steps. Return one point per run, with its error and its work.
     """
     tried: list[Point] = []
     steps = 1

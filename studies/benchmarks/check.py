@@ -1,4 +1,4 @@
-"""Measure how long students wait for `make check`, which checks their work on a chapter."""
+"""Measure how long `make check` takes, the command with which students check their work."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from studies.timing import Measurement, Target, Timer, timer, versus
 def lines() -> list[Measurement]:
     """Set up the benchmark of `make check`, the command with which students check their work.
 
-    Its time for one chapter is divided by the time that Python takes to import pytest.
+    The result is its time for one chapter, divided by the time that Python takes to import pytest.
     """
     check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles the modules
@@ -23,6 +23,6 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a timer that starts Python with these arguments and waits until it ends."""
+    """Return a timer that runs Python with these arguments, and waits until it exits."""
     call = [sys.executable, *command]
     return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

@@ -1,7 +1,7 @@
 """Measure how long it takes to find contacts, to resolve them, and to simulate a chain of rods.
 
-A resolver that keeps the contacts in a heap is compared with one that scans all of them, and two
-direct solvers are compared with each other and with pymunk.
+One resolver keeps the contacts in a heap, and another one scans all of them each time. Two solvers
+for chains are compared with each other, and one of them is compared with pymunk.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of finding contacts, of resolving them, and of chains of rods."""
+    """Set up the benchmarks of finding contacts, resolving them, and simulating chains of rods."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [
@@ -76,7 +76,7 @@ def lines() -> list[Measurement]:
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
     """Return a timer for resolving the contacts of a rope whose cables are stretched too far.
 
-    ``kind`` is the class of the resolver, and ``count`` is the number of contacts.
+    ``kind`` is the class of the resolver, and ``count`` is the number of cables that are too long.
     """
 
     def once() -> float:
@@ -95,8 +95,8 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 def spread(count: int) -> ParticlePairs:
     """Scatter ``count`` spheres in a cube, and return the detector that finds the touching pairs.
 
-    The spheres have a radius of 0.5 m, with an average of one per 8 m^3, so that they are equally
-    dense for any ``count``.
+    The spheres have a radius of 0.5 m. The cube grows with ``count``, so there is always one sphere
+    per 8 m^3 on average.
     """
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)
@@ -105,9 +105,9 @@ def spread(count: int) -> ParticlePairs:
 
 
 def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with DirectChain, and return where its tip is.
+    """Simulate a swinging chain of rods for 1 s with DirectChain.
 
-    ``rate`` is in steps per second.
+    ``rate`` is the number of time steps per second. Return x and y of the chain's tip at the end.
     """
     particles = chain_particles(LINKS, ANGLE)
     chain = DirectChain(particles[1:], Vector3())
@@ -118,9 +118,9 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with DirectNet, and return where its tip is.
+    """Simulate a swinging chain of rods for 1 s with DirectNet.
 
-    ``rate`` is in steps per second.
+    ``rate`` is the number of time steps per second. Return x and y of the chain's tip at the end.
     """
     particles = chain_particles(LINKS, ANGLE)[1:]
     first = AnchoredRod(particles[0], Vector3(), LINK)
@@ -132,10 +132,10 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with pymunk, and return where its tip is.
+    """Simulate a swinging chain of rods for 1 s with pymunk, where pin joints act as the rods.
 
-    Pin joints act as the rods, and pymunk's solver makes 10 iterations per step, its default.
-    ``rate`` is in steps per second.
+    Pymunk's solver makes 10 iterations per step, its default. ``rate`` is the number of time steps
+    per second. Return x and y of the chain's tip at the end.
     """
     space = pymunk.Space()
     space.gravity = (0.0, -GRAVITY)
@@ -152,11 +152,11 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 
 
 def matching_rate() -> int:
-    """Find the steps per second that pymunk needs to place a chain's tip as well as DirectChain.
+    """Find how many steps per second pymunk needs to be as accurate as DirectChain.
 
-    Starting from four times our rate, the search doubles the rate until pymunk is accurate enough.
-    DirectChain at 16 times its rate stands in for the exact position, since its error is then 256
-    times smaller.
+    The two are compared by the final position of a swinging chain's tip. The search starts from
+    four times our rate, and doubles the rate until pymunk is accurate enough. DirectChain at 16
+    times our rate is used as the exact solution, since its error is 256 times smaller.
     """
     true = by_direct_solve(16 * RATE)
     ours = math.dist(by_direct_solve(RATE), true)

@@ -1,7 +1,7 @@
-"""Measure how much time forces add to the step of a particle.
+"""Measure how much longer the step of a particle takes when forces act on it.
 
-A particle of chapter 5, which accepts forces, is compared with one of chapter 3, which does not,
-and with plain arithmetic.
+A particle of chapter 5, which accepts forces, is compared with one of chapter 3, which does not.
+Both are also compared with plain arithmetic.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of what it costs to apply forces to a particle.
+    """Set up the benchmarks that show how much time it costs to apply forces to a particle.
 
     One of them compares gravity as a force generator with gravity as a constant acceleration.
     """
@@ -47,7 +47,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Create the benchmarks' projectile as a particle of chapter 5, which accepts forces."""
+    """Create the projectile of the benchmarks with chapter 5's Particle, which accepts forces."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),
@@ -60,7 +60,7 @@ def make_particle_with_forces() -> Particle:
 def forced_steps(frames: list[float]) -> Numbers:
     """Move a particle on which a constant force acts, and return its final position.
 
-    ``frames`` lists the lengths of the time steps in s.
+    ``frames`` lists the durations of the time steps in s.
     """
     particle = make_particle_with_forces()
     force = Vector3(*FORCE)
@@ -73,7 +73,7 @@ def forced_steps(frames: list[float]) -> Numbers:
 def generator_steps(frames: list[float]) -> Numbers:
     """Move a particle with gravity as a force generator, and return its final position.
 
-    ``frames`` lists the lengths of the time steps in s.
+    ``frames`` lists the durations of the time steps in s.
     """
     particle = make_particle_with_forces()
     particle.acceleration = Vector3()
@@ -86,10 +86,11 @@ def generator_steps(frames: list[float]) -> Numbers:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Take the same steps as ``forced_steps`` in local variables, and return the final position.
+    """Compute the same motion as ``forced_steps`` with plain arithmetic in local variables.
 
-    Like the engine, each step adds the force to a sum, uses that sum, and then clears it. Comparing
-    the two times shows what the engine's objects and calls cost.
+    Each step adds the force to a sum, uses the sum, and clears it, as the engine does. The
+    difference between the two times is the cost of the engine's objects and calls. Return the final
+    position.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

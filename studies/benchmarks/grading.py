@@ -1,7 +1,7 @@
-"""Measure how much longer the autograder takes because it isolates students' code.
+"""Measure how much longer grading takes because the autograder isolates students' code.
 
-The code runs in isolated worker processes. For comparison, the same checks also import the
-students' code into their own process.
+The code runs in isolated worker processes. For comparison, the same checks are run in one process,
+which imports the students' code itself.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ AT_A_TIME = 2
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of the autograder: one check, twenty submissions, the sample class."""
+    """Set up the benchmarks of the autograder: one check, 20 submissions, and a sample class."""
     behind = Behind(vars(best_level()))
     _, second, *_, last = load_chapters()
     # The target was set for chapter 3. Later chapters import more modules and do more work.
@@ -35,7 +35,8 @@ def lines() -> list[Measurement]:
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
     """Set up a benchmark of how many milliseconds longer a check takes in an isolated worker.
 
-    The time to start the worker process is divided among all checks of the chapter.
+    All checks of a chapter are run both ways. The extra time, including the start of the worker
+    process, is divided by the number of checks.
     """
 
     def checked(where: Behind | None) -> int:
@@ -72,7 +73,7 @@ def _twenty(behind: Behind) -> Measurement:
 def _sample_class(behind: Behind) -> Measurement:
     """Set up a benchmark that grades the sample class with and without isolated workers.
 
-    Some of its submissions contain endless loops, which run until the time limit stops them.
+    Some of the submissions contain endless loops, which run until the time limit stops them.
     """
     submissions, _ = find_submissions(ROOT / "sample_class")
     chapters = load_chapters()

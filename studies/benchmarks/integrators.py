@@ -1,6 +1,6 @@
 """Measure how long a time step takes with each integrator of chapter 6.
 
-Every integrator moves one particle on an anchored spring.
+In each benchmark, one particle moves on an anchored spring.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ ROUNDS = 51
 def lines() -> list[Measurement]:
     """Set up the benchmarks of how long a time step takes with each integrator.
 
-    Semi-implicit Euler is compared with plain arithmetic, and the other integrators are compared
-    with semi-implicit Euler.
+    Semi-implicit Euler is compared with plain arithmetic. All other integrators are compared with
+    semi-implicit Euler.
     """
     once = timer(stepping(semi_implicit_euler))
     return [
@@ -64,7 +64,7 @@ def lines() -> list[Measurement]:
 def stepping(integrator: Integrator) -> Callable[[], None]:
     """Return a function that moves a particle on a spring by STEPS time steps.
 
-    Every call resumes the motion where the previous call left off.
+    Every call continues the motion of the call before.
     """
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0), mass=MASS)
     registry = ForceRegistry()
@@ -79,9 +79,10 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
 
 
 def arithmetic() -> tuple[float, float, float]:
-    """Take STEPS steps of semi-implicit Euler in local variables, and return the last position.
+    """Compute STEPS steps of semi-implicit Euler with plain arithmetic in local variables.
 
-    Comparing its time with the integrator's shows what objects and calls cost.
+    The difference between this time and that of the integrator is the cost of objects and calls.
+    Return the final position.
     """
     x, y, z = 1.0, 2.0, 3.0
     u, v, w = 1.0, 2.0, 3.0

@@ -1,7 +1,7 @@
 """Store the results of the last `make bench`, and update the READMEs that quote them.
 
-A README quotes the median of a benchmark between two comments. The first comment contains the
-beginning of the benchmark's description, which must be long enough to identify it:
+A README quotes the median of a benchmark between two comments. The first comment identifies the
+benchmark by the beginning of its description:
 
     takes <!-- bench: a cloth of 180 springs by connect -->1.8<!-- end --> times as long
 """
@@ -25,9 +25,10 @@ QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTA
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Save the results of `make bench` with the date, the Python version and the type of machine.
+    """Save the results of `make bench`, from which the READMEs quote.
 
-    The READMEs quote their numbers from this file.
+    The date, the Python version, the type of machine and the versions of the libraries are saved,
+    too.
     """
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
@@ -48,14 +49,14 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Round a benchmark's result to three digits, since more would vary from run to run."""
+    """Round a benchmark's result to three digits, since further digits differ in every run."""
     return float(f"{figure:.3g}")
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Load the medians of the last `make bench`, keyed by the descriptions of the benchmarks.
+    """Load the medians of the last `make bench`, as a dict from descriptions to medians.
 
-    The dict is empty if nothing has been stored yet.
+    The dict is empty if no results are stored yet.
     """
     if not file.exists():
         return {}
@@ -64,7 +65,7 @@ def kept(file: Path = FILE) -> dict[str, float]:
 
 
 def with_quotations(page: str, ratios: dict[str, float]) -> str:
-    """Return the text of a README with the benchmark results that it quotes brought up to date.
+    """Return the text of a README with all quoted benchmark results updated.
 
     ``ratios`` maps the description of each benchmark to its median. The results are rounded to two
     digits.
@@ -84,12 +85,12 @@ def with_quotations(page: str, ratios: dict[str, float]) -> str:
 
 
 def pages() -> list[Path]:
-    """List the READMEs and lessons that may quote results of `make bench`."""
+    """List the READMEs and lessons in which results of `make bench` may be quoted."""
     return [path for pattern in PAGES for path in sorted(ROOT.glob(pattern))]
 
 
 def write_quotations() -> None:
-    """Update the benchmark results that READMEs and lessons quote to those of the last run.
+    """Update all results of `make bench` that are quoted in READMEs and lessons.
 
     Raises:
         ValueError: A quotation matches the descriptions of several benchmarks, or of none.

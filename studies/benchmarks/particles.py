@@ -1,6 +1,6 @@
 """Measure how long one time step of a particle takes in our engine.
 
-The step is compared with plain arithmetic, with vector operators and with pymunk.
+The time is compared with that of plain arithmetic, of vector operators and of pymunk.
 """
 
 from __future__ import annotations
@@ -60,8 +60,9 @@ def lines() -> list[Measurement]:
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
     """Set up a benchmark of pymunk against our engine, with bodies that fall with damping.
 
-    If ``read`` is true, every x and y is read after each step. That is cheap for our engine, whose
-    positions are Python objects, while pymunk has to fetch each position from its C library.
+    If ``read`` is true, the x and y of every body are read after each step. Our engine stores
+    positions as Python objects, so reading them is cheap. Pymunk has to get each position from its
+    C library.
     """
     frames = max(1, 4000 // bodies)
     particles = [make_particle(DAMPED_FALL) for _ in range(bodies)]
@@ -99,9 +100,9 @@ def steps(particle: Particle, frames: list[float]) -> None:
 
 
 def operator_steps(particle: Particle, frames: list[float]) -> None:
-    """Move a particle with operators such as + and *, each of which creates a new vector.
+    """Move a particle with operators such as + and *, which create a new vector each time.
 
-    The particle also checks and copies every vector assigned to it.
+    The particle also checks and copies every vector that is assigned to it.
     """
     for frame in frames:
         particle.position = particle.position + particle.velocity * frame
@@ -110,9 +111,9 @@ def operator_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def in_place_steps(particle: Particle, frames: list[float]) -> None:
-    """Move a particle with methods of Vector3 that change a vector in place, such as add_scaled.
+    """Move a particle with methods such as add_scaled, which change a vector in place.
 
-    ``frames`` lists the lengths of the time steps in s.
+    ``frames`` lists the durations of the time steps in s.
     """
     position, velocity = particle.position, particle.velocity
     for frame in frames:
@@ -122,11 +123,11 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def arithmetic(frames: list[float]) -> Numbers:
-    """Take the steps of Particle.integrate in local variables, and return the final position.
+    """Compute the motion of Particle.integrate with plain arithmetic in local variables.
 
-    Its time shows what a step costs without any objects. The comparison is not quite fair, because
-    this function computes a power in every frame, while Particle.integrate reuses the last one if
-    the frame is as long as the one before.
+    The time shows how fast a step could be without any objects. The comparison is not quite fair.
+    This function computes damping**frame in every step, while Particle.integrate reuses the last
+    power if the duration is the same. Return the final position.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -65,7 +65,8 @@ RIVALS = (  # two statements, the description of their ratio, and its target
 def lines(console: Console) -> list[Measurement]:
     """Set up the benchmarks of quaternions and matrices.
 
-    If pyglet or NumPy is not installed, it is left out, and ``console`` shows how to install it.
+    If pyglet or NumPy is not installed, its benchmarks are left out, and a message on ``console``
+    shows how to install it.
     """
     found = [
         Measurement(what, versus(_timer(first), _timer(second)), ROUNDS, target)

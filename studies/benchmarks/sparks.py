@@ -1,4 +1,4 @@
-"""Compare two ways to compute a firework's sparks: frame by frame, and in closed form.
+"""Compare two ways to compute a firework's sparks: step by step, and with a closed form.
 
 Both ways return the coordinates of the sparks as lists, ready for drawing.
 """
@@ -24,7 +24,7 @@ RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare stepping a firework's sparks with a closed form."""
+    """Set up the benchmarks that compare sparks in time steps with sparks from a closed form."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)
@@ -61,9 +61,9 @@ def lines() -> list[Measurement]:
 
 
 def burst() -> FireworksShow:
-    """Create a fireworks show with SPARKS sparks, all of them just lit at START.
+    """Create a fireworks show with SPARKS sparks, all of which have just been lit at START.
 
-    START is so high that no spark lands while it is timed.
+    START is so high that no spark reaches the ground during a measurement.
     """
     show = FireworksShow([RULE], SPARKS, seed=1)
     show.light([(1, SPARKS, Particle(Vector3(*START)))])
@@ -73,7 +73,7 @@ def burst() -> FireworksShow:
 def speeds_of(show: FireworksShow) -> list[list[float]]:
     """List the velocities of all sparks as three lists, one each for x, y and z.
 
-    This is the form that their closed form takes.
+    The function ``positions`` takes them in this form.
     """
     velocities = [firework.particle.velocity for firework in show.fireworks]
     return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]
@@ -82,7 +82,7 @@ def speeds_of(show: FireworksShow) -> list[list[float]]:
 def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
     """Advance a fireworks show by ``frames`` frames, and return the coordinates of its sparks.
 
-    ``axes`` is "xy" or "xyz", and there is one list of coordinates per axis.
+    ``axes`` is "xy" or "xyz". The result has one list of coordinates per axis.
     """
     for _ in range(frames):
         show.update(FRAME)
@@ -92,9 +92,10 @@ def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
 
 
 def positions(speeds: list[list[float]], time: float, axes: str) -> list[list[float]]:
-    """Compute the coordinates of a firework's sparks at ``time`` from the closed form.
+    """Compute the coordinates of a firework's sparks at ``time`` with a closed form.
 
-    ``axes`` is "xy" or "xyz", and there is one list of coordinates per axis.
+    ``speeds`` has one list of initial velocities per axis. ``axes`` is "xy" or "xyz", and the
+    result has one list of coordinates for each of these axes.
     """
     return [
         burst_positions(START[axis], speeds[axis], GRAVITY[axis], DAMPING, time)

@@ -1,7 +1,7 @@
 """Compare the speed of three ways to simulate the springs of a cloth.
 
-Each spring is a call of ``connect``, or two ``Spring`` objects, one for each end, or a round of a
-loop that does the same arithmetic without any objects.
+The first way calls ``connect`` for each spring. The second one creates two ``Spring`` objects, one
+for each end. The third one is a loop that does the same arithmetic without any objects.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ ROUNDS = 21
 def lines() -> list[Measurement]:
     """Set up the benchmarks that compare three ways to simulate a cloth of springs.
 
-    Each cloth is built once and keeps falling from round to round.
+    Each cloth is built only once, and continues to fall from round to round.
     """
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
@@ -52,7 +52,7 @@ def lines() -> list[Measurement]:
 
 
 class VectorSpring(Spring):
-    """A spring written with vector operators, the way most students write it at first."""
+    """A spring written with vector operators, as most students write it at first."""
 
     def update_force(self, particle: Particle, duration: float) -> None:  # noqa: ARG002
         offset = particle.position - self.other.position
@@ -64,7 +64,7 @@ class VectorSpring(Spring):
 def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
     """Build a cloth of springs with two force generators per spring, one for each end.
 
-    The force of each spring is therefore computed twice.
+    The force of each spring is therefore computed twice in every step.
     """
     knots, _ = make_cloth(DAMPING)
     registry = ForceRegistry()
@@ -85,10 +85,10 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Simulate a cloth of springs as lists of floats, and return the height of its lowest knot.
+    """Simulate a cloth of springs with plain arithmetic, and return its lowest knot's height.
 
-    As in the engine, each step computes the forces of all springs before it moves the knots.
-    Comparing the times shows what the engine's objects cost.
+    Each step computes the forces of all springs before it moves the knots, as the engine does. The
+    difference between the two times is the cost of the engine's objects.
     """
     count = KNOTS * KNOTS
     x = [REST_LENGTH * (i % KNOTS) for i in range(count)]

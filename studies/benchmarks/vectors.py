@@ -1,4 +1,4 @@
-"""Measure how fast Vector3 is, compared with the vectors of pyglet, NumPy and pymunk."""
+"""Compare the speed of Vector3 with the vectors of pyglet, NumPy and pymunk."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from studies.timing import Measurement, Statements, Target, against_peers
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Set up a benchmark for each of the other libraries: its time divided by Vector3's.
+    """Set up one benchmark per library that compares its vectors with Vector3.
 
-    The ratio is a mean over all operations that both have, such as the cross product. If a library
-    is not installed, it is left out, and ``console`` shows how to install it.
+    The result is the library's time divided by ours, averaged over all operations that both have,
+    such as the cross product. If a library is not installed, it is left out, and a message on
+    ``console`` shows how to install it.
     """
     peers = (
         ("pyglet", "pyglet Vec3", Target("at least", 2.4)),

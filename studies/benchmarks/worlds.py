@@ -1,6 +1,6 @@
-"""Measure what a ParticleWorld costs, how much time sleeping saves, and how long a rope takes.
+"""Measure what a ParticleWorld costs, and how much time a world saves by putting balls to sleep.
 
-The rope is simulated in two ways: as rods in a ParticleWorld, and as a DirectChain.
+Two ways to simulate a rope are also compared: as rods in a ParticleWorld, and as a DirectChain.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of ParticleWorld, of sleeping particles and of hanging ropes."""
+    """Set up the benchmarks of ParticleWorld, of sleeping balls, and of hanging ropes."""
     bare = flying()
     return [
         Measurement(
@@ -61,8 +61,8 @@ def asleep(
 ) -> Measurement:
     """Set up a benchmark of how much time a world saves when nine in ten balls are asleep.
 
-    The result is the time of a ParticleWorld, which keeps all balls awake, divided by that of a
-    SleepingWorld. ``make`` builds the world from its class.
+    ``make`` creates a world of the given class. The result is the time of a ParticleWorld, in which
+    all balls are awake, divided by the time of a SleepingWorld.
     """
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
@@ -76,9 +76,9 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Set up a benchmark of a rope: its time as rods divided by its time as a DirectChain.
+    """Set up a benchmark that divides the time of a rope made of rods by that of a DirectChain.
 
-    The report also shows by how many meters the sag of each rope differs from the exact sag.
+    Its description in the report also gives the error in the sag of each rope, in m.
     """
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
@@ -94,9 +94,9 @@ def rope(links: int, rounds: int) -> Measurement:
 
 
 def flying() -> list[Particle]:
-    """Create COUNT particles that fly freely, each with its own velocity.
+    """Create COUNT particles that fly freely, each with a different velocity.
 
-    Gravity acts on them, but there are no force generators and no contacts.
+    Only gravity acts on them. There are no force generators and no contacts.
     """
     return [
         Particle(Vector3(i), Vector3(1.0, 0.001 * i, 2.0), DOWN, damping=0.99) for i in range(COUNT)
@@ -106,7 +106,7 @@ def flying() -> list[Particle]:
 def integrate(particles: Sequence[Particle]) -> None:
     """Advance particles by one frame in a plain loop, without a world.
 
-    A ParticleWorld is compared with this loop to show what the world itself costs.
+    The difference between this time and that of a ParticleWorld is the cost of the world itself.
     """
     for particle in particles:
         particle.integrate(FRAME)
@@ -117,23 +117,23 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that moves particles by one frame with an integrator but no world."""
+    """Return a function that moves particles by one frame with an integrator, but no world."""
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world of balls on the ground, of which a tenth roll and the rest lie still.
+    """Create a world of balls on the ground, in which one in ten rolls and the rest lie still.
 
-    ``kind`` is ParticleWorld, which keeps all balls awake, or SleepingWorld.
+    ``kind`` is ParticleWorld, in which all balls are awake, or SleepingWorld.
     """
     balls = [Particle(Vector3(2.0 * i), acceleration=DOWN) for i in range(BALLS)]
     return settled(kind(balls, [GroundPlane(balls)]))
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world of balls on springs, of which a tenth fly away and the rest hang still.
+    """Create a world of balls on springs, in which one in ten moves and the rest hang still.
 
-    ``kind`` is ParticleWorld, which keeps all balls awake, or SleepingWorld.
+    ``kind`` is ParticleWorld, in which all balls are awake, or SleepingWorld.
     """
     balls = [Particle(Vector3(2.0 * i)) for i in range(BALLS)]
     world = kind(balls)
@@ -143,9 +143,9 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Set a tenth of the balls in motion, and give the others enough time to fall asleep.
+    """Set one in ten balls in motion, and give the others enough time to fall asleep.
 
-    Return the world after these FRAMES frames.
+    Return the world after FRAMES frames.
     """
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0

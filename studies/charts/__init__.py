@@ -1,8 +1,8 @@
 """Compare speed and accuracy: simulate every scene with all of our models and with pymunk.
 
-The results go to build/charts/: one page with all charts, a picture and its numbers for each scene,
-and a table of all scenes. A full run also updates the page and the overview that are checked in. If
-a run is interrupted, start it again, and it will pick up where it left off.
+The results are written to build/charts/: a page with all charts, a picture and its numbers for each
+scene, and a table of all scenes. A full run also updates the page and the overview in the
+repository. If a run is interrupted, start it again. It resumes where it stopped.
 """
 
 from __future__ import annotations
@@ -37,9 +37,10 @@ FULL = (9, 0.6, 6.0)
 
 
 def main(arguments: list[str]) -> int:
-    """Measure the error and time of every model in every scene, and draw the charts.
+    """Measure how accurate and how fast every model of every scene is, and draw the charts.
 
-    Return 0, or exit with a usage error if no scene has the given name.
+    A model is one way to simulate a scene, such as an integrator. Return 0, or exit with a usage
+    error if no scene has the given name.
     """
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
@@ -114,7 +115,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _how(rounds: int, is_quick: bool) -> str:
-    """Say when and how the times were measured, for a note on the page with the charts."""
+    """Write the note on the page of charts that says when and how the times were measured."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (

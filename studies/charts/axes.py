@@ -1,4 +1,4 @@
-"""Define logarithmic axes for charts in SVG, labeled at powers of ten."""
+"""A logarithmic axis for charts in SVG, with labels at powers of ten."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ MOST = 5  # labels on an axis
 class Axis:
     """A logarithmic axis of a chart, for values from ``low`` to ``high``.
 
-    It is drawn from coordinate ``start`` to coordinate ``end``. Since y points down in SVG,
-    ``start`` is larger than ``end`` for a vertical axis.
+    It is drawn from the coordinate ``start`` to the coordinate ``end``. On a vertical axis,
+    ``start`` is the larger one, because y points down in SVG.
     """
 
     low: float
@@ -23,17 +23,17 @@ class Axis:
     end: float
 
     def at(self, value: float) -> float:
-        """Return the coordinate at which to draw ``value``, rounded to 0.1.
+        """Return the coordinate at which to draw ``value``, rounded to one decimal.
 
-        Values outside the axis are clamped to its nearest end.
+        A value beyond the end of the axis is drawn at the end.
         """
         share = math.log(value / self.low) / math.log(self.high / self.low)
         return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Choose where to label the axis, at no more than MOST powers of ten.
+        """Choose which powers of ten to label on the axis, at most MOST of them.
 
-        Return the coordinate and the text of each label.
+        Return a list of tuples, each with the coordinate and the text of a label.
         """
         first, last = math.ceil(math.log10(self.low)), math.floor(math.log10(self.high))
         stride = max(1, math.ceil((last - first + 1) / MOST))
@@ -42,7 +42,10 @@ class Axis:
 
 
 def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
-    """Create a logarithmic axis for the positive ``values``, wide enough for at least one label."""
+    """Create a logarithmic axis for ``values``, which must be positive.
+
+    The axis is long enough for at least one label.
+    """
     seen = [*values]
     low, high = min(seen) / 1.6, max(seen) * 1.6
     while math.ceil(math.log10(low)) > math.floor(math.log10(high)):

@@ -1,6 +1,6 @@
 """Copy the results of a full `make charts` into the repository.
 
-These are the page with all charts, the overview picture, and its description in the READMEs.
+These are the page with all charts, the overview picture, and a description of the picture.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
     """Copy the overview picture and the page with all charts from ``out`` into the repository.
 
-    Also update the description of the picture in the READMEs.
+    The description of the picture in the READMEs is updated, too.
     """
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
@@ -39,10 +39,10 @@ def _wrapped(alt: str) -> str:
 
 
 def described(rows: Sequence[Row]) -> str:
-    """Describe in words what the overview picture shows, for readers who cannot see it.
+    """Describe the overview picture in words, for readers who cannot see it.
 
-    The picture compares pymunk's time with ours in many scenes. The description becomes the
-    alternative text of the picture in the READMEs.
+    The picture compares pymunk's time with ours in many scenes. The READMEs use the description as
+    its alternative text.
     """
     scenes = len({row.scene for row in rows})
     ratios = {row.ratio: row for row in rows if row.ratio}
@@ -68,6 +68,6 @@ def described(rows: Sequence[Row]) -> str:
 
 
 def _rounded(value: float) -> str:
-    """Format a ratio with two digits, since the overview picture shows no more than that."""
+    """Format a ratio with two digits. The overview picture cannot be read more precisely."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"

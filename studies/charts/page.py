@@ -1,6 +1,7 @@
-"""Write the charts of all scenes to one self-contained page, and their data to a CSV file.
+"""Write the charts of all scenes to one web page, and their numbers to a CSV file.
 
-Each chart compares how accurately and how fast our engine and pymunk simulate a scene.
+Each chart shows how accurate and how fast our engine and pymunk are in a scene. The page needs no
+other files.
 """
 
 from __future__ import annotations
@@ -28,9 +29,10 @@ COLUMNS = (
 
 
 def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
-    """Write the charts to ``index.html``, and their data to ``points.csv``, in the folder ``out``.
+    """Write the page with all charts to ``index.html``, and their numbers to ``points.csv``.
 
-    ``how`` is a sentence for the page on how the times were measured.
+    Both files are saved in the folder ``out``. ``how`` is a sentence about how the times were
+    measured, which the page quotes.
     """
     own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
     panels = [panel(scene, own[scene.name]) for scene in scenes]
@@ -61,7 +63,10 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
 
 
 def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
-    """Format the measured points as CSV, scene by scene, for readers to download from the page."""
+    """Format the measured points as a CSV text, which readers can download from the page.
+
+    ``own`` holds the points of each scene, by the name of the scene.
+    """
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(COLUMNS)

@@ -1,6 +1,6 @@
-"""Prepare what the page of charts shows for each scene: a chart and a table.
+"""Prepare the chart and the table that the page of charts shows for each scene.
 
-The chart shows how the error of every model depends on its time, and the table lists the numbers.
+The chart plots the error of every model against its time. The table contains the same numbers.
 """
 
 from __future__ import annotations
@@ -65,9 +65,9 @@ SIDES = {"pymunk": "pymunk", "the book": "the book's step"}  # our own models ne
 
 @dataclass(frozen=True)
 class Drawn:
-    """The line of one model in a scene's chart, with its color and its marks.
+    """The line of one model in the chart of a scene, with its color and its marks.
 
-    Each of its ``points`` is a tuple of two coordinates and the index of its row in the table.
+    Each of the ``points`` is a tuple of x, y and the row of the table that belongs to it.
     """
 
     name: str
@@ -80,7 +80,7 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Panel:
-    """Everything that the page of charts shows about one scene: its texts, chart and table."""
+    """One scene on the page of charts: its texts, its chart and its table."""
 
     name: str
     id: str
@@ -97,7 +97,7 @@ class Panel:
 def panel(scene: Scene, points: Sequence[Point]) -> Panel:
     """Prepare the chart and the table of a scene from its measured points.
 
-    The chart leaves out simulations whose error is so large that they are useless.
+    Runs with a useless error of CEILING or more are left out of the chart.
     """
     # Errors that come only from rounding are drawn at the floor. Useless runs are not drawn.
     seen = [point for point in points if point.error < CEILING]
@@ -133,7 +133,7 @@ def panel(scene: Scene, points: Sequence[Point]) -> Panel:
 
 
 def _path(places: Sequence[tuple[float, float]]) -> str:
-    """Build an SVG path through the points ``places``, or a dot if there is only one point."""
+    """Build an SVG path through the points ``places``. A single point becomes a dot."""
     if len(places) == 1:
         return f"M{places[0][0]:g},{places[0][1]:g}h0"
     return "M" + "L".join(f"{a:g},{b:g}" for a, b in places) if places else ""
@@ -142,8 +142,8 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
 def _row(scene: Scene, point: Point) -> tuple[str, ...]:
     """Format one measured point as a row of the table.
 
-    The columns are the model, its steps per frame or its tolerance, its error, its time with
-    quartiles, and its work.
+    The columns are the model, its steps or its tolerance, the error, the median time, the quartiles
+    of the time, and the work.
     """
     model = next(model for model in scene.models if model.name == point.model)
     choice = "1 step" if point.steps == 1 else f"{point.steps:,} steps"

@@ -1,6 +1,6 @@
-"""Prepare the table that compares pymunk's time with ours, the last one on the page of charts.
+"""Prepare the table that compares pymunk's time with ours, at the end of the page of charts.
 
-It shows each ratio both as a number and as a mark on an axis.
+It shows each ratio as a number and as a mark on an axis.
 """
 
 from __future__ import annotations
@@ -16,10 +16,11 @@ from studies.charts.axes import Axis, axis_for
 
 @dataclass(frozen=True)
 class Ratio:
-    """One row of a table: a comparison of pymunk's time with ours in a scene.
+    """One row of a table: the comparison of pymunk's time with ours in a scene, at one tolerance.
 
-    ``at`` is the position of the row's mark in percent, or None if it has no mark. ``kind`` is
-    "exact" or "extrapolated", or "more" or "less" if the ratio is only a bound.
+    ``at`` is the position of the row's mark on the axis in percent, or None if there is no mark.
+    ``kind`` is "exact" or "extrapolated". If the ratio is only a bound, ``kind`` is "more" or
+    "less".
     """
 
     scene: str
@@ -34,7 +35,7 @@ class Ratio:
 def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
     """Prepare the table that compares pymunk's times with ours.
 
-    Return the axis on which the ratios are marked, and one Ratio per row.
+    Return the axis for the marks, and one Ratio for each row.
     """
     marks = [_mark(row) for row in rows]
     axis = axis_for([1.0, *(value for value, _ in marks if value)], 0.0, 100.0)
@@ -53,9 +54,10 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Choose at which value to draw a row's mark, and which kind of mark it is.
+    """Choose the value and the kind of a row's mark, such as 5.51 and "exact".
 
-    The value is the ratio of pymunk's time to ours, or a bound on it, or None if neither is known.
+    The value is the ratio of pymunk's time to ours, or a bound on it. It is None if neither is
+    known.
     """
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"

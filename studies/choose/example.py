@@ -1,7 +1,7 @@
-"""An example of a scene file for `make choose`: a 2 kg lamp swinging on a springy cord, with drag.
+"""A scene file for `make choose`: a 2 kg lamp that swings on a springy cord, with drag.
 
-The motion of this lamp has no closed form. To study a scene of your own, copy this file, change its
-three definitions, and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
+The motion of the lamp has no closed form. To study a scene of your own, copy this file and change
+its three definitions. Then run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
 """
 
 from ch02_vectors.vector import Vector3
@@ -16,7 +16,7 @@ DURATION = 2.0  # s
 def build() -> ParticleWorld:
     """Create the lamp and its cord in their initial state.
 
-    `make choose` runs the scene once with every model, and calls this function before each run.
+    `make choose` simulates the scene many times, and calls this function before each run.
     """
     lamp = Particle(Vector3(1.2, 0.0, 0.0), acceleration=Vector3(0.0, -9.81, 0.0), mass=2.0)
     world = ParticleWorld([lamp])
@@ -26,9 +26,9 @@ def build() -> ParticleWorld:
 
 
 def measure(world: ParticleWorld) -> Vector3:
-    """Return the position of the lamp, which `make choose` compares between runs.
+    """Return the value that `make choose` compares between runs: the position of the lamp.
 
-    It is called after every frame. A scene file without this function is compared by the positions
-    of all particles that can move.
+    This function is called after every frame. If a scene file does not define it, `make choose`
+    compares the positions of all particles that can move.
     """
     return world.particles[0].position

@@ -1,12 +1,11 @@
-"""Estimate the error of a simulation without an exact solution (Richardson extrapolation).
+"""Estimate the error of a simulation that has no exact solution (Richardson extrapolation).
 
 The simulation is run several times, each time with half the time step. If the method has order p,
-halving the step divides its error by 2^p. The difference d between a run and the next one is
-therefore close to the error of the first run, and d / (2^p - 1) is close to the error of the
-second.
+each halving divides the error by 2^p. Let d be the difference between two successive runs. It is
+close to the error of the first one, and d / (2^p - 1) is close to the error of the second one.
 
-The estimate needs differences that shrink at a steady rate. When bodies collide or the motion is
-chaotic they do not, and then the error cannot be estimated.
+This works only if the differences shrink at a steady rate. They do not if bodies collide or if the
+motion is chaotic. The error then cannot be estimated.
 """
 
 from __future__ import annotations
@@ -28,8 +27,8 @@ class Halved:
     """The estimated errors of several runs of a simulation, and the observed orders of convergence.
 
     The lists start with the run that has the longest time step. If ``is_steady`` is false, the
-    order varies so much from run to run that the errors are only guesses. If ``is_exact`` is true,
-    the last runs differ only by rounding.
+    orders vary so much that the errors are only guesses. If ``is_exact`` is true, the last runs
+    differ only by rounding.
     """
 
     errors: list[float]
@@ -41,18 +40,18 @@ class Halved:
 def halved(
     runs: Sequence[Run | None], ratio: float, order: float, *, may_repeat: bool = False
 ) -> Halved:
-    """Estimate the error of each run of a simulation from the differences between the runs.
+    """Estimate the error of each run of a simulation by comparing the runs with one another.
 
-    The runs are of the same scene with the same method, and each has a time step that is shorter
-    than the one before it by the factor ``ratio``. The error of a run is its distance from the
-    finest run, plus the estimated error of the finest run itself. A run that failed is None. Its
-    error is infinite, and so are the errors of all runs before it.
+    All runs are of the same scene with the same method. Each time step is shorter than the one of
+    the run before by the factor ``ratio``. The error of a run is its distance from the last run,
+    plus the estimated error of the last run. A run that failed is None. It has an infinite error,
+    and so do all runs before it.
 
-    ``order`` is the order of convergence that theory gives for the method. An observed order above
-    it is a coincidence, so the estimate uses ``order`` instead.
+    ``order`` is the method's order of convergence in theory. If the observed order is higher, that
+    is a coincidence, and the estimate uses ``order``.
 
-    Two equal runs usually mean that both are exact. A method that takes a tolerance is different,
-    because two tolerances can lead to the same time steps. Set ``may_repeat`` for such a method.
+    Two equal runs usually mean that both are exact. Set ``may_repeat`` for a method that takes a
+    tolerance, because two tolerances can lead to the same time steps.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]
@@ -79,8 +78,8 @@ def halved(
 def _is_steady(orders: Sequence[float], order: float) -> bool:
     """Decide whether the observed orders of convergence are steady enough to estimate an error.
 
-    They are steady if the last two match the order known from theory, or if the last three agree
-    with each other.
+    They are if the last two are close to the order known from theory, or if the last three are
+    close to each other.
     """
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True
@@ -89,7 +88,7 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
 
 
 def distance(a: Run, b: Run) -> float:
-    """Find the largest difference between two runs of a simulation, over all values and frames."""
+    """Find the largest difference between two runs of a simulation, in any value and any frame."""
     return max(
         abs(x - y)
         for mine, other in zip(a, b, strict=True)

@@ -1,14 +1,13 @@
-"""List the models, which are the methods of simulation, that can run a user's scene.
+"""List the methods, called models, that can simulate a scene written by a user.
 
-The contents of the scene's ``ParticleWorld`` decide which models apply:
+They depend on what the scene's ``ParticleWorld`` contains:
 
-- A world without contacts can use every integrator of chapter 6. If it has no forces either, the
+- Without contacts, every integrator of chapter 6 can be used. If there are no forces either, a
   closed form is exact.
 - If all contacts come from rods and cables, a solver can compute all tensions at once.
-- If all contacts come from collision detectors, time division can end a step at the moment of each
-  impact.
-- With contacts of any kind, an integrator can move the particles, and a resolver can then correct
-  the contacts.
+- If all contacts come from collision detectors, time division can stop a step at each impact.
+- With any kind of contacts, an integrator can move the particles before a resolver corrects the
+  contacts.
 """
 
 from __future__ import annotations
@@ -35,12 +34,14 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 
 @dataclass(frozen=True)
 class Model:
-    """A method of simulating a user's scene, such as Runge-Kutta 4, and the step sizes to try.
+    """A method of simulation, such as Runge-Kutta 4, and the step sizes to try.
 
-    ``step_of`` takes a newly built world and returns the function that advances it by one time
-    step. ``order`` is the order of convergence known from theory. ``choices`` lists the numbers of
-    steps per frame to try. If ``takes_tolerance`` is true, the numbers are 1 / tolerance instead,
-    and the error is proportional to the tolerance.
+    ``step_of`` takes a newly built world, and returns a function that advances it by one time step.
+    ``order`` is the order of convergence in theory. ``choices`` lists the numbers of steps per
+    frame to try.
+
+    If ``takes_tolerance`` is true, the method chooses its own steps. The ``choices`` are then 1 /
+    tolerance, and the error is proportional to the tolerance.
     """
 
     name: str
@@ -50,16 +51,16 @@ class Model:
     takes_tolerance: bool = False
 
     def chosen(self, choice: int) -> str:
-        """Describe a step size or a tolerance in words, such as "4 steps per frame"."""
+        """Describe one of the ``choices`` in words, such as "4 steps per frame"."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / choice:g}"
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Prepare a world for a run with a given number of steps per frame, or a given tolerance.
+        """Prepare a world for a run with one of the ``choices``, such as 4 steps per frame.
 
-        ``choice`` is one of ``choices``. Return the function that advances the world by one time
-        step, and how often to call it per frame.
+        Return a function that advances the world by one time step, and how often to call it per
+        frame.
         """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
@@ -68,7 +69,10 @@ class Model:
 
 
 def models_of(world: ParticleWorld) -> list[Model]:
-    """List the models that can simulate a world with these particles, forces and contacts."""
+    """List the models, or methods of simulation, that can be used for this world.
+
+    They depend on its particles, forces and contacts.
+    """
     damped = any(p.damping != 1.0 for p in world.particles if p.inverse_mass)
     if type(world) is not ParticleWorld:  # a subclass may do more in its step
         return [Model("its own step", 1, lambda world: world.step)]
@@ -84,9 +88,9 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """List the solvers that work only if all contacts are links, or only if all are collisions.
+    """List the solvers for worlds in which all contacts are links, or all are collisions.
 
-    The list is empty for a world that mixes the two, or whose rods and cables bounce.
+    The list is empty if a world has both, or if its rods and cables bounce.
     """
     generators = world.contact_generators
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
@@ -111,7 +115,7 @@ def _adaptive(world: ParticleWorld) -> Step:
 
 
 def _resolving(name: str) -> Model:
-    """Build the model that moves particles with an integrator and then resolves their contacts."""
+    """Create a model that moves particles with an integrator and then resolves their contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         world.integrator = INTEGRATORS[name]
@@ -121,9 +125,9 @@ def _resolving(name: str) -> Model:
 
 
 def _exact(world: ParticleWorld) -> Step:
-    """Step the particles by the closed form for constant acceleration and linear drag.
+    """Move the particles with the closed form for constant acceleration and linear drag.
 
-    The formula is exact for a step of any length.
+    The closed form is exact for steps of any length.
     """
 
     def step(duration: float) -> None:

@@ -1,7 +1,7 @@
 """Print the report of `make choose` on a scene that the user wrote.
 
-The report names the fastest model that is accurate enough, and warns if the estimate of its error
-cannot be trusted.
+The report names the fastest method of simulation that is accurate enough. It warns the user if the
+estimated errors cannot be trusted.
 """
 
 from __future__ import annotations
@@ -27,12 +27,13 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Run every model on the user's scene, and print the fastest one that is accurate enough.
+    """Simulate the user's scene with every model, and report the fastest one that is good enough.
 
-    Return 0 if there is such a model, and 1 otherwise.
+    Its estimated error must be at most ``tolerance``. Return 0 if there is such a model, and 1
+    otherwise.
 
     Raises:
-        SceneError: The file does not describe a scene.
+        SceneError: The file does not describe a valid scene.
     """
     scene = load(path)
     with console.status("measuring") as status:
@@ -71,7 +72,7 @@ def _told(found: list[Tried], point: Point) -> str:
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
     """Build the report's table of how many time steps each model needs, and how long it takes.
 
-    A model that never meets the tolerance is shown with the shortest time steps that were tried.
+    If a model never meets the tolerance, its row shows the run with the shortest time steps.
     """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
@@ -93,9 +94,9 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
 
 
 def _order(tried: Tried) -> str:
-    """Describe the order of convergence of a model's last runs, as in "1.9 of 2" or "exact".
+    """Describe the order of convergence that a model has reached, as in "1.9 of 2" or "exact".
 
-    In "1.9 of 2", 1.9 was observed, and 2 is the order that the model has in theory.
+    In "1.9 of 2", 1.9 is the observed order, and 2 is the model's order in theory.
     """
     if tried.halved.is_exact:
         return "exact"
@@ -104,9 +105,9 @@ def _order(tried: Tried) -> str:
 
 
 def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
-    """List the reasons why the reader should not trust the estimated errors, if there are any.
+    """List the reasons why the estimated errors may be wrong, as sentences for the report.
 
-    A model may not converge, it may converge more slowly than theory says, or two models may
+    A model may not converge, or it may converge more slowly than in theory. Two models may also
     contradict each other.
     """
     told = []
@@ -148,11 +149,11 @@ def _seen(tried: Tried) -> str:
 
 
 def _contradicting(found: list[Tried], chosen: Point) -> str:
-    """Warn if the most accurate of the other models contradicts the model that the report chose.
+    """Compare the model that the report chose with the most accurate other model.
 
-    Two models contradict each other if their results differ by more than three times the sum of
-    their estimated errors. At least one of the estimates is then wrong. Return an empty string if
-    the models agree.
+    If their results differ by more than three times the sum of their estimated errors, at least one
+    of the estimates is wrong. Return a warning in that case, or if there is no other model to
+    confirm the error. Otherwise return an empty string.
     """
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     run = mine.runs[mine.model.choices.index(chosen.steps)]

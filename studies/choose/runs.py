@@ -1,4 +1,7 @@
-"""Run the user's scene with every model at shorter and shorter time steps, and time each run."""
+"""Simulate a user's scene with every model, at shorter and shorter time steps, and time each run.
+
+A model is a method of simulation, such as an integrator.
+"""
 
 from __future__ import annotations
 
@@ -22,10 +25,10 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 
 @dataclass
 class Tried:
-    """A method of simulation that was tried on the user's scene, with the results of its runs.
+    """A method of simulation that was tried on the user's scene, and the results of its runs.
 
-    ``runs`` holds the values measured in each run, and ``times`` its processor times in s.
-    ``halved`` holds the estimated errors. If the last run failed, ``failure`` says why.
+    ``runs`` holds the values measured in each run, and ``times`` holds the processor times of each
+    run in s. ``halved`` contains the estimated errors. If a run failed, ``failure`` says why.
     """
 
     model: Model
@@ -35,9 +38,10 @@ class Tried:
     failure: str = ""
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Add a run with shorter time steps, and estimate the errors of all runs again.
+        """Add the next run, which has shorter time steps, and update all estimated errors.
 
-        ``run`` is a text if the run failed, and says why. ``taken`` is its processor time in s.
+        ``run`` holds the measured values. If the run failed, it is a text that says why. ``taken``
+        is the processor time in s.
         """
         if isinstance(run, str):
             self.failure = run
@@ -50,10 +54,10 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Check whether the model needs no further runs with shorter time steps.
+        """Check whether there is no need for further runs with shorter time steps.
 
-        That is the case if its runs are exact, or if its errors are known and those of the last
-        three runs are within ``tolerance``.
+        There is none if the last runs are exact. Otherwise the estimates must be reliable, and the
+        errors of the last three runs must be within ``tolerance``.
         """
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
@@ -64,9 +68,9 @@ class Tried:
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Convert the model's runs to points, the form in which the accuracy study compares models.
+        """Convert the runs to points, with which the study of accuracy compares models.
 
-        The amount of work in a point is the number of time steps.
+        The work of a point is its number of time steps.
         """
         return [
             Point(
@@ -85,11 +89,11 @@ class Tried:
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
-    """Run the scene with each model, shortening the time step until the model is accurate enough.
+    """Simulate the scene with each model, at shorter and shorter steps until it is accurate enough.
 
-    A model that is still not accurate enough is given up once a run takes longer than SLOWEST,
-    although never before its order of convergence can be judged. ``hear`` is called with a
-    description of each run, which the command shows as its progress.
+    A model is given up if a run takes longer than SLOWEST, but not before its order of convergence
+    can be judged. Before each run, ``hear`` is called with a description of it, to show the
+    progress.
 
     Raises:
         SceneError: The scene cannot be run, or none of the measured values changes.
@@ -116,13 +120,15 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
 
 
 def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, float]:
-    """Run the scene once with one model, and record the measured values after every frame.
+    """Simulate the scene once with one model, and record the measured values after every frame.
 
-    Return these values, or a text that says why the run failed, and the processor time in s. A run
-    fails if its time steps are too long for its forces, or if its numbers are not finite.
+    A run fails if a value is not finite, or if an arithmetic error shows that the motion explodes.
+
+    Returns:
+        The recorded values, or a text that says why the run failed, and the processor time in s.
 
     Raises:
-        SceneError: The scene itself raises any other error.
+        SceneError: The user's code raises an exception of any other kind.
     """
     world, values = scene.built(), []
     start = time.process_time()
@@ -148,11 +154,11 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Time those runs again that the report may choose, in random order.
+    """Measure the times of all runs from which the report may choose once more, in random order.
 
-    For each model whose error is known, they are the runs up to the first one that reliably meets
-    the tolerance. Thanks to the random order, a moment in which the computer is busy with something
-    else does not slow down the runs of only one model.
+    For each model with reliable errors, these are the runs up to the first one that is accurate
+    enough. The order is random, so a moment in which the computer is busy does not slow down only
+    one model.
     """
     every = []
     for tried in found:
@@ -169,7 +175,7 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
 
 
 def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
-    """Measure the processor time of a run in s, averaged over repetitions if the run is short."""
+    """Measure the processor time of a run in s. A short run is repeated and averaged."""
     total, count = 0.0, 0
     while total < LEAST:
         total += run_once(scene, model, choice)[1]

@@ -1,4 +1,4 @@
-"""Load the Python file in which a user describes a scene for `make choose`, and check it."""
+"""Load and check the Python file in which a user of `make choose` describes a scene."""
 
 from __future__ import annotations
 
@@ -21,19 +21,16 @@ NAME = "scene_file"  # name of the module that is made from a file
 
 
 class SceneError(ValueError):
-    """Raised if the user's file does not describe a valid scene.
-
-    The message says what is wrong with the file.
-    """
+    """Raised if the user's file does not describe a valid scene. The message says why."""
 
 
 @dataclass(frozen=True)
 class OwnScene:
-    """A scene that a user of `make choose` described in a Python file.
+    """A scene that a user of `make choose` has described in a Python file.
 
-    ``build`` returns the scene in its initial state, and ``measure`` returns the values to compare.
-    Both are the user's own functions, so call ``built`` and ``measured`` instead, which check what
-    they return. ``frames`` is how long the scene runs, at 60 frames per second.
+    ``build`` creates the scene in its initial state, and ``measure`` returns the values to compare.
+    Both are the user's own functions and may be wrong. Call ``built`` and ``measured`` instead,
+    which check the results. ``frames`` is the duration of the scene, at 60 frames per second.
     """
 
     path: Path
@@ -55,7 +52,7 @@ class OwnScene:
         return world
 
     def measured(self, world: ParticleWorld) -> Values:
-        """Call the user's ``measure`` function, and convert what it returns to plain numbers.
+        """Call the user's ``measure`` function, and convert its result to a flat list of numbers.
 
         The numbers may be infinite or NaN.
 
@@ -71,12 +68,12 @@ class OwnScene:
             raise SceneError(message) from None
 
     def check(self) -> Values:
-        """Check that the scene can be built twice and starts in the same state each time.
+        """Check that the scene can be built twice, and that both copies start in the same state.
 
-        Runs can only be compared if they all start alike. Return the values measured at the start.
+        Otherwise different runs could not be compared. Return the values measured at the start.
 
         Raises:
-            SceneError: The two scenes differ or share a particle, nothing is measured, or a
+            SceneError: The two copies differ or share a particle, nothing is measured, or a
                 measured value is not finite.
         """
         first, second = self.built(), self.built()
@@ -130,9 +127,9 @@ def load(path: Path) -> OwnScene:
 
 
 def why(error: BaseException, path: Path) -> str:
-    """Describe an exception, along with the line of the user's file that caused it.
+    """Describe an exception and the line of the user's file that caused it.
 
-    An example is "stopped in line 12 with ZeroDivisionError: float division by zero".
+    For example, "stopped in line 12 with ZeroDivisionError: float division by zero".
     """
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
@@ -146,7 +143,7 @@ def why(error: BaseException, path: Path) -> str:
 def positions(world: ParticleWorld) -> list[Vector3]:
     """Return the positions of all particles that can move.
 
-    They are what `make choose` compares if the user's file does not define ``measure``.
+    `make choose` compares these if the user's file does not define ``measure``.
     """
     return [particle.position for particle in world.particles if particle.inverse_mass]
 
@@ -167,7 +164,7 @@ def _run(path: Path) -> ModuleType:
 
 
 def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Find a function in the user's file by name, or return None if the file does not define it."""
+    """Find a function in the user's file by its name. Return None if there is none."""
     found = getattr(module, name, None)
     if found is not None and not callable(found):
         raise SceneError(f"{path}: {name} must be a function, got {found!r}")
@@ -175,9 +172,9 @@ def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] |
 
 
 def _numbers(found: Any) -> Iterable[float]:
-    """Yield the numbers in whatever the user's ``measure`` function returned.
+    """Yield all numbers in a result of the user's ``measure`` function.
 
-    The function may return numbers, vectors, and lists of these. Anything else raises TypeError.
+    The result may consist of numbers, vectors, and lists of these. Anything else raises TypeError.
     """
     if isinstance(found, (int, float)):
         yield float(found)

@@ -1,9 +1,9 @@
 """Compare how fast the contact solvers of chapter 7 are on stacks of spheres and on ropes.
 
-A solver has a hard time when a heavy body rests on a light one or hangs from it, so each scene
-comes with several mass ratios. For each scene, the command prints the time per frame that each
-solver needs to keep the error below a limit. A complete run also stores its measurements, from
-which `make figures` draws the picture in the lesson.
+A heavy body that rests on a light one, or hangs from it, is hard for a solver. Each scene is
+therefore run with several mass ratios. The command prints how much time per frame each solver needs
+to keep the error small. A complete run also stores its measurements, from which `make figures`
+draws the picture in the lesson.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest r
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all contact solvers, print the table, and store the picture and the measurements."""
+    """Measure all contact solvers, print a table, draw the picture, and store the measurements."""
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
     parser.add_argument(
         "--quick",

@@ -1,7 +1,7 @@
-"""Draw the picture and build the table that compare the contact solvers of chapter 7.
+"""Draw the picture and build the table in which the contact solvers of chapter 7 are compared.
 
-Both are made from points: the error and computing time of one solver at one number of steps per
-frame.
+Both are made from points. A point is the error and the computing time of one solver at one number
+of steps per frame.
 """
 
 from __future__ import annotations
@@ -43,23 +43,23 @@ FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
 
 
 def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
-    """Select the points measured in one scene, and group them by contact solver."""
+    """Select the points measured in one scene, as a dict from contact solvers to their points."""
     return models_of([point for point in points if point.scene == scene])
 
 
 def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
-    """Find how long a contact solver takes to keep its error within ``tolerance``, in ms per frame.
+    """Find how long a contact solver takes to meet an error tolerance, in ms per frame.
 
-    If none of its runs is that accurate, return None.
+    Return None if none of its runs is accurate enough.
     """
     own = of_scene(points, scene).get(solver)
     return time_to(own, tolerance) if own else None
 
 
 def table(points: Sequence[Point]) -> list[list[str]]:
-    """Build the table that the command prints, with a row for each scene and each largest error.
+    """Build the table that the command prints, with a row for each scene and each tolerance.
 
-    A row shows how long each solver takes to stay within that error, or a dash if it never does.
+    A row shows how long each solver takes to meet the tolerance, or a dash if it never does.
     """
     rows = []
     for scene in dict.fromkeys(point.scene for point in points):
@@ -71,11 +71,11 @@ def table(points: Sequence[Point]) -> list[list[str]]:
 
 
 def draw(points: Sequence[Point]) -> Figure:
-    """Draw four panels that compare the contact solvers.
+    """Draw the picture that compares the contact solvers, which has four panels.
 
-    The upper panels plot the error against the computing time, for a stack and a swinging rope. The
-    lower ones plot the time that a solver needs to keep the error below 1 % against the mass ratio,
-    for a stack and a rope.
+    The upper panels plot the error against the computing time, for a stack and for a swinging rope.
+    The lower panels are for a stack and a rope at rest. They plot the time that a solver needs to
+    keep the error below 1 %, for each mass ratio.
     """
     figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")
     stack, swing = of_scene(points, named(STACK, 1)), of_scene(points, f"{SWING}, energy")
@@ -94,9 +94,9 @@ def draw(points: Sequence[Point]) -> Figure:
 
 
 def contact_solvers() -> Picture:
-    """Draw the picture for the lesson of chapter 7 from the measurements stored in the project.
+    """Draw the picture of the contact solvers for the lesson of chapter 7.
 
-    Redrawing it does not repeat the measurements, which take minutes.
+    It is drawn from measurements that are stored in the project, because measuring takes minutes.
     """
     points = kept()
     return Picture(draw(points), COLUMNS, table(points))

@@ -1,7 +1,7 @@
-"""Store the measurements of the last complete run of `make contacts`, and load them again.
+"""Store the measurements of the last complete `make contacts`, and load them again.
 
-They are in a JSON file that is part of the project, so that the lesson's picture can be redrawn
-without measuring again.
+They are stored in the project as a JSON file. The lesson's picture can therefore be redrawn without
+measuring again.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ def rounded(points: Sequence[Point]) -> list[Point]:
 
 
 def keep(points: Sequence[Point], file: Path = FILE) -> None:
-    """Write the measurements of the contact solvers to ``file``, one per line.
+    """Write the measurements of the contact solvers to ``file`` as JSON, one per line.
 
-    The file also records today's date and the version of Python that ran the solvers.
+    The file also contains today's date and the version of Python.
     """
     start = {"measured": date.today().isoformat(), "python": platform.python_version()}
     lines = [json.dumps([p.scene, p.model, p.by, p.steps, p.error, p.time]) for p in points]

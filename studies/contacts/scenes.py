@@ -1,15 +1,17 @@
 """Define the stacks and ropes on which the contact solvers of chapter 7 are compared.
 
-Each scene measures one error, which an exact solver would keep at 0, and reports its largest value
-at the end of any frame within 1 s. What the error is depends on the scene:
+Each scene lasts 1 s and has an error, which an exact solver would keep at 0. The error is measured
+after every frame, and the largest value counts:
 
-- For a stack, it is the largest overlap of touching spheres, as a fraction of their diameter.
-- For a rope at rest, it is the change in length, as a fraction of the rope's length.
+- For a stack, the error is the largest overlap of touching spheres, as a fraction of their
+  diameter.
+- For a rope at rest, it is the change in length, as a fraction of the length.
 - For a swinging rope, it is the change in energy, as a fraction of the kinetic energy at the lowest
   point.
 
-The mass ratio compares the top sphere, or the weight at the end of the rope, with any other body.
-All other bodies have a mass of 1 kg. Gravity is 10 m/s^2. A solver's work is counted in time steps.
+The mass ratio says how much heavier one body is than the others, which have a mass of 1 kg. It is
+the top sphere of a stack, or the weight at the end of a rope. Gravity is 10 m/s^2. A solver's work
+is its number of time steps.
 """
 
 from __future__ import annotations
@@ -49,10 +51,10 @@ Move = Callable[[float], object]
 
 @dataclass(frozen=True)
 class Bodies:
-    """The particles of a stack or a rope, the sources of their contacts, and the measured error.
+    """A stack or a rope: its particles, the sources of its contacts, and its error.
 
-    ``error`` is a function that takes the duration of a time step in s and returns a dimensionless
-    number.
+    ``error`` returns the current error as a plain number without a unit. It takes the duration of a
+    time step in s.
     """
 
     particles: list[Particle]
@@ -61,10 +63,9 @@ class Bodies:
 
 
 class ColdStart(SequentialImpulses):
-    """Sequential impulses without warm starting.
+    """Sequential impulses without warm starting, to show how much warm starting helps.
 
-    Every time step starts from zero impulses instead of from those of the last step, which shows
-    how much warm starting helps.
+    Every time step starts with zero impulses instead of with those of the last step.
     """
 
     def step(self, duration: float) -> None:
@@ -75,7 +76,7 @@ class ColdStart(SequentialImpulses):
 def by_book(particles: list[Particle], generators: Iterable[ContactGenerator]) -> Move:
     """Return a function that advances the particles with the book's contact resolver.
 
-    It uses the fast implementation with a heap, which gives the same results.
+    The resolver keeps its contacts in a heap, which is faster and gives the same results.
     """
     world = ParticleWorld(particles, generators)
     world.resolver = HeapResolver()
@@ -92,10 +93,10 @@ SOLVERS: dict[str, Callable[[list[Particle], list[Any]], Move]] = {
 
 
 def stack(ratio: float) -> Bodies:
-    """Build a stack of ten spheres on the ground that just touch each other.
+    """Build a stack of ten spheres on the ground, each of which just touches the next.
 
     The top sphere has a mass of ``ratio`` kg, and the others have 1 kg. The error is the largest
-    overlap.
+    overlap of two spheres, or of a sphere and the ground.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=DOWN) for i in range(COUNT)
@@ -111,10 +112,10 @@ def stack(ratio: float) -> Bodies:
 
 
 def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
-    """Build a straight rope of ten rods that hangs from an immovable particle.
+    """Build a straight rope of ten rods that hangs from a fixed point.
 
-    The particle at its lower end is a weight of ``ratio`` kg. The error is the relative change in
-    length. ``angle`` is the angle between the rope and the vertical, in radians.
+    At its lower end is a weight of ``ratio`` kg. ``angle`` is the angle between the rope and the
+    vertical, in radians. The error is the relative change in length.
     """
     along = Vector3(LENGTH * math.sin(angle), -LENGTH * math.cos(angle))
     joints = [Particle(along * i, acceleration=DOWN) for i in range(COUNT + 1)]
@@ -130,9 +131,9 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Build a rope without a weight that is released at an angle and swings.
+    """Build a rope without an extra weight that is released at an angle and swings.
 
-    The error is its change in mechanical energy, which an exact solver would conserve.
+    The error is the change in mechanical energy, which an exact solver would conserve.
     """
     bodies = rope(1.0, ANGLE, two_sided)
     start = mechanical_energy(bodies.particles)
@@ -150,7 +151,7 @@ def swinging(two_sided: bool = True) -> Bodies:
 
 
 def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
-    """Simulate a stack or a rope with one contact solver, measuring the error after every frame."""
+    """Simulate a stack or a rope with one contact solver, and measure the error in each frame."""
     bodies, duration = make(), 1.0 / (RATE * steps)
     step = SOLVERS[solver](bodies.particles, bodies.generators)
     places = in_frames(step, lambda: (bodies.error(duration),), FRAMES, steps)
@@ -158,9 +159,9 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Combine a stack or a rope with the contact solvers to compare on it.
+    """Create the scene of a stack or a rope, with a list of contact solvers to compare.
 
-    SmallSteps runs with ordinary rods, since it has no need for two-sided ones.
+    SmallSteps gets ordinary rods, because it does not need two-sided ones.
     """
     models = []
     for solver in solvers:
@@ -172,9 +173,9 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return the error of an exact contact solver, which is 0 at all times.
+    """Return 0, the error of an exact contact solver at any time.
 
-    It takes the place of an exact solution, with which the study compares every simulation.
+    Simulations are compared with it, as other scenes are compared with an exact solution.
     """
     return (0.0,)
 
@@ -185,7 +186,7 @@ def named(name: str, ratio: int) -> str:
 
 
 def scenes() -> list[Scene]:
-    """List all stacks and ropes of the comparison, in the order of the table."""
+    """List all stacks and ropes on which contact solvers are compared, in the table's order."""
     of_stacks = [BOOK, COLD, IMPULSES, SMALL]
     of_ropes = [BOOK, IMPULSES, SMALL, NET]
     return [

@@ -1,10 +1,11 @@
 """Find how stiff a spring, or how strong a drag, makes each integrator unstable.
 
-The limits are found by bisection, and compared with theory. Just outside them, at 1.02 times the
-limit, the command computes how many time steps an oscillation takes to grow by a factor of a
-million. Well inside them, it measures how the energy changes over ten thousand oscillations. It
-also draws maps of the growth around the limits, and plots how soon a simulation diverges just
-outside them.
+The limits are found by bisection and compared with theory. At 1.02 times its limit, the command
+computes how many time steps an oscillation takes to grow by a factor of a million. For a spring
+well below the limits, it measures how the energy changes over ten thousand oscillations.
+
+It also draws two pictures. One maps the growth of oscillations around the limits, and the other
+shows how soon a simulation diverges beyond them.
 """
 
 from __future__ import annotations
@@ -32,9 +33,9 @@ WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Find the stability limits, print them, and write them to a CSV file and two pictures.
+    """Find the stability limits, print them, and save them as a CSV file and two pictures.
 
-    Return 1 if a limit is more than 5 % off the theory, and 0 otherwise.
+    Return 1 if a limit differs by more than 5 % from theory, and 0 otherwise.
     """
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
     parser.add_argument(

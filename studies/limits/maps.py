@@ -1,6 +1,6 @@
-"""Draw maps of where integrators are stable, and plots of how soon they diverge where they are not.
+"""Draw where integrators are stable, and how soon they diverge where they are not.
 
-The curves are predictions from the eigenvalues of one time step, and the marks come from
+In these pictures, curves are predictions from the eigenvalues of one time step. Marks come from
 simulations.
 """
 
@@ -54,10 +54,11 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """For each integrator, draw a heat map of how stiffness and damping affect its stability.
+    """Draw a heat map for each integrator, of how stiffness and damping affect its stability.
 
-    Colors show the factor by which an oscillation grows per time step. A line shows the theoretical
-    limit, and dots show the limits found by bisection. The picture is written to the file ``png``.
+    A color stands for the factor by which an oscillation grows in one time step. A line shows the
+    limit of stability in theory, and dots show limits found by bisection. The picture is saved as
+    ``png``.
     """
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
@@ -99,10 +100,10 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Measure how soon each integrator diverges on a spring that is too stiff, and predict it.
+    """Measure how soon each integrator diverges when a spring is too stiff, and predict it.
 
-    Return a row for each integrator and stiffness. It contains the number of time steps predicted
-    from the eigenvalues of one step, and the two numbers that ``steps_to_loss`` counts in a
+    Return a row for each integrator and stiffness. The last three columns are the number of time
+    steps predicted from the eigenvalues, and the two numbers that ``steps_to_loss`` counts in a
     simulation.
     """
     rows = []
@@ -119,10 +120,13 @@ def divergence() -> list[Loss]:
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
     """Count the time steps in which an oscillation on a too stiff spring grows by a factor of 1e6.
 
-    Return two counts. The first starts at the release. The second goes from 1e3 to 1e9 times the
-    initial size, when the initial state no longer matters. The size of an oscillation combines x
-    and v / sqrt(k / m). ``predicted`` is the number of steps to expect, which decides how long to
-    simulate.
+    The size of an oscillation combines x and v / sqrt(k / m). ``predicted`` is the expected number
+    of steps. It decides how long the simulation runs.
+
+    Returns:
+        Two counts. The first one starts when the body is released. The second one starts when the
+        oscillation has grown to 1e3 times its initial size, so that the initial state does not
+        matter any more.
     """
     integrator, pull, d = stepping(name, kappa, damping)
     chi = math.sqrt(pull.stiffness)
@@ -139,11 +143,11 @@ def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> 
 def draw_divergence(
     losses: Sequence[Loss], drifts: dict[str, list[float]], swings: Sequence[int], png: Path
 ) -> None:
-    """Plot how soon springs diverge outside the stability limits, and the energy drift inside them.
+    """Plot how soon simulations of springs diverge, and how the energy of stable ones drifts.
 
-    Of the three panels, the left one shows the number of time steps to divergence, the middle one
-    how far the prediction of that number is off, and the right one the energies. The picture is
-    written to the file ``png``.
+    The left panel shows the number of time steps until a spring diverges. The middle panel shows
+    how far the prediction of that number is off. The right panel shows the energy of stable
+    simulations. The picture is saved as ``png``.
     """
     figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(17, 5.4), layout="constrained")
     _draw_steps(left, losses)
@@ -157,9 +161,10 @@ def draw_divergence(
 
 
 def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Plot how many time steps after its release an oscillation has grown by a factor of a million.
+    """Plot how many time steps an oscillation takes to grow by a factor of a million.
 
-    The marks come from simulations, and the lines show the prediction ln(1e6) / ln(growth).
+    The marks come from simulations that start from rest. The lines show the prediction ln(1e6) /
+    ln(growth), where growth is the factor per time step.
     """
     for name, damping in LOST.items():
         own = [row[2:] for row in losses if row[0] == name]
@@ -180,12 +185,12 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Plot by what percentage the simulated steps to divergence differ from the prediction.
+    """Plot by what percentage the simulated number of steps to divergence differs from theory.
 
-    An oscillation released from rest is the sum of two eigenvectors, which are almost parallel near
-    a limit. The growing part may then be much larger than the sum, or half of it, so the
-    oscillation needs fewer or more steps than predicted to grow by a factor of a million. Far
-    outside the limit, rounding to whole steps makes a difference.
+    An oscillation released from rest is the sum of two eigenvectors, of which only one grows. Near
+    a limit they are almost parallel, so the growing part may be much larger than the sum, or only
+    half of it. The oscillation then grows by a factor of a million sooner or later than predicted.
+    Far outside the limit, the difference comes from rounding to whole steps.
     """
     for name in LOST:
         own = [row[2:] for row in losses if row[0] == name]
@@ -210,7 +215,7 @@ def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
     """Plot how the energy of a spring changes over many oscillations with each integrator.
 
-    A dashed line shows the theoretical energy of Runge-Kutta 4.
+    A dashed line shows the energy that Runge-Kutta 4 should have in theory.
     """
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]

@@ -1,10 +1,9 @@
-"""Find by bisection where integrators become unstable, and measure the energy below these limits.
+"""Find by bisection where integrators become unstable, and measure the energy where they are not.
 
-There are limits for springs, for drag and for a penalty ground. One time step is a linear map of
-position and velocity, so its eigenvalues show whether a motion grows. A spring reaches its limit
-when the magnitude of the larger eigenvalue starts to exceed 1. Drag reaches its limit when the
-factor by which a time step multiplies the velocity starts to exceed 1 in magnitude. Pymunk is
-measured in the same way.
+There are limits for springs, for drag, and for the ground of the penalty method. One time step
+multiplies position and velocity by a matrix. A spring is unstable if the larger eigenvalue of this
+matrix exceeds 1 in magnitude. Drag is unstable if a step multiplies the velocity by a factor above
+1 in magnitude. Pymunk is measured in the same way.
 """
 
 from __future__ import annotations
@@ -44,10 +43,10 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The stability limit of an integrator for one spring or drag, as measured and in theory.
+    """The stability limit of an integrator for a spring or a drag, as found and in theory.
 
-    Infinity means that there is no limit. ``steps`` is how many time steps an oscillation just
-    outside the limit takes to grow by the factor HUGE. It is NaN if nothing grows.
+    Infinity means that there is no limit. ``steps`` is how many time steps an oscillation takes to
+    grow by the factor HUGE at slightly more than the limit. It is NaN if nothing grows.
     """
 
     method: str
@@ -62,8 +61,8 @@ def pymunk_step(
 ) -> State:
     """Take one time step of a pymunk body on a spring, and return its position and velocity.
 
-    If ``by_hand`` is true, the force of the spring is applied as a plain force, and not by pymunk's
-    own spring.
+    If ``by_hand`` is true, the spring's force is computed here and applied as an ordinary force.
+    Otherwise pymunk's own spring is used.
     """
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
@@ -97,11 +96,12 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Set up an integrator and a spring for measuring how fast oscillations grow.
+    """Set up an integrator and a spring, to measure how fast oscillations grow.
 
-    Return the integrator, the spring, and the damping d of the particle. The spring has k h^2 / m =
-    ``kappa``. For one of our integrators, ``damping`` is the particle's d^h. For any other method,
-    it is the spring's c h / m.
+    The spring has the stiffness k at which k h^2 / m = ``kappa``, where h is the time step. For one
+    of our integrators, ``damping`` is d^h, the fraction of the velocity that the particle keeps in
+    a step. For any other method, it is c h / m, where c is the damping of the spring. Return the
+    integrator, the spring, and the damping d of the particle.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -110,22 +110,22 @@ def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull,
 
 
 def growth_at(name: str, damping: float, kappa: float) -> float:
-    """Compute the factor by which oscillations grow per time step with the integrator ``name``.
+    """Compute the factor by which oscillations grow in one time step of the integrator ``name``.
 
-    ``kappa`` is the dimensionless stiffness k h^2 / m of the spring, and ``damping`` has the same
-    meaning as in ``stepping``.
+    ``kappa`` is the stiffness of the spring as k h^2 / m, where h is the time step. ``damping`` has
+    the same meaning as in ``stepping``.
     """
     integrator, pull, d = stepping(name, kappa, damping)
     return growth(integrator, pull, FRAME, d)
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest dimensionless stiffness k h^2 / m at which a spring is stable in theory.
+    """Return the largest k h^2 / m at which a spring is stable in theory, where h is the time step.
 
-    ``damping`` has the same meaning as in ``stepping``. Pymunk steps its spring by p' = p + v h, v'
-    = (v + a' h) e^(-c h / m), which is semi-implicit Euler with D = e^(-c h / m). With the force
-    applied by hand, pymunk's step is explicit Euler. The determinant of that step, 1 - c h / m +
-    kappa, is 1 at kappa = c h / m, which is therefore the limit up to c h / m = 2.
+    ``damping`` has the same meaning as in ``stepping``. Pymunk's spring takes the step p' = p + v
+    h, v' = (v + a' h) e^(-c h / m). That is semi-implicit Euler with D = e^(-c h / m). If the force
+    is applied by hand, pymunk's step is explicit Euler. Its matrix has the determinant 1 - c h / m
+    + kappa, which is 1 at kappa = c h / m. This is the limit as long as c h / m is at most 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -139,7 +139,7 @@ def theory_at(name: str, damping: float) -> float:
 def spring_limits() -> list[Bound]:
     """Measure how stiff a spring each integrator tolerates, with and without damping.
 
-    The limits are values of the dimensionless stiffness k h^2 / m.
+    The stiffness is given as k h^2 / m, where h is the time step.
     """
     rows = []
     for name in INTEGRATORS:
@@ -159,7 +159,8 @@ def spring_limits() -> list[Bound]:
 def spring_limit(name: str, damping: float, at: str) -> Bound:
     """Measure the largest k h^2 / m at which a spring is stable with the integrator ``name``.
 
-    ``damping`` has the same meaning as in ``stepping``, and ``at`` describes it in the table.
+    ``damping`` has the same meaning as in ``stepping``, and ``at`` is its label, such as "d^h =
+    0.5".
     """
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
@@ -167,17 +168,18 @@ def spring_limit(name: str, damping: float, at: str) -> Bound:
 def ground_limit() -> Bound:
     """Find the k h^2 / m above which a penalty ground throws a resting body into the air.
 
-    In theory that happens at 4, which is also the stability limit of the integrator.
+    Here k is the stiffness, and h is the time step. In theory the limit is 4, as for the
+    integrator.
     """
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
 
 
 def thrown(kappa: float) -> int:
-    """Return the number of the first time step in which a resting body leaves the penalty ground.
+    """Return in which time step a resting body leaves the penalty ground.
 
-    Return 0 if the body stays on the ground for 2000 steps. The body starts slightly below its rest
-    position, by a fraction 1 / HUGE of its depth, so it leaves the ground when its displacement has
+    Return 0 if it does not leave the ground within 2000 steps. The body starts slightly too low, by
+    1 / HUGE of the depth at which it would rest. It leaves the ground when this displacement has
     grown by the factor HUGE.
     """
     depth = 10.0 / (kappa / FRAME**2)
@@ -209,7 +211,7 @@ DRAG_THEORY = {
 def drag_limits() -> list[Bound]:
     """Measure how strong drag may be before a time step speeds up a body or reverses its velocity.
 
-    The limits are values of k1 h / m, measured for each integrator.
+    The strength is given as k1 h / m, where k1 is the drag coefficient and h is the time step.
     """
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
@@ -222,10 +224,10 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Compute the factor by which one time step multiplies a speed if drag is the only force.
+    """Compute the factor by which one time step multiplies the velocity if drag is the only force.
 
-    ``z`` is k1 h / m. Our integrators use the drag force of chapter 5, and the other methods use a
-    damped spring without stiffness.
+    ``z`` is the strength of the drag as k1 h / m. Our integrators use the drag force of chapter 5.
+    The other methods use a damped spring with a stiffness of 0.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:
@@ -235,10 +237,10 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find the smallest value at which a motion grows, and pair it with the theoretical limit.
+    """Find the smallest stiffness or drag at which a motion grows, and compare it with theory.
 
-    ``growth`` computes the growth per time step from a stiffness or a drag. The result includes the
-    number of steps to divergence at 1.02 times the limit.
+    ``growth`` computes the growth per time step for a given stiffness or drag. The result also says
+    how many steps it takes to diverge at 1.02 times the limit.
     """
     found = first(growth)
     bears = 0.0 < found < math.inf
@@ -249,8 +251,8 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 def first(growth: Growth) -> float:
     """Find by bisection the smallest value at which ``growth`` exceeds 1.
 
-    The search tries ever larger values, and starts the bisection below the first one that shows
-    growth. Return 0 if even LEAST shows growth, and infinity if all values up to MOST are stable.
+    The function tries larger and larger values until there is growth, and bisects from there.
+    Return 0 if there is growth even at LEAST, and infinity if there is none up to MOST.
     """
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:
@@ -263,9 +265,9 @@ def first(growth: Growth) -> float:
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
     """Measure how the energy of a spring drifts over many oscillations with each integrator.
 
-    Return the energy after each number of oscillations in ``swings``, relative to the initial
-    energy. ``swings`` must be in ascending order. Explicit Euler is left out, because it explodes
-    at this stiffness.
+    ``swings`` lists numbers of oscillations in ascending order. For each of them, return the energy
+    as a fraction of the initial energy. Explicit Euler is left out, because it explodes at this
+    stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]
@@ -276,10 +278,11 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
-    """Compute a spring's energy after each number of oscillations, relative to the initial energy.
+    """Compute the energy of a spring after each number of oscillations in ``swings``.
 
-    Each value is the mean over one oscillation, because the energy of a symplectic integrator
-    oscillates around a constant mean. ``matrix`` is the matrix of a time step of (x, v h).
+    It is a fraction of the initial energy, averaged over one oscillation. The energy of a
+    symplectic integrator oscillates, but its mean is constant. ``matrix`` multiplies (x, v h) in
+    each time step.
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

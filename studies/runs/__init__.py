@@ -1,1 +1,1 @@
-"""Simulations that run on any engine and return plain numbers, for plots and measurements."""
+"""Simulations that work with any engine and return plain numbers, for plots and measurements."""

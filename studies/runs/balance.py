@@ -1,4 +1,4 @@
-"""Find the line on which a box of stones balances, both with a student's engine and exactly."""
+"""Find a line on which a box of stones balances, with a student's engine and exactly."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class BalanceLine:
-    """A line on which a box of stones should balance, as a student's engine computed it.
+    """A line on which a student's engine claims that a box of stones balances.
 
-    The line runs at ``angle`` degrees. ``offset`` says where the engine puts it, and ``left`` and
-    ``right`` are the masses in kg that the engine finds on either side. ``true_left`` and
-    ``true_right`` are the exact masses. ``message`` is the text of an error that stopped the
-    engine, if any.
+    The line has the direction ``angle`` in degrees, and ``offset`` is its distance from the box's
+    corner. ``left`` and ``right`` are the masses in kg on its two sides according to the engine.
+    ``true_left`` and ``true_right`` are the masses on either side of the exact line. If an error
+    stopped the engine, ``message`` is its text.
     """
 
     angle: int
@@ -42,7 +42,7 @@ def center(stones: Sequence[Stone]) -> tuple[float, float]:
 
 
 def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
-    """Have the engine find the balance line at ``angle`` degrees, and measure how wrong it is."""
+    """Let the engine find the balance line at ``angle`` degrees, and measure its errors."""
     a = math.radians(angle)
     found: list[object] = []
     message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))

@@ -1,8 +1,7 @@
 """Simulate a bouncing ball, a hanging chain or a pendulum, and record values over time.
 
-Each simulation runs in equal time steps with an integrator of chapter 6, and resolves contacts
-after each step unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m,
-and times are in s.
+Most simulations use an integrator of chapter 6, and resolve the contacts after each time step.
+Gravity is 10 m/s^2, downward. Lengths are in m, and times are in s.
 """
 
 from __future__ import annotations
@@ -39,16 +38,17 @@ Resolve = Callable[[list[Contact], float], object]
 
 
 class Link(Protocol):
-    """A function that connects two particles, such as Rod or TwoSidedRod."""
+    """A class such as Rod or TwoSidedRod, which connects two particles at a given length."""
 
     def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
 
 
 @dataclass(frozen=True)
 class Track:
-    """A value, such as the height of a ball, recorded at the start and after each time step.
+    """The values of a quantity, such as the height of a ball, over the course of a simulation.
 
-    If an error in the student's engine ended the simulation early, ``message`` is its text.
+    They are recorded at the start and after each time step. If an error in the student's engine
+    ended the simulation early, ``message`` is its text.
     """
 
     times: list[float]
@@ -57,14 +57,14 @@ class Track:
 
     @property
     def points(self) -> list[tuple[float, float]]:
-        """The recorded values as pairs of a time and a value."""
+        """The recorded values, as a list of pairs of a time and a value."""
         return [*zip(self.times, self.values, strict=True)]
 
 
 def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
-    """Advance a simulation step by step, and record a value at the start and after each step.
+    """Run a simulation step by step, and record a value at the start and after each step.
 
-    An error in the student's engine ends the recording early.
+    If the student's engine fails, the recording ends early.
     """
     times, values = [0.0], [measure()]
 
@@ -79,7 +79,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Apply no forces, for simulations in which gravity is each particle's own acceleration."""
+    """Apply no forces, because the particles have gravity as their own acceleration."""
     del duration
 
 
@@ -91,10 +91,10 @@ def resolving(
     apply_forces: ApplyForces = no_forces,
     substeps: int = 1,
 ) -> Move:
-    """Build a function that moves particles by one frame and then resolves their contacts.
+    """Build a function that advances particles by a frame and resolves their contacts.
 
     The frame is divided into ``substeps`` equal steps. In each of them, ``step`` moves the
-    particles, and ``resolve`` then resolves the contacts that the ``generators`` find.
+    particles, the ``generators`` find the contacts, and ``resolve`` resolves them.
     """
     every = [*generators]
 
@@ -110,9 +110,9 @@ def resolving(
 def by_resolver(
     iterations: int | None = None, kind: type[ContactResolver] = ContactResolver
 ) -> Resolve:
-    """Build a function that resolves contacts in at most ``iterations`` iterations per contact.
+    """Build a function that resolves contacts with a limited number of iterations.
 
-    If ``iterations`` is None, the resolver uses its default of 2.
+    The limit is ``iterations`` per contact, or 2 by default.
     """
 
     def resolve(contacts: list[Contact], duration: float) -> None:
@@ -124,9 +124,9 @@ def by_resolver(
 
 
 def without_rule(contacts: list[Contact], duration: float) -> None:
-    """Resolve contacts as impacts, without the rule for resting contacts.
+    """Resolve contacts without the rule for resting contacts.
 
-    Without that rule, the speed that gravity adds during the time step bounces as well.
+    The velocity that gravity adds in a time step then bounces, too.
     """
     del duration
     for contact in contacts:
@@ -135,7 +135,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Build a contact rule that is deliberately too strict: below ``speed``, nothing bounces."""
+    """Build a rule for contacts that is too strict on purpose: below ``speed``, nothing bounces."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -154,10 +154,10 @@ def ball(
     resolve: Resolve | None = None,
     generated: bool = False,
 ) -> Track:
-    """Drop a ball above the ground, and record its height over time.
+    """Drop a ball, and record its height above the ground over time.
 
-    If ``generated`` is true, gravity comes from a force generator rather than from the particle's
-    own acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
+    If ``generated`` is true, gravity is a force generator. Otherwise it is the particle's own
+    acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
     """
     down = Vector3(0.0, -GRAVITY)
     particle = Particle(Vector3(0.0, height), acceleration=None if generated else down)
@@ -173,10 +173,10 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Drop a ball with time_division_step, which stops at each impact, and record its height.
+    """Drop a ball, and record its height over time with time_division_step.
 
-    Once the ball comes to rest, time_division_step raises TooManyImpacts, and the recording ends at
-    the time given in that exception.
+    That function stops a step at each impact. When the ball comes to rest it raises TooManyImpacts.
+    The recording ends at the time that the exception reports.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)
@@ -197,9 +197,9 @@ def ball_by_time_division(height: float, restitution: float, frames: int) -> Tra
 
 
 def chain_particles(count: int, angle: float = 0.0) -> list[Particle]:
-    """Create the particles of a straight chain that hangs from an immovable first particle.
+    """Create the particles of a straight chain, the first of which cannot move.
 
-    ``angle`` is measured from straight down, in degrees.
+    ``angle`` is the angle between the chain and the vertical, in degrees.
     """
     x, y = LINK * math.sin(math.radians(angle)), -LINK * math.cos(math.radians(angle))
     down = Vector3(0.0, -GRAVITY)
@@ -215,11 +215,11 @@ def chain(
     angle: float = 0.0,
     substeps: int = 1,
 ) -> tuple[Track, Track]:
-    """Release a chain of links, and record how much too long the chain and its worst link get.
+    """Release a chain of links, and record how much longer than it should be it gets over time.
 
-    The first of the two tracks is the excess length of the chain: the total length of its links
-    minus what it should be. The second is the largest error in the length of a link, which counts
-    links that are too short as well as those that are too long.
+    Returns:
+        Two values over time. The first one is the excess length of the whole chain. The second one
+        is the largest error in the length of a single link, whether it is too long or too short.
     """
     particles = chain_particles(count, angle)
     links = [link(a, b, LINK) for a, b in pairwise(particles)]
@@ -228,7 +228,7 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Release a DirectChain, and record the same two lengths over time as ``chain``."""
+    """Release a DirectChain, and record the same two values over time as ``chain``."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 
@@ -236,10 +236,13 @@ def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[
 def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
     """Release a pendulum from horizontal, and record its energy in J over time.
 
-    The pendulum has a bob of 1 kg and a length of 1 m. Its energy is relative to the lowest point,
-    so it starts at 10 J. The rod is an AnchoredRod that is resolved after each step, or a
-    DirectChain if ``step`` is None. A DirectChain's velocities are valid in the middle of a step,
-    so the energy at a position is computed from the mean of the velocities before and after it.
+    The bob has a mass of 1 kg, and the length is 1 m. The energy is measured from the lowest point,
+    so it starts at 10 J. An integrator ``step`` moves the bob, and its AnchoredRod is resolved
+    after each step.
+
+    If ``step`` is None, the pendulum is a DirectChain. Its velocities are valid in the middle of a
+    step. The energy is therefore computed from the mean of the velocities before and after each
+    position.
     """
     particle = Particle(Vector3(1.0), acceleration=Vector3(0.0, -GRAVITY))
     frames = round(seconds * rate)
@@ -262,7 +265,7 @@ def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
 
 
 def _energy(place: Numbers, velocity: Numbers) -> float:
-    """Return the energy of 1 kg in J, relative to the lowest point of the pendulum."""
+    """Return the energy of a pendulum's bob of 1 kg in J, measured from the lowest point."""
     return GRAVITY * (1.0 + place[1]) + 0.5 * math.fsum(v * v for v in velocity)
 
 

@@ -1,9 +1,11 @@
 """Simulate the flight of a projectile under gravity and drag, with our engine or with pymunk.
 
-Plots, reference checks and benchmarks share these flights. Each flight has an exact solution to
-compare with. A simulation runs in frames of equal length, and returns the position and velocity at
-the start and after every frame. All quantities are plain numbers in SI units. All flights lie in
-the X-Y plane, so that a two-dimensional engine can run them too.
+Plots, checks and benchmarks use the same flights. Each flight has an exact solution, with which the
+simulations can be compared. A simulation has frames of equal length. It returns the position and
+velocity at the start and after every frame.
+
+All values are plain numbers in SI units. The flights lie in the X-Y plane, so that a
+two-dimensional engine can run them, too.
 """
 
 from __future__ import annotations
@@ -26,7 +28,7 @@ Numbers = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class State:
-    """The position in m and the velocity in m/s of a projectile at one moment of its flight."""
+    """The position in m and the velocity in m/s of a projectile at one moment."""
 
     position: Numbers
     velocity: Numbers
@@ -34,10 +36,10 @@ class State:
 
 @dataclass(frozen=True)
 class DragFlight:
-    """A flight under constant acceleration, with drag proportional to the velocity.
+    """A flight with constant acceleration, and with drag that is proportional to the velocity.
 
-    ``damping`` is the fraction d of the velocity that remains after one second. Applied
-    continuously rather than once per frame, it is the drag dv/dt = -k v with k = -ln d. At d = 1
+    ``damping`` is the fraction d of the velocity that is left after one second. In the exact
+    solution, damping acts continuously. It is then the drag dv/dt = -k v with k = -ln d. If d is 1,
     there is no drag.
     """
 
@@ -48,7 +50,7 @@ class DragFlight:
     duration: float
 
     def exact(self, time: float) -> State:
-        """Compute the position and velocity at ``time``, from the solution of dv/dt = a - k v."""
+        """Compute the position and velocity at ``time`` by solving dv/dt = a - k v."""
         k = -math.log(self.damping)
         pairs = [
             _fall(x, v, a, k, time)
@@ -61,7 +63,7 @@ class DragFlight:
 
 
 def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Simulate a flight with Particle.integrate of the imported engine, such as a student's."""
+    """Simulate a flight with the imported engine's Particle.integrate, such as a student's."""
     particle = make_particle(flight)
     states = [_state_of(particle)]
     for _ in range(frames):
@@ -84,7 +86,7 @@ def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def make_particle(flight: DragFlight) -> Particle:
-    """Create a particle of the engine in the initial state of a flight."""
+    """Create a particle that is ready to start on a flight."""
     return Particle(
         Vector3(*flight.start.position),
         Vector3(*flight.start.velocity),
@@ -94,7 +96,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Create a pymunk space for a flight, with one or more bodies in the initial state."""
+    """Create a pymunk space with one or more bodies that are ready to start on a flight."""
     import pymunk  # here, because plots of a student's engine do not need it
 
     space = pymunk.Space()
@@ -124,7 +126,7 @@ def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, floa
 
 
 def flight_of(shot: ShotType, duration: float) -> DragFlight:
-    """Convert one of the shots of chapter 4 to a flight, with x pointing along the range."""
+    """Convert one of chapter 4's shots to a flight in which x is the direction of fire."""
     start = State((0.0, 1.5, 0.0), (shot.velocity[2], shot.velocity[1], 0.0))
     return DragFlight(shot.name, start, shot.acceleration, shot.damping, duration)
 

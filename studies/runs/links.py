@@ -1,4 +1,4 @@
-"""Measure the links of a rope bridge or a rope: their end points, and how far they overstretch."""
+"""Find the end points of the links of a rope or a rope bridge, and how far they overstretch."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
 
 
 def over_length(links: Iterable[object]) -> float:
-    """Return by what percentage the worst cable exceeds its length, or 0 if none does."""
+    """Return by how many percent the worst cable exceeds its length, or 0 if none does."""
     worst = 0.0
     for link in links:
         if isinstance(link, Cable | AnchoredCable):

@@ -1,7 +1,6 @@
-"""Run the bridge, the platform, the blob and the wheel of chapter 8, and measure them over time.
+"""Run the bridge, the platform, the blob and the wheel of chapter 8, and record measurements.
 
-Plots, benchmarks and tests use these measurements. Lengths are in m, masses in kg, times in s, and
-energies in J.
+Plots, benchmarks and tests use them. Lengths are in m, masses in kg, times in s, and energies in J.
 """
 
 from __future__ import annotations
@@ -36,7 +35,10 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """The interface shared by the bridge, the platform, the blob and the wheel."""
+    """What the bridge, the platform, the blob and the wheel of chapter 8 have in common.
+
+    Each of them has a world of particles, and a method that advances it by one time step.
+    """
 
     @property
     def world(self) -> ParticleWorld: ...
@@ -47,8 +49,8 @@ class MassAggregate(Protocol):
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
     """Simulate a mass aggregate, such as the rope bridge, and record several values over time.
 
-    Each function in ``measures`` is called at the start and after every time step. An error in the
-    student's engine ends the recording early.
+    The functions in ``measures`` return the values. They are called at the start and after every
+    time step. If the student's engine fails, the recording ends early.
     """
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
@@ -64,12 +66,12 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
 
 
 def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a faster contact resolver, with the same results in as many iterations."""
+    """Give a world a faster contact resolver that computes the same results."""
     world.resolver = HeapResolver(world.resolver.iterations)
 
 
 def loaded_platform() -> TiltingPlatform:
-    """Create a platform with a weight of 5 kg at x = 3 m, which makes it tip to the right."""
+    """Create a platform with a 5 kg weight at x = 3 m, so that it tips to the right."""
     platform = TiltingPlatform()
     platform.put_weight(5.0, 3.0)
     return platform
@@ -78,7 +80,7 @@ def loaded_platform() -> TiltingPlatform:
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
     """Simulate a mass aggregate, such as the rope bridge, and record its energy over time.
 
-    It is the mechanical energy in J. The contact resolver is replaced by a faster one with the same
+    It is the mechanical energy in J. A faster contact resolver is used, which computes the same
     results.
     """
     resolve_by_heap(aggregate.world)
@@ -87,17 +89,17 @@ def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
 
 
 def default_bridge() -> Bridge:
-    """Create a rope bridge whose contact resolver makes two iterations per contact, its default."""
+    """Create a rope bridge with the default contact resolver, with two iterations per contact."""
     bridge = Bridge()
     bridge.world.resolver.iterations = None
     return bridge
 
 
 def variation(run: Track, since: float) -> float:
-    """Measure how much a recorded value still varies from time ``since`` on.
+    """Measure by what fraction a recorded value still varies from time ``since`` on.
 
-    Return the difference between the largest and the smallest of those values, as a fraction of the
-    last one. Return NaN if the engine failed.
+    The fraction is the difference between the largest and the smallest value, divided by the last
+    one. It is NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -108,10 +110,11 @@ def variation(run: Track, since: float) -> float:
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Put a ball on a rope bridge, and record by how much its worst cable is too long at 60 Hz.
+    """Put a ball on a rope bridge, and record how far the worst cable overstretches.
 
-    Return the worst cable's excess length in percent over time, and the number of contacts
-    resolved. The excess length is infinite once the ball has fallen through.
+    The bridge runs at 60 frames per second. Return the worst cable's excess length in percent over
+    time, and the number of contacts resolved. The excess length is infinite once the ball has
+    fallen through.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -131,10 +134,10 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Make up the frame times of a game that does not run smoothly.
+    """Make up frame times for a game that does not run smoothly.
 
-    They are random times of 5 to 30 ms, with a frame of SPIKE at each time in ``spikes``, when the
-    computer is busy with something else.
+    They are random times of 5 to 30 ms. At each time in ``spikes``, the computer is busy with
+    something else, and one frame takes SPIKE.
     """
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*spikes]
@@ -151,7 +154,7 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 def places(world: ParticleWorld) -> list[Numbers]:
     """Return the positions of all particles of a world as plain numbers.
 
-    Unlike the vectors of the particles, these numbers do not change in the next time step.
+    The numbers stay the same when the particles move on.
     """
     return [numbers(particle.position) for particle in world.particles]
 
@@ -159,11 +162,14 @@ def places(world: ParticleWorld) -> list[Numbers]:
 def in_frames(
     aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Simulate a mass aggregate, such as the rope bridge, in frames of varying length.
+    """Simulate a mass aggregate, such as the rope bridge, in frames of different lengths.
 
     If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
-    step. Return the measured values over time and, for each frame, the number of steps so far and
-    the positions of all particles.
+    step.
+
+    Returns:
+        The measured values over time, and a list with an entry for each frame. An entry holds the
+        number of steps so far and the positions of all particles.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
@@ -187,25 +193,28 @@ def in_frames(
 
 
 def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Record the spin in rad/s over time of a wheel that is driven by a force."""
+    """Let a force drive a wheel, and record its spin in rad/s over time."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
 
 
 def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Record the largest relative error in the length of a driven wheel's rods over time."""
+    """Let a force drive a wheel, and record the largest relative error of its rods over time.
+
+    The error is that of a rod's length.
+    """
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)
 
 
 def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Throw a blob down from a height of 2 m, and record the spread of its particles over time."""
+    """Throw a blob down from a height of 2 m, and record how far it spreads over time."""
     blob = _thrown(speed, cables)
     return tracks(blob.step, [lambda: spread(blob.particles)], round(seconds / FRAME), FRAME)[0]
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Throw a blob down from a height of 2 m, and count its intact bonds over time."""
+    """Throw a blob down from a height of 2 m, and record how many bonds hold over time."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:
@@ -215,10 +224,10 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
-    """Create a world in which balls land on the ground one by one, and return it with the balls.
+    """Create a world in which balls fall to the ground one by one. Return the world and the balls.
 
-    The last ball arrives late: it falls from LATE_HEIGHT between two other balls, and pushes all of
-    the balls apart. A world that puts resting balls to sleep has to wake them then.
+    The last ball starts at LATE_HEIGHT. It lands between two other balls and pushes all of the
+    balls apart. A world in which balls have fallen asleep must wake them at that moment.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]
@@ -230,11 +239,11 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Drop balls on the ground, and record how much work their contacts cause.
+    """Drop balls on the ground, and record how much work they are for the contact resolver.
 
-    ``kind`` is the class of the world, and decides whether resting balls fall asleep. Return three
-    values over time: the number of awake balls, the contact resolutions per time step, and the
-    kinetic energy in J.
+    ``kind`` is the class of the world, such as SleepingWorld, in which resting balls fall asleep.
+    Return three values over time: the number of awake balls, the number of contacts resolved per
+    time step, and the kinetic energy in J.
     """
     world, balls = balls_on_ground(kind)
 
@@ -255,7 +264,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Find the largest distance between corresponding positions in two lists."""
+    """Find the largest distance between a position in one list and its counterpart in another."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

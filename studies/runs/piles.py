@@ -19,11 +19,11 @@ from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver,
 
 
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
-    """Simulate a stack of spheres, and record how high its top is and how far the spheres overlap.
+    """Simulate a stack of spheres, and record its height and the overlap of the spheres over time.
 
-    At first each sphere just touches the next one, and nothing bounces. The height over time is
-    that of the top sphere's center. The overlap over time is the largest one with a neighbor or
-    with the ground, as a fraction of the diameter.
+    At the start each sphere just touches the next one. Nothing bounces. The height is that of the
+    top sphere's center. The overlap is the largest one between two spheres, or between a sphere and
+    the ground, as a fraction of the diameter.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
@@ -45,8 +45,9 @@ def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track
 def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[Contact]]:
     """Create a pyramid of spheres that fall to the ground, and find their contacts.
 
-    The pyramid stands in a plane, and its bottom row has as many spheres as there are rows.
-    Neighbors overlap by a fraction of the diameter, and all spheres fall at the same speed in m/s.
+    The pyramid is flat and has ``rows`` rows. There are ``rows`` spheres in the bottom row, and one
+    fewer in each row above. Neighbors overlap by a fraction ``overlap`` of the diameter. All
+    spheres fall at the same speed, in m/s.
     """
     size = 2.0 * RADIUS * (1.0 - overlap)
     spheres = [
@@ -62,12 +63,14 @@ def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[
 
 
 def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
-    """Resolve the contacts of a pile ``iterations`` times, and measure the errors that remain.
+    """Resolve the contacts of a pile in ``iterations`` iterations, and measure what errors remain.
 
-    The errors are the largest closing velocity in m/s, and the largest depth in m at the final
-    positions. If ``in_order`` is true, the contacts are resolved in sweeps through the list,
-    skipping those that need no resolution. Otherwise a ContactResolver resolves the worst contact
-    first.
+    If ``in_order`` is true, contacts are resolved in the order of the list, again and again.
+    Contacts that need no resolution are skipped. Otherwise a ContactResolver always resolves the
+    worst contact first.
+
+    Returns:
+        The largest closing velocity in m/s, and the largest depth in m at the final positions.
     """
     spheres, contacts = pile(rows, 0.01, 1.0)
     if iterations and in_order:
@@ -89,7 +92,7 @@ def _sweep(
     wants: Callable[[Contact], bool],
     resolve: Callable[[Contact], object],
 ) -> None:
-    """Resolve contacts in sweeps through the list, with at most ``limit`` resolutions in total."""
+    """Resolve contacts in the order of the list, again and again, at most ``limit`` in total."""
     used = 0
     while True:
         before = used
@@ -102,7 +105,7 @@ def _sweep(
 
 
 def _depth(contact: Contact) -> float:
-    """Compute how far a sphere overlaps another sphere or the ground at their current positions."""
+    """Compute how far a sphere overlaps another sphere or the ground at the moment."""
     place = contact.particle.position
     if contact.other is None:
         return RADIUS - place.y

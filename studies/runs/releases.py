@@ -1,4 +1,4 @@
-"""Find how far a trebuchet throws for every angle at which its sling might release the projectile.
+"""Find how far a trebuchet throws at every angle at which its sling can release the projectile.
 
 Lengths are in m, and energies are in J.
 """
@@ -25,11 +25,11 @@ from studies.runs.mass_aggregate import resolve_by_heap
 
 @dataclass(frozen=True)
 class Release:
-    """A moment at which a trebuchet's sling could release the projectile, and the resulting throw.
+    """A moment at which a trebuchet's sling could let go of the projectile, and the throw.
 
-    ``angle`` is the direction of flight in degrees, and ``range`` is how far from the pivot the
-    projectile lands, in m. ``share`` is the fraction of the counterweight's lost energy that the
-    projectile has gained.
+    ``angle`` is the projectile's direction of flight at that moment, in degrees. ``range`` is the
+    distance from the pivot to the point where it lands, in m. ``share`` is the projectile's
+    fraction of the energy that the counterweight has lost.
     """
 
     angle: float
@@ -38,12 +38,12 @@ class Release:
 
 
 def releases(design: Design) -> list[Release]:
-    """Simulate a trebuchet whose sling never lets go, and list the throws of all release angles.
+    """Simulate a trebuchet whose sling never lets go, and list all throws that would be possible.
 
-    A sling lets go in the first time step in which the projectile's direction of flight is below
-    the release angle. Every step in which that direction reaches a new low is therefore a possible
-    release, down to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in
-    plain numbers.
+    A sling lets go in the first time step in which the direction of flight is below the release
+    angle. A release is therefore possible whenever the direction is lower than ever before, until
+    the projectile flies horizontally. Ranges and fractions are computed as in Trebuchet.throw, but
+    with plain numbers.
     """
     machine = Trebuchet(design)
     resolve_by_heap(machine.world)
@@ -75,9 +75,9 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Insert a NaN wherever the release angle jumps, so that a plot leaves a gap there.
+    """Insert a NaN wherever the release angle jumps by more than ``degrees``.
 
-    A jump is a change by more than ``degrees``.
+    A plot of the result has a gap there.
     """
     shown = list(found[:1])
     for before, release in pairwise(found):

@@ -1,7 +1,7 @@
-"""Hang a rope between two nails: with rods, with a DirectChain, and as the exact solution.
+"""Hang a rope between two nails, with rods, with a DirectChain, and as an exact solution.
 
-The nails are at height 0, a distance SPAN apart. The length of the rope is LENGTH, and there is a
-particle of 1 kg wherever two links meet.
+The nails are at height 0, and the distance between them is SPAN. The rope has the length LENGTH,
+with a particle of 1 kg wherever two links meet.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Hanging:
-    """The final shape of a hanging rope, with its sag in m and its excess length in m.
+    """The final shape of a hanging rope, with the sag and the excess length in m.
 
-    ``work`` is the number of contacts resolved, or of rod forces solved for.
+    ``work`` is the number of contacts resolved, or of forces in rods computed by a solver.
     """
 
     places: list[Place]
@@ -40,21 +40,22 @@ class Hanging:
 
 
 def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the sag in m of a rope with infinitely many links: a (cosh(span / 2a) - 1)."""
+    """Compute the exact sag of a rope with infinitely many links: a (cosh(span / 2a) - 1), in m."""
     a = catenary_radius(span, length)
     return a * (math.cosh(0.5 * span / a) - 1.0)
 
 
 def catenary_radius(span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the parameter a, in m, of the catenary a cosh(x / a), the curve of a hanging rope."""
+    """Compute the parameter a, in m, of the catenary y = a cosh(x / a) that a rope forms."""
     return _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
 
 
 def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
-    """Compute the exact particle positions of a rope of equal links that hangs at rest.
+    """Compute the exact positions of the particles of a rope that hangs at rest.
 
-    At rest the horizontal pull is the same in every link, while the vertical pull changes by one
-    particle's weight from link to link. The slopes of the links are therefore evenly spaced.
+    All links have the same length. At rest, the horizontal pull is the same in every link. The
+    vertical pull changes by the weight of one particle from link to link, so the slopes are evenly
+    spaced.
     """
     link = length / links
     weights = [i + 0.5 - 0.5 * links for i in range(links)]  # upward pull of each link
@@ -72,14 +73,14 @@ def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Plac
 
 
 def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the exact sag in m of a rope with this many links that hangs at rest."""
+    """Compute the exact sag in m of a rope that has this many links and hangs at rest."""
     return -min(y for _, y in polygon(links, span, length))
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the particle positions of a rope whose middle is pulled straight down into a V.
+    """Return the positions of a rope's particles after its middle is pulled down into a V.
 
-    A rope that is released from this shape has to find its resting shape by itself.
+    A rope that is released there has to find its position of rest by itself.
     """
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
@@ -87,7 +88,7 @@ def straight_v(links: int) -> list[Place]:
 
 
 def rope_particles(places: list[Place]) -> list[Particle]:
-    """Create a rope's particles at these positions, with an immovable particle at each end."""
+    """Create the particles of a rope at ``places``. The first and the last cannot move."""
     particles = [
         Particle(Vector3(x, y), acceleration=GRAVITY, mass=1.0, damping=DAMPING) for x, y in places
     ]
@@ -96,11 +97,11 @@ def rope_particles(places: list[Place]) -> list[Particle]:
 
 
 def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
-    """Simulate a hanging rope of two-sided rods in a ParticleWorld, and measure how far it sags.
+    """Simulate a hanging rope of two-sided rods in a ParticleWorld, and measure its sag.
 
-    The rope starts in its exact shape, so any further sag is an error. Each of the ``rate`` time
-    steps per second is divided into ``substeps``. The contacts are resolved by a HeapResolver,
-    which gives the same results as a ContactResolver in less time.
+    The rope starts in its exact position of rest, so it should not sag any further. There are
+    ``rate`` time steps per second, each of which is divided into ``substeps``. A HeapResolver
+    resolves the contacts, which is faster than a ContactResolver and computes the same results.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
@@ -116,7 +117,8 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
     """Simulate a hanging rope with a DirectChain, which keeps the length of every link.
 
-    The rope starts as a V if ``from_v`` is true, and in its exact shape otherwise.
+    If ``from_v`` is true, the rope is released as a V. Otherwise it starts in its exact position of
+    rest.
     """
     particles = rope_particles(straight_v(links) if from_v else polygon(links))
     chain = DirectChain(particles[1:], particles[0].position)
@@ -133,7 +135,7 @@ def _measured(particles: list[Particle], work: int) -> Hanging:
 
 
 def _solve(of: Callable[[float], float], low: float, high: float) -> float:
-    """Find by bisection where a function changes sign between two positive numbers."""
+    """Find by bisection where a function changes its sign between two positive numbers."""
     rises = of(high) > 0.0
     for _ in range(200):
         middle = math.sqrt(low * high)

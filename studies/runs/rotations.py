@@ -1,7 +1,7 @@
-"""Compute the orientations of a rotating body exactly, to check those that an engine computes.
+"""Compute the exact orientations of a rotating body, to check those that an engine computes.
 
-An orientation is given in one of two forms, either as the components r, i, j and k of a quaternion,
-or as arrows, which are the directions of the body's own axes X, Y and Z in the world.
+An orientation has one of two forms. It is either the components r, i, j and k of a quaternion, or
+three arrows. The arrows are the directions of the body's axes X, Y and Z in the world.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ TAU = math.tau
 
 
 def components(q: Any) -> Components:
-    """Convert an engine's quaternion to floats, with NaN for any part that is not a number."""
+    """Convert an engine's quaternion to four floats. A part that is not a number becomes NaN."""
     r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
     return r, i, j, k
 
@@ -70,15 +70,15 @@ def arrows(q: Components) -> Arrows:
 
 
 def arrows_by_engine(q: Quaternion) -> Arrows:
-    """Have the engine rotate the axes X, Y and Z by ``q``, and return where they point."""
+    """Let the engine rotate the axes X, Y and Z by ``q``, and return where they point."""
     x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
     return x, y, z
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Compute the angle in degrees between two orientations, given by quaternions of any length.
+    """Compute the angle in degrees between two orientations that are given as quaternions.
 
-    Return NaN if the length of either quaternion is 0 or not finite.
+    The quaternions need not have the length 1. Return NaN if a length is 0 or not finite.
     """
     if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
         return math.nan
@@ -87,9 +87,10 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Compute the angle in degrees between two orientations given by their axes.
+    """Compute the angle in degrees between two orientations that are given as arrows.
 
-    It follows from the trace of the rotation between them. Return NaN if an axis is not finite.
+    The arrows are a body's three axes. The angle follows from the trace of the rotation between the
+    two. Return NaN if an axis is not finite.
     """
     if not is_drawable(*a, *b):
         return math.nan
@@ -98,18 +99,18 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Measure how far the worst pair of rotated axes is from perpendicular, in degrees."""
+    """Measure how far from a right angle two rotated axes are, in degrees, for the worst pair."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
 
 def off_unit_length(found: Arrows) -> float:
-    """Measure how far from 1 the length of the worst rotated axis is."""
+    """Measure how far from 1 the lengths of the rotated axes are, and return the largest error."""
     return largest([abs(math.hypot(*v) - 1.0) for v in found])
 
 
 def off_directions(found: Arrows, wanted: Arrows) -> float:
-    """Find the largest angle in degrees between a rotated axis and the direction it should have."""
+    """Return the largest angle in degrees between a rotated axis and its right direction."""
     return largest([angle_between(a, b) for a, b in zip(found, wanted, strict=True)])
 
 
@@ -132,7 +133,7 @@ TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
 
 @dataclass(frozen=True)
 class Throw:
-    """The flight of a thrown disc: its axes as the engine rotates them, and as they should be.
+    """The flight of a thrown disc: the axes that the engine computed, and the exact ones.
 
     If an error in the engine ended the flight early, ``message`` is its text.
     """
@@ -143,7 +144,7 @@ class Throw:
     message: str
 
     def worst(self, measure: Callable[[Arrows], float]) -> float:
-        """Measure an error of the engine's axes at every time, and return the largest."""
+        """Measure an error of the axes at all times of the flight, and return the largest value."""
         return largest([measure(found) for found in self.found])
 
     def worst_direction(self) -> float:
@@ -158,14 +159,14 @@ def disc_place(time: float) -> Numbers:
 
 
 def disc_orientation(time: float) -> Components:
-    """Compute the exact orientation of the thrown disc: its spin, followed by the precession."""
+    """Compute the exact orientation of the thrown disc, which spins while its axis precesses."""
     return product(turn(Y, PRECESSION * time), product(turn(AXIS, SPIN * time), TILTED))
 
 
 def disc_acceleration(time: float) -> Numbers:
     """Compute the angular acceleration of the thrown disc.
 
-    It is not zero, because the precession keeps turning the spin axis.
+    It is not zero, because the precession changes the direction of the spin axis all the time.
     """
     x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
     return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
@@ -194,18 +195,18 @@ def throw_disc(rate: int) -> Throw:
 
 
 def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate the quaternion ``q`` by one time step of the book's first-order formula, Eq. 9.5."""
+    """Advance the orientation ``q`` by one time step of the book's first-order formula, Eq. 9.5."""
     q.add_scaled(Vector3(*velocity), duration)
 
 
 def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate the quaternion ``q`` by one time step of Eq. 9.5, and then normalize it."""
+    """Advance the orientation ``q`` by one time step of Eq. 9.5, and normalize it."""
     q.add_scaled(Vector3(*velocity), duration)
     q.normalize()
 
 
 def by_exponential(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate the quaternion ``q`` by one step, using the exponential of the rotation vector."""
+    """Advance the orientation ``q`` by the exponential of the rotation in one time step."""
     q.rotate_by(Vector3(*(component * duration for component in velocity)))
 
 
@@ -220,25 +221,25 @@ CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
 
 
 def steady_velocity(_: float) -> Numbers:
-    """Return the angular velocity of the steady test rotation, which is the same at all times."""
+    """Return the angular velocity of a body that rotates steadily, the same at all times."""
     return STEADY
 
 
 def steady_orientation(time: float) -> Components:
-    """Compute the exact orientation of a body in the steady test rotation at ``time``."""
+    """Compute the exact orientation at ``time`` of a body that rotates steadily."""
     return product(turn(STEADY, TAU * time), START)
 
 
 def coning_velocity(time: float) -> Numbers:
-    """Compute the angular velocity of the test rotation whose axis moves around Z."""
+    """Compute the angular velocity of a body whose axis of rotation moves around Z."""
     x, y, z = rotated(turn(Z, CONING * time), SLANTING)
     return x, y, z + CONING
 
 
 def coning_orientation(time: float) -> Components:
-    """Compute the exact orientation of a body in the test rotation whose axis moves around Z.
+    """Compute the exact orientation of a body whose axis of rotation moves around Z.
 
-    It is a rotation about a fixed axis, followed by one about Z.
+    The body first rotates about a fixed axis, and then about Z.
     """
     return product(turn(Z, CONING * time), product(turn(SLANTING, TAU * time), START))
 
@@ -246,10 +247,10 @@ def coning_orientation(time: float) -> Components:
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Rotate START step by step, and return all orientations and any error that ended the run.
+    """Rotate a body from START step by step, and return all orientations and any error's message.
 
-    Each step uses the angular velocity at a fraction ``share`` of the step: 0 is the start of the
-    step, and 0.5 is its middle.
+    Each step uses the angular velocity at one moment of the step. ``share`` says which one: 0 is
+    the start of the step, and 0.5 is its middle.
     """
     q = Quaternion(*START)
     found = [components(q)]
@@ -264,7 +265,7 @@ def turn_by_steps(
 
 
 def worst_axis(distance: float, z: float) -> Numbers:
-    """Find the rotation axis for which the Euler angles change fastest, close to gimbal lock.
+    """Find the axis about which a rotation changes the Euler angles fastest, near gimbal lock.
 
     The angle y is ``distance`` below 90 degrees. The axis lies halfway between the world's Z axis
     and the rotated X axis.
@@ -275,7 +276,7 @@ def worst_axis(distance: float, z: float) -> Numbers:
 
 
 def columns(matrix: Any) -> Arrows:
-    """Return the columns of an engine's Matrix3, which are the rotated axes of a body."""
+    """Return the columns of an engine's Matrix3. They are the axes of a rotated body."""
     a, b, c, d, e, f, g, h, i = nine(matrix)
     return (a, d, g), (b, e, h), (c, f, i)
 
@@ -283,7 +284,7 @@ def columns(matrix: Any) -> Arrows:
 def singular_values(matrix: Any) -> Numbers:
     """Compute the singular values of an engine's Matrix3, largest first.
 
-    They are NaN unless its entries are nine finite numbers.
+    All three are NaN unless the matrix has nine finite entries.
     """
     found = nine(matrix)
     if not all(map(math.isfinite, found)):
@@ -293,6 +294,6 @@ def singular_values(matrix: Any) -> Numbers:
 
 
 def nine(matrix: Any) -> list[float]:
-    """Return the nine entries of an engine's Matrix3, row by row, or NaN if there are not nine."""
+    """Return the nine entries of an engine's Matrix3 row by row, or NaNs if there are not nine."""
     found = [number(entry) for entry in getattr(matrix, "entries", ())]
     return found if len(found) == 9 else [math.nan] * 9

@@ -1,7 +1,7 @@
-"""Measure how integrators handle a spring: oscillations, growth per step, and stability limits.
+"""Measure how integrators handle a spring: its oscillations, their growth, and when it explodes.
 
-A spring pulls a particle of 1 kg toward 0 along X. Every method, even a solver for one linear
-spring, is wrapped as an integrator of chapter 6, so that all of them run in the same way.
+A spring pulls a particle of 1 kg toward 0 along X. Solvers for a single linear spring are wrapped
+as integrators of chapter 6, so that all methods run in the same way.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 class Pull:
     """A spring toward 0 that uses plain numbers, so a bug in the engine's springs cannot affect it.
 
-    ``count`` is the number of force evaluations.
+    ``count`` is the number of force evaluations so far.
     """
 
     def __init__(self, stiffness: float) -> None:
@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """Positions and velocities of an oscillating body, and any error that ended the simulation."""
+    """The positions and velocities of an oscillating body, and the error that ended it, if any."""
 
     places: list[float]
     velocities: list[float]
@@ -70,7 +70,7 @@ class Swing:
 
 
 def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrator:
-    """Wrap a solver for one linear spring as an integrator that moves particles along X."""
+    """Turn a solver for one linear spring into an integrator that moves particles along X."""
 
     def step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
         del apply_forces
@@ -83,15 +83,15 @@ def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrato
 
 
 def methods(stiffness: float) -> dict[str, Integrator]:
-    """Return all integrators by name, and all solvers, set up for an undamped spring."""
+    """Return all integrators and solvers by name, as integrators for an undamped spring."""
     return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Wrap an integrator so that it raises an error when a speed exceeds ``limit`` in m/s.
+    """Return an integrator that raises an error when a particle is faster than ``limit`` in m/s.
 
-    If the student has not written ``watched`` yet, return the integrator itself. A run still stops
-    when the motion explodes, because particles reject forces that are not finite.
+    If the student has not written ``watched`` yet, return the integrator itself. A simulation that
+    explodes then still ends, because particles reject forces that are not finite.
     """
     try:
         step = watched(integrator, limit)
@@ -127,9 +127,9 @@ def swing(
 def growth(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> float:
-    """Compute the factor by which a time step multiplies oscillations in the long run.
+    """Compute by which factor an oscillation grows per time step in the long run.
 
-    It is the magnitude of the larger eigenvalue, or NaN if the engine fails.
+    It is the magnitude of the larger eigenvalue of a step, or NaN if the engine fails.
     """
     return spectral_radius(*step_matrix(integrator, generator, duration, damping))
 
@@ -137,10 +137,10 @@ def growth(
 def step_matrix(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> tuple[float, float, float, float]:
-    """Measure the matrix by which one time step multiplies (x, v h).
+    """Measure the matrix by which one time step of an integrator multiplies (x, v h).
 
-    Return it row by row, or NaN if the engine fails. Since a step is linear, its results for (1, 0)
-    and (0, 1) are the columns.
+    A step is linear, so its results for (1, 0) and (0, 1) are the columns. Return the four entries
+    row by row, or four NaNs if the engine fails.
     """
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):
@@ -153,7 +153,7 @@ def step_matrix(
 
 
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
-    """Compute the growth of oscillations per time step with an integrator, at k h^2 / m = kappa.
+    """Compute by which factor an oscillation grows per time step at k h^2 / m = ``kappa``.
 
     ``damping`` is the spring's c h / m for a solver, and the particle's d^h for an integrator.
     """
@@ -176,9 +176,9 @@ def true_place(k: float, c: float, time: float) -> float:
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Compute the factor by which an oscillation of the faked stiff spring grows per time step.
+    """Compute by which factor an oscillation of a faked stiff spring grows per time step.
 
-    ``angle`` is chi h, and ``share`` is a fraction of critical damping.
+    ``angle`` is chi h, and ``share`` is the damping as a fraction of critical damping.
     """
     chi = angle / duration
     fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
@@ -186,7 +186,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Count the time steps until a knot of the cloth exceeds 1000 m/s. Also return any error."""
+    """Count the time steps until a knot of a cloth exceeds 1000 m/s. Also return any error."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -218,14 +218,14 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Find the largest error of a simulated spring, compared with cos(chi t) at 64 times."""
+    """Find the largest error of a simulated spring, compared with cos(chi t) 64 times a second."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
 
 
 def spectral_radius(a: float, b: float, c: float, d: float) -> float:
-    """Compute the larger eigenvalue, in magnitude, of the matrix with rows (a, b) and (c, d)."""
+    """Return the largest magnitude of an eigenvalue of the matrix with rows (a, b) and (c, d)."""
     half, product = (a + d) / 2.0, a * d - b * c
     root = half * half - product
     if root < 0.0:  # the eigenvalues are complex conjugates
@@ -234,7 +234,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Find by bisection the k h^2 / m, between low and high, above which oscillations grow."""
+    """Find by bisection the k h^2 / m, from low to high, above which oscillations grow."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:
@@ -247,10 +247,10 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Measure the largest stable k h^2 / m of an integrator for several dampings d^h.
+    """Measure the largest k h^2 / m at which an integrator is stable, for several dampings d^h.
 
-    Return each d^h with the measured limit and the theoretical one. Undamped explicit Euler is left
-    out, because its limit is 0.
+    Return tuples of d^h, the measured limit and the theoretical limit. Explicit Euler without
+    damping is left out, because its limit is 0.
     """
     found = []
     for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):
@@ -261,10 +261,10 @@ def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
 
 
 def theory(name: str, kept: float) -> float:
-    """Return the k h^2 / m above which a spring explodes if a step keeps the fraction D = d^h of v.
+    """Return the k h^2 / m above which a spring explodes in theory.
 
-    Each limit follows from the matrix of the step. Verlet and Runge-Kutta apply the damping only at
-    the end of the step.
+    ``kept`` is the fraction D = d^h of the velocity that a step keeps. Each limit follows from the
+    matrix of the step. Verlet and Runge-Kutta apply the damping only at the end of the step.
     """
     if name == "explicit Euler":
         return 1.0 / kept - 1.0
@@ -276,7 +276,7 @@ def theory(name: str, kept: float) -> float:
 
 
 def _runge_kutta(kappa: float, kept: float) -> tuple[float, float, float, float]:
-    """Return the step's matrix: the series of cos and sin of sqrt(kappa) up to the fourth power."""
+    """Return a step's matrix: the series of cos and sin of sqrt(kappa) up to the fourth power."""
     cosine, sine = 1.0 - kappa / 2.0 + kappa**2 / 24.0, 1.0 - kappa / 6.0
     return cosine, sine, -kept * kappa * sine, kept * cosine
 
@@ -288,13 +288,13 @@ def _step(
 
 
 def _state(particle: Particle) -> tuple[float, float]:
-    """Return position and velocity along X, or NaN if they are no longer vectors."""
+    """Return the position and velocity along X, or NaN if the engine has spoiled the vectors."""
     x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
     return number(x), number(v)
 
 
 def _pair(value: object) -> tuple[float, float]:
-    """Return the two numbers that a solver returned, or NaN if it returned anything else."""
+    """Return the two numbers in the result of a solver, or two NaNs if it is anything else."""
     if not (isinstance(value, tuple) and len(value) == 2):
         return math.nan, math.nan
     return number(value[0]), number(value[1])

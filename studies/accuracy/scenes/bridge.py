@@ -1,12 +1,12 @@
-"""Test how well our models and pymunk's keep the loaded rope bridge of chapter 8 at rest.
+"""Test how well our engine and pymunk keep the loaded rope bridge of chapter 8 at rest.
 
-Every model starts at rest, slightly below the position with the least potential energy. At that
-exact position, rounding errors would decide which cables are taut. The work of a model is the
-number of contacts that it resolves. Pymunk resolves all of its joints in each iteration of a step.
+Every simulation starts at rest, slightly below the position with the least potential energy. At
+exactly that position, rounding errors would decide which cables are taut. The work of a simulation
+is the number of contacts resolved. Pymunk resolves all of its joints in each iteration of a step.
 
-Pymunk is two-dimensional, so positions are compared in a side view. Its bridge has both sides in
-one plane, with cables as long as they appear in that view, and without the rods that connect the
-two sides.
+Pymunk is two-dimensional, so positions are compared as seen from the side. Its bridge is flattened:
+both sides lie in one plane, and the rods between them are left out. The cables are as long as they
+look from the side.
 """
 
 from __future__ import annotations
@@ -53,10 +53,10 @@ Links = Callable[[list[Row]], list[ContactGenerator]]
 
 
 def bridge() -> Scene:
-    """Create the scene of the rope bridge at rest for 1 s, with 5 kg on its third row of planks.
+    """Create the scene of a rope bridge that is at rest for 1 s, with 5 kg on its third plank.
 
-    Errors are measured relative to the length of a cable between two rows. In pymunk, slide joints
-    act as the cables, and the solver makes either 10 iterations per step, its default, or 50.
+    Errors are fractions of the length of a cable between two planks. In pymunk, slide joints act as
+    the cables, and the solver makes either 10 iterations per step, its default, or 50.
     """
     few, some = STEPS[:5], STEPS[:8]
 
@@ -84,7 +84,7 @@ def bridge() -> Scene:
 
 
 def sleeping() -> Scene:
-    """Create the scene of the rope bridge asleep for 10 s, in our engine as well as in pymunk."""
+    """Create the scene of a rope bridge that sleeps for 10 s, in our engine and in pymunk."""
     models = [
         Model("asleep", by_sleep, (1,)),
         Model("found by equilibrium, then asleep", partial(by_equilibrium, LONG), (1,)),
@@ -94,9 +94,9 @@ def sleeping() -> Scene:
 
 
 def truth(_: float) -> Place:
-    """Return where the ends of the planks are when the rope bridge hangs at rest, in a side view.
+    """Return the exact positions of the planks' ends in the resting bridge, seen from the side.
 
-    The planks do not move, so the positions do not depend on the time.
+    Since the planks do not move, the positions do not depend on the time.
     """
     return tuple(part for place in hanging() for part in place * 2)
 
@@ -104,8 +104,8 @@ def truth(_: float) -> Place:
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
     """List the cables on one side of the rope bridge as tuples of start, end and length.
 
-    A cable leads to a plank from an anchor or from the plank before it. Planks are given by their
-    indices, and anchors by their positions. The length is that seen from the side, in m.
+    A cable runs from an anchor or a plank to a plank. An anchor is given by its position, and a
+    plank by its index. The length is in m, as seen from the side.
     """
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):
@@ -120,15 +120,15 @@ def hanging(extra: float = 0.0) -> list[Place]:
     """Compute with SciPy where the planks' ends on one side of the rope bridge come to rest.
 
     At rest, all cables are taut, and their tensions balance the weights. ``extra`` is added to the
-    length of each cable, in m.
+    length of every cable, in m.
     """
     held = cables()
 
     def off(state: Any) -> Any:
-        """Return the net force on each plank's end in N, and each cable's excess length in m.
+        """Return how far a state is from a bridge at rest, as a list of values that should be 0.
 
-        SciPy looks for the state in which all of these values are 0. The bridge is then at rest
-        with all cables taut.
+        They are the net force on each plank's end in N, and each cable's excess length in m. SciPy
+        searches for the state in which all of them are 0.
         """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
@@ -150,9 +150,9 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Create two-sided rods in place of the rope bridge's cables and rods.
+    """Replace the cables and rods of the rope bridge by two-sided rods.
 
-    The rods push as well as pull, while cables only pull. They may replace the cables only as long
+    A two-sided rod pushes as well as pulls, while a cable only pulls. The two behave alike as long
     as all cables are taut.
     """
     found: list[ContactGenerator] = []
@@ -172,8 +172,8 @@ def by_world(
 ) -> Outcome:
     """Simulate the rope bridge as a ParticleWorld, which treats cables and rods as contacts.
 
-    ``links`` creates the cables and rods, and ``resolver`` resolves their contacts after each step.
-    The particles have the damping of the bridge in chapter 8.
+    ``links`` is a function that creates the cables and rods, and ``resolver`` resolves their
+    contacts after each step. The particles have the same damping as in chapter 8.
     """
     ends, _, held = hung(links)
     world, work = ParticleWorld(ends, held, integrator=integrator), 0
@@ -194,7 +194,7 @@ def by_world(
 def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
     """Build the rope bridge slightly below its rest position, so that all cables are taut.
 
-    Return the ends of its planks, the planks as pairs of ends, and the cables and rods.
+    Return lists of the planks' ends, of the planks as pairs of ends, and of the cables and rods.
     """
     rows = make_rows()
     held = links(rows)  # the links get their lengths from the positions before the shift
@@ -205,13 +205,16 @@ def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator
 
 
 def whole() -> tuple[list[Particle], list[Any]]:
-    """Build both sides of chapter 8's rope bridge. Return the planks' ends, and cables and rods."""
+    """Build chapter 8's rope bridge, and return the planks' ends and its cables and rods."""
     ends, _, held = hung(links_of)
     return ends, held
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Build a flat rope bridge without rods, as in pymunk. Return the planks' ends and cables."""
+    """Build the flat rope bridge that pymunk simulates, but with particles and cables.
+
+    It has no rods, and all of its planks' ends have z = 0. Return the ends and the cables.
+    """
     ends, rows, _ = hung(links_of)
     links: list[Any] = []
     for side in zip(*rows, strict=True):
@@ -228,8 +231,8 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
     """Simulate the rope bridge with DirectNet, which solves for all of its tensions at once.
 
-    ``make`` builds the bridge. Since the bridge is at rest, the tensions of one step are still
-    right in the next, so there are no equations to solve.
+    ``make`` builds the bridge. The tensions of one step are still right in the next, because the
+    bridge is at rest. The equations therefore need not be solved again.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
@@ -239,7 +242,7 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
     """Compute the rest position of the rope bridge directly, and let the bridge sleep there.
 
-    The work counts each cable and rod only once, since no other frame needs a computation.
+    The work counts each cable and rod only once, since later frames need no computation.
     """
     ends, links = whole()
     world = SleepingWorld(ends, links)
@@ -256,12 +259,12 @@ def by_sleep(steps: int) -> Outcome:
 
 
 def place_of(ends: list[Particle]) -> Place:
-    """List the x and y coordinates of the planks' ends, which show the bridge from the side."""
+    """List the x and y coordinates of the planks' ends, which is the bridge seen from the side."""
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 
 def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False) -> Outcome:
-    """Simulate the rope bridge with pymunk, with slide joints as its cables.
+    """Simulate the rope bridge with pymunk, where slide joints act as the cables.
 
     Pymunk's solver makes ``iterations`` iterations per step. If ``sleeps`` is true, the bridge
     falls asleep after the first step.

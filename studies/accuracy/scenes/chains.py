@@ -1,7 +1,7 @@
-"""Simulate a swinging chain of rods with our models and with pymunk, and compute its exact path.
+"""Simulate a swinging chain of rods with our engine and with pymunk, and compute its exact motion.
 
-The work of a model is the number of contacts that it resolves. A model that solves for all rods at
-once counts every rod once per evaluation. In pymunk, pin joints act as the rods, and each joint
+The work of a simulation is the number of contacts that it resolves. Methods that solve for all rods
+at once count every rod once per evaluation. In pymunk, pin joints act as the rods, and each joint
 counts in every iteration.
 """
 
@@ -43,8 +43,8 @@ COUNTED = "contacts resolved, or rods solved for"
 class Chain:
     """A straight chain of rods that hangs from the origin and is released from rest.
 
-    Every rod has the same ``length`` in m, and a particle at its lower end. ``masses`` are those of
-    the particles in kg, from the uppermost particle to the tip. ``angle`` is measured from straight
+    Every rod has the same ``length`` in m, and a particle at its lower end. ``masses`` lists the
+    masses of the particles in kg, from the top to the tip. ``angle`` is measured from straight
     down, in radians, and ``gravity`` is in m/s^2.
     """
 
@@ -69,14 +69,14 @@ class Chain:
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
     def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
-        """List the rods' lengths, masses and initial angles, from which an AngleChain is built."""
+        """Return the lengths, masses and initial angles of all rods, as AngleChain takes them."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
 
     def by_its_angles(self) -> AngleChain:
-        """Describe the chain of rods by the angles of its rods instead of by its particles.
+        """Create an AngleChain, which describes the chain by the angles of its rods.
 
-        If all masses are equal, the result is an AngleRope, which takes less time per step.
+        If all masses are equal, create an AngleRope instead, which takes less time per step.
         """
         _, masses, angles = self.angles()
         if len(set(masses)) == 1:
@@ -84,11 +84,14 @@ class Chain:
         return AngleChain(*self.angles(), gravity=self.gravity)
 
     def truth(self) -> Callable[[float], Place]:
-        """Return the exact path of a chain of rods, computed with SciPy from Lagrange's equations.
+        """Return the exact motion of the chain of rods as a function of time.
 
-        The equation for each angle a_i is sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) =
-        -M_i g sin a_i. For two rods i and j, M adds up all masses from the rod farther from the
-        anchor out to the tip, and M_i is that sum for rod i alone.
+        SciPy computes it from Lagrange's equations. The equation for each angle a_i is
+
+            sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
+
+        M_i is the total mass from rod i out to the tip. M is the same sum for i or j, whichever is
+        farther from the anchor.
         """
         count = len(self.masses)
         below = numpy.cumsum(self.masses[::-1])[::-1]
@@ -110,9 +113,9 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Create every model that can simulate a chain of rods: first ours, and then pymunk's.
+    """Create all models, or ways to simulate a chain of rods: first ours, and then pymunk's.
 
-    ``steps`` lists the numbers of steps per frame at which most of our models run.
+    Most of our models run once for each number of steps per frame in ``steps``.
     """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
@@ -137,9 +140,9 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Simulate a chain of rods by the angles of its rods, with Runge-Kutta 4.
+    """Simulate a chain of rods with Runge-Kutta 4, using the angles of the rods as variables.
 
-    The work counts every rod once per evaluation, and there are four evaluations per step.
+    The work counts every rod in every evaluation, and there are four evaluations per step.
     """
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
@@ -147,10 +150,10 @@ def by_angles(chain: Chain, steps: int) -> Outcome:
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Simulate the angles of a chain's rods in steps that are longer than a frame.
+    """Simulate a chain of rods by its angles, in time steps that are longer than a frame.
 
-    Each block of LONG frames is covered by ``steps`` steps. Cubics between the steps give the
-    positions at the end of every frame.
+    There are ``steps`` time steps in every LONG frames. Cubics between them give the positions at
+    the end of each frame.
     """
     angles = chain.by_its_angles()
     length, places, made = LONG / steps, [], 0  # frames of a step
@@ -242,7 +245,7 @@ def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
 def places_of(particles: Sequence[Particle]) -> Place:
     """List the coordinates of all particles in one flat tuple: x1, y1, x2, y2 and so on.
 
-    In this form, positions are compared with the exact solution.
+    The exact solution has the same form, so the two can be compared.
     """
     return flat([particle.position for particle in particles])
 
@@ -250,6 +253,6 @@ def places_of(particles: Sequence[Particle]) -> Place:
 def flat(vectors: Sequence[Vector3]) -> Place:
     """List the coordinates of all vectors in one flat tuple: x1, y1, x2, y2 and so on.
 
-    In this form, positions are compared with the exact solution.
+    The exact solution has the same form, so the two can be compared.
     """
     return tuple([part for vector in vectors for part in (vector.x, vector.y)])

@@ -43,8 +43,8 @@ G = 9.81  # m/s^2
 def projectile() -> Scene:
     """Create the scene of a projectile with linear drag.
 
-    Some of its models evaluate the closed form. The others simulate the flight, and treat the drag
-    as damping or as a force.
+    Some of its models evaluate a closed form. The others simulate the flight step by step, with the
+    drag either as damping or as a force.
     """
     frames = round(PROJECTILE.duration * RATE)
     k1 = -math.log(PROJECTILE.damping)
@@ -86,9 +86,9 @@ def projectile() -> Scene:
 
 
 def quadratic_drag() -> Scene:
-    """Create the scene of a fall from rest with quadratic drag, almost up to terminal speed.
+    """Create the scene of a body that falls from rest until it almost reaches terminal speed.
 
-    The drag is proportional to the square of the speed, and the motion has a closed form.
+    The drag is proportional to the square of the speed. The motion has a closed form.
     """
     frames, k2 = 180, 0.05
 
@@ -113,10 +113,10 @@ def quadratic_drag() -> Scene:
 
 
 def orbit(e: float, turns: int, period: float) -> Scene:
-    """Create the scene of an orbit with eccentricity ``e`` and a semi-major axis of 1 m.
+    """Create the scene of a body on an elliptical orbit with eccentricity ``e``.
 
-    The body starts at the point nearest to the center of attraction, and makes ``turns``
-    revolutions of ``period`` s each.
+    The semi-major axis is 1 m. The body starts at the point nearest to the center of attraction,
+    and makes ``turns`` revolutions of ``period`` s each.
     """
     frames = math.floor(turns * period * RATE)
     rate = 2.0 * math.pi / period

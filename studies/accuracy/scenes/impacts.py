@@ -1,9 +1,11 @@
 """Define three scenes with bouncing balls, in which our engine is compared with pymunk.
 
-One ball bounces without losing energy, one loses energy, and a light ball is dropped on a heavy
-one. The work of a model is the number of searches for contacts. Most models search once per step,
-but time division searches once per impact and once per frame. A model that computes a ball's height
-from its impacts alone counts those heights instead.
+In the first scene, a ball bounces without losing energy, and in the second one it loses energy. In
+the third one, a light ball is dropped on top of a heavy one.
+
+The work of a simulation is the number of searches for contacts. Most methods search once per step,
+but time division searches once per impact and once per frame. If the height of a ball is computed
+from its impacts alone, the computed heights are counted instead.
 """
 
 from __future__ import annotations
@@ -30,8 +32,9 @@ RADIUS = 0.1  # m
 class Balls:
     """One or more balls, one above the other, that are dropped from rest.
 
-    ``heights`` are those of the balls' centers in m, and the lowest ball comes first. ``ground`` is
-    the restitution at the ground, and ``pair`` that between two balls.
+    ``heights`` lists the initial heights of the balls' centers in m, from the lowest ball up.
+    ``ground`` is the restitution between a ball and the ground, and ``pair`` is the restitution
+    between two balls.
     """
 
     def __init__(
@@ -55,9 +58,10 @@ class Balls:
         return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
 
     def places_at(self, times: Sequence[float]) -> list[Place]:
-        """Compute the exact heights of the balls at ``times``, from one impact to the next.
+        """Compute the exact heights of the balls at each of ``times``, which must be ascending.
 
-        The computation does not use the engine, so a bug in the engine cannot affect it.
+        The computation goes from one impact to the next. It does not use the engine, so a bug in
+        the engine cannot affect it.
         """
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
@@ -75,8 +79,8 @@ class Balls:
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
         """Find the next impact of a ball with the ground or with the ball below it.
 
-        Return the time until the impact in s, and the index of the upper ball, which is 0 at the
-        ground.
+        Return the time until the impact in s, and the index of the upper ball. For an impact with
+        the ground, the index is 0.
         """
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
@@ -129,9 +133,9 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
-    """Compute the height of a single bouncing ball in every frame from its impacts alone.
+    """Compute the height of a bouncing ball in every frame from the times of its impacts.
 
-    Between two impacts the height has a closed form, so no steps are needed.
+    Between two impacts the height has a closed form, so no time steps are needed.
     """
     (height,) = balls.heights
     heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)
@@ -153,8 +157,8 @@ def _heights(particles: list[Particle]) -> Place:
 def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
     """Simulate bouncing balls with pymunk.
 
-    Pymunk has no restitution for a pair of bodies, but multiplies the elasticities of the two
-    bodies. The elasticities are chosen so that the products are the restitutions of this scene.
+    Pymunk multiplies the elasticities of two bodies to get their restitution. The elasticities are
+    chosen so that the products are the restitutions of this scene.
     """
     import pymunk
 
@@ -179,9 +183,9 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
-    """Create a scene in which ``balls`` fall and bounce, with every model that can simulate it.
+    """Create a scene in which ``balls`` fall and bounce, with every way to simulate it.
 
-    ``scale`` is the size of the scene in m, as a fraction of which errors are given.
+    ``scale`` is the size of the scene in m. Errors are given as fractions of it.
     """
     exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
 

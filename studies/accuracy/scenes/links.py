@@ -25,7 +25,7 @@ ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope
 
 
 def pendulum() -> Scene:
-    """Create the scene of a pendulum of 1 m that is released from horizontal and swings for 5 s."""
+    """Create the scene of a 1 m pendulum that is released from horizontal and swings for 5 s."""
     chain = Chain(1.0, [1.0], 0.5 * math.pi, ROUND_G, frames=300)
 
     def truth(time: float) -> Place:

@@ -1,6 +1,7 @@
 """Define three scenes with nets of cables, in which our engine is compared with pymunk.
 
-A rope bridge swings, a ball walks across the bridge, and a net catches a ball.
+In the first scene, a rope bridge swings. In the second one, a ball walks across the bridge. In the
+third one, a net catches a ball.
 """
 
 from __future__ import annotations
@@ -37,10 +38,10 @@ FINE = 8  # steps per frame of our own run, with which the truth is compared
 
 
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
-    """Create the scene of a net of cables, which is not built until one of its models first runs.
+    """Create the scene of a net of cables, with its exact solution and every way to simulate it.
 
-    SciPy computes the exact solution. To check it, ``differs`` compares it with a run of our own
-    net in short steps.
+    The net is built by ``make``, but not before it is first needed. SciPy computes the exact
+    solution. As a check, ``Scene.differs`` compares it with our own simulation in short steps.
     """
     plane = cache(make)
 
@@ -68,25 +69,25 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """List the cables on one side of the rope bridge, with their lengths as seen from the side.
+    """List the cables on one side of the rope bridge, flattened for pymunk.
 
-    Pymunk is two-dimensional, so the bridge has to fit into a plane.
+    Pymunk is two-dimensional, so the cables are as long as they look from the side.
     """
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
 def hung() -> list[tuple[float, float]]:
-    """Return the positions at which the planks on one side of the rope bridge hang at rest.
+    """List the positions at which the planks on one side of the rope bridge hang at rest.
 
-    There is a load on the third plank.
+    The third plank carries a load.
     """
     return [(x, y) for x, y in hanging()]
 
 
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
-    """Let a net of cables come to rest, and return it with its knots where they have settled.
+    """Let a net of cables come to rest, and return a copy that starts in that position.
 
-    ``wind`` is an acceleration along X in m/s^2 that acts until then, but not on the returned net.
+    ``wind`` is an acceleration along X in m/s^2. It acts only until the net has come to rest.
     """
     knots = plane.particles()
     for knot in knots:
@@ -100,10 +101,10 @@ def settled(plane: Plane, wind: float = 0.0) -> Plane:
 
 
 def swinging() -> Scene:
-    """Create the scene of a rope bridge that swings for 2 s after a wind has died down.
+    """Create the scene of a rope bridge that swings for 2 s after a wind has stopped.
 
-    Only one side of the bridge is simulated. It starts where a steady wind of 3 m/s^2 held it at
-    rest. All of its cables stay taut, and there is no damping.
+    Only one side of the bridge is simulated. It starts from the position in which a steady wind of
+    3 m/s^2 held it. All cables stay taut, and there is no damping.
     """
 
     def make() -> Plane:
@@ -115,9 +116,9 @@ def swinging() -> Scene:
 def walked_over() -> Scene:
     """Create the scene of a ball that walks across a rope bridge for 3.6 s.
 
-    The ball has a mass of 5 kg and walks at 2 m/s. Only one side of the bridge is simulated. It
-    carries half of the ball's weight, shared by the two planks next to the ball, and all cables
-    stay taut.
+    The ball has a mass of 5 kg and walks at 2 m/s. Only one side of the bridge is simulated, so it
+    carries half of the ball's weight. The two planks next to the ball share this load, and all
+    cables stay taut.
     """
 
     def make() -> Plane:
@@ -128,13 +129,14 @@ def walked_over() -> Scene:
 
 
 def catching() -> Scene:
-    """Create the scene of a net of 6 by 6 knots that catches a ball, which lasts 0.6 s.
+    """Create the scene of a net that catches a ball, which lasts 0.6 s.
 
-    The net hangs between two poles, and each knot has a mass of 0.2 kg. The horizontal cables are
-    0.55 m long in the top row, and 0.59 m in the rows below, where they hang slack. Vertical cables
-    of 0.45 m connect each knot to the one below it. The ball has a mass of 1 kg. It falls 0.3 m and
-    lands slightly off center, where it collides with every knot in the upper two rows that comes
-    within its radius of 0.5 m.
+    The net has 6 by 6 knots of 0.2 kg each, and hangs between two poles. The horizontal cables are
+    0.55 m long in the top row. They are 0.59 m long in the rows below, where they hang slack.
+    Vertical cables of 0.45 m connect each knot to the one below it.
+
+    The ball has a mass of 1 kg and a radius of 0.5 m. It falls 0.3 m, and lands slightly off
+    center. It can collide with the knots of the upper two rows.
     """
     size, gap, radius = 6, 0.5, 0.5
 

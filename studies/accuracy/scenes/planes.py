@@ -1,9 +1,11 @@
 """Simulate a net of cables with our engine and with pymunk, and compute its exact motion.
 
-The net moves in a plane, because pymunk is two-dimensional. Our DirectNet has order 2, and our
-SmoothNet has order 4. The work of a model is the number of links that it solves for. A SmoothNet
-solves for all of its links four times per step. In pymunk, slide joints act as the links, and each
-joint is solved for in every iteration of a step.
+The net moves in a plane, because pymunk is two-dimensional. We have two solvers: DirectNet has
+order 2, and SmoothNet has order 4.
+
+The work of a simulation is the number of links for which it solves. A SmoothNet solves for all of
+its links four times per step. In pymunk, slide joints act as the links, and the solver handles each
+joint in every iteration of a step.
 """
 
 from __future__ import annotations
@@ -32,13 +34,14 @@ FAR = 1e3  # m, more than the length that any slide joint reaches
 
 @dataclass(frozen=True)
 class Plane:
-    """A net of cables in the X-Y plane: its knots, and the cables and struts between them.
+    """A net in the X-Y plane: knots that are connected by cables and struts.
 
-    ``masses`` are those of the knots in kg, and ``places`` are their initial positions. ``ties``
-    are the cables and struts, as described for TautMotion. ``walker`` is a load that moves across
-    the knots in order, given as a tuple of its initial x in m, its speed in m/s and its weight in
-    N. The two knots on either side of the walker share the weight, and the nearer knot carries more
-    of it.
+    ``masses`` lists the masses of the knots in kg, and ``places`` their initial positions. ``ties``
+    lists the cables and struts, in the form that TautMotion takes.
+
+    ``walker`` is a load that moves across the net from knot to knot. It is a tuple of its initial x
+    in m, its speed in m/s and its weight in N. The knots on either side of the walker carry its
+    weight, and the nearer one carries more of it.
     """
 
     masses: Sequence[float]
@@ -49,7 +52,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the load on each knot in N: its weight plus its part of the walker's weight."""
+        """Return the force on each knot in N: its weight, and its part of the walker's weight."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -59,7 +62,7 @@ class Plane:
         return forces.ravel()
 
     def exact(self) -> Any:
-        """Compute with SciPy where exactly the net's knots are at the end of each frame."""
+        """Compute with SciPy the exact positions of the net's knots at the end of each frame."""
         motion = TautMotion(self.masses, self.ties, self.load)
         times = [frame / RATE for frame in range(1, self.frames + 1)]
         still = numpy.zeros((len(self.masses), 2))
@@ -74,7 +77,7 @@ class Plane:
         ]
 
     def links(self, knots: Sequence[Particle]) -> list[Any]:
-        """Create chapter 7's cables and struts, which connect the particles ``knots`` to a net."""
+        """Connect the particles ``knots`` with the cables and struts of chapter 7."""
         found: list[Any] = []
         for start, end, length, kind in self.ties:
             if not isinstance(start, int):
@@ -89,18 +92,19 @@ class Plane:
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
     """Find the two knots of a net that carry a walker at ``x``, and how they share the weight.
 
-    ``xs`` are the x coordinates of the knots. Return the index of the knot behind the walker, and
-    the fraction of the weight that the knot ahead carries. This fraction grows linearly from 0 to 1
-    on the way from the one knot to the other.
+    ``xs`` lists the x coordinates of the knots. Return the index of the knot behind the walker, and
+    the fraction of the weight on the knot ahead. The fraction grows linearly from 0 to 1 as the
+    walker moves from one knot to the next.
     """
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
 
 class Walker:
-    """A force generator that puts the weight of a walker, such as a ball, on the knots of a net.
+    """A force generator for something that walks across a net, such as a ball.
 
-    Register it for one knot only, since it adds forces to both knots next to the walker.
+    It puts the weight of the walker on the two knots next to it. Register it for one knot only,
+    since it adds the forces to both.
     """
 
     def __init__(self, knots: Sequence[Particle], walker: Particle, weight: float) -> None:
@@ -115,10 +119,10 @@ class Walker:
 
 
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
-    """Create the particles of a net, along with a function that advances them by one time step.
+    """Create the particles of a net, and a function that advances them by one time step.
 
-    ``kind`` is the class of the net. If there is a walker on the net, each step also moves it and
-    adds its weight.
+    ``kind`` is the solver, DirectNet or SmoothNet. If something walks across the net, each step
+    also moves it and applies its weight.
     """
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
@@ -141,7 +145,7 @@ def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Pa
 
 
 def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
-    """Simulate a net with DirectNet or SmoothNet, two solvers that handle all cables at once."""
+    """Simulate a net with a solver that handles all cables at once, DirectNet or SmoothNet."""
     knots, step = made(plane, kind)
 
     def place() -> Place:
@@ -153,10 +157,10 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
-    """Simulate a net in steps longer than a frame, and interpolate between them with cubics.
+    """Simulate a net in time steps longer than a frame, with cubics for the frames in between.
 
-    Each block of LONG frames is covered by ``steps`` steps of order 4. The cubics are accurate only
-    while the motion is smooth, because they cannot follow the jump in velocity at an impact.
+    There are ``steps`` time steps in every LONG frames. The cubics are accurate only while the
+    motion is smooth. At an impact the velocity jumps, and they cannot follow.
     """
     knots, step = made(plane, SmoothNet)
 
@@ -178,7 +182,7 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
 
 
 def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
-    """Simulate a net with pymunk, with slide joints as its cables and struts.
+    """Simulate a net with pymunk, where slide joints act as the cables and struts.
 
     Pymunk's solver makes ``iterations`` iterations per step.
     """

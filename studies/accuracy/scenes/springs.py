@@ -1,6 +1,7 @@
 """Define scenes with a body on a spring, in which our engine is compared with pymunk.
 
-The body oscillates along a line, at four stiffnesses, or swings as an elastic pendulum.
+In some scenes the body oscillates along a line, with springs of four stiffnesses. In another one it
+swings as an elastic pendulum.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ def spring(stiffness: float, damping: float) -> Scene:
     def truth(time: float) -> Place:
         """Compute the exact position of the body as the sum of two complex exponentials.
 
-        The formula breaks down at critical damping, but no spring in these scenes is critically
+        The formula is not valid at critical damping, but no spring in these scenes is critically
         damped.
         """
         root = cmath.sqrt(0.25 * damping * damping - stiffness)
@@ -141,7 +142,7 @@ def elastic_pendulum() -> Scene:
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
     """Simulate a body on a spring with a solver for linear springs, such as backward Euler.
 
-    The solver evaluates one formula per step.
+    The work of such a solver is one evaluation per step.
     """
     x, v = 1.0, 0.0
 

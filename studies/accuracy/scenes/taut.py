@@ -1,14 +1,13 @@
-"""Compute the exact motion of a net of cables in a plane with SciPy, from one event to the next.
+"""Compute the exact motion of a net of cables in a plane, with SciPy.
 
-The computation shares no code with the engine, which makes it an independent test. While the same
-cables stay taut, the positions follow from ordinary differential equations in which tensions keep
-the taut cables at their lengths. That phase ends when a tension drops to zero, or when a slack
-cable reaches its full length. A different set of cables is taut from then on, and the velocities
-may jump.
+The computation shares no code with the engine, which makes it an independent test. As long as the
+same cables are taut, the motion follows from ordinary differential equations. Tensions keep the
+taut cables at their lengths. This phase ends when a tension drops to zero, or when a slack cable
+reaches its full length. Then the velocities may jump, and a different set of cables is taut.
 
-SciPy finds the new set and the jump by solving a least-squares problem whose unknowns, the
-tensions, must not be negative. This works because an impact without bounce removes as little
-kinetic energy as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
+To find that set and the jump, SciPy solves a least-squares problem for the tensions, which must not
+be negative. This works because an impact without bounce removes as little kinetic energy as
+possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
 """
 
 from __future__ import annotations
@@ -29,10 +28,10 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """The exact motion of a net in a plane: knots held by cables and struts, here called ties.
+    """The exact motion of a net in a plane, whose knots are held by cables and struts.
 
-    The masses of the knots are in kg. ``load`` returns the external forces on them in N, which may
-    depend on the time and on the positions.
+    The masses of the knots are in kg. ``ties`` lists the cables and struts. ``load`` returns the
+    external forces on the knots in N, which may depend on the time and on the positions.
     """
 
     def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
@@ -53,18 +52,19 @@ class TautMotion:
     def gaps(self, places: Any) -> Any:
         """Compute how far each cable or strut still is from its limit, in m.
 
-        The gap is how much longer a cable could get, or how much shorter a strut could get. It is
-        negative once the limit has been passed.
+        For a cable, the gap is how much longer it can get. For a strut, it is how much shorter it
+        can get. The gap is negative once the limit is exceeded.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
-        """Compute the derivatives of the cables' and struts' lengths for the equations of motion.
+        """Differentiate the lengths of the cables and struts, for the equations of motion.
 
-        The first result is the Jacobian matrix of the lengths, with one row per cable or strut. The
-        second is the part of each length's second derivative that comes from the rotation of the
-        cable or strut.
+        Returns:
+            The Jacobian matrix of the lengths, with one row per cable or strut, and one number for
+            each of them. That number is the part of the length's second derivative that comes from
+            rotation.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
@@ -76,10 +76,10 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Find the pulls that keep all cables and struts within their limits.
+        """Find the forces with which cables and struts keep the net within their limits.
 
-        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted, and none of them is negative. A
-        cable pulls only where the two sides are equal, so p (A p - wanted) = 0.
+        With A = J M^-1 J^T, these forces p satisfy A p >= wanted, and none of them is negative. A
+        cable or strut exerts a force only where the two sides are equal, so p (A p - wanted) = 0.
         """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
@@ -87,7 +87,7 @@ class TautMotion:
         return pulls
 
     def accelerations(self, time: float, state: Any, taut: Any) -> tuple[Any, Any]:
-        """Compute the accelerations of all knots, and the pulls of the taut cables and struts."""
+        """Compute the accelerations of all knots, and the forces of the taut cables and struts."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         free = self.inverse * self.load(time, places)
@@ -99,7 +99,7 @@ class TautMotion:
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
         """Resolve any impacts at ``time``, and find out which cables and struts are taut afterward.
 
-        Return the positions and velocities after the impacts, and the indices of the taut cables
+        Return the state, which holds positions and velocities, and the indices of the taut cables
         and struts.
         """
         places, speeds = numpy.split(state, 2)
@@ -117,7 +117,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Compute the motion from time 0, and return the knots' positions at ``times``, as rows."""
+        """Compute the motion from time 0 on, and return one row of knot positions for each time."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

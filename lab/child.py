@@ -1,6 +1,6 @@
 """Run a student's engine in a separate process that exchanges messages with the lab's server.
 
-Each message is one line of JSON. If the engine takes longer than TIME_LIMIT to answer, the process
+Each message is one line of JSON. If the engine takes longer than its time limit, the process
 writes a stack trace to the file given by ``--stack`` and exits. The server reads that file to tell
 the student where the engine got stuck.
 """
@@ -15,7 +15,7 @@ import os
 import sys
 from pathlib import Path
 
-from lab.broken_off import TIME_LIMIT
+from lab.broken_off import FIRST_LIMIT, TIME_LIMIT
 from lab.host import Host, Message
 from studies.engine import add_engine_options, use_engine
 from studies.reason import reason
@@ -30,14 +30,15 @@ def main() -> None:
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # the student's own prints must not mix with the answers
     use_engine(parser, options.engine, options.given)
-    host = Host(reason)
+    host, limit = Host(reason), FIRST_LIMIT
     with options.stack.open("w", encoding="utf-8") as stack:
         for line in sys.stdin.buffer:
-            faulthandler.dump_traceback_later(TIME_LIMIT, exit=True, file=stack)
+            faulthandler.dump_traceback_later(limit, exit=True, file=stack)
             # An empty line ends the answers to one message.
             answers.write("".join(f"{answer}\n" for answer in answered(host, line)) + "\n")
             answers.flush()
             faulthandler.cancel_dump_traceback_later()
+            limit = TIME_LIMIT
     # The server is gone and may not have cleaned up. Only a regular file is removed, because
     # ``--stack`` may also name /dev/null.
     if options.stack.is_file():

@@ -11,7 +11,7 @@ from collections.abc import AsyncIterator
 from pathlib import Path
 
 from autograder.manifest import ROOT
-from lab.broken_off import TIME_LIMIT, why_it_broke_off
+from lab.broken_off import FIRST_LIMIT, TIME_LIMIT, why_it_broke_off
 
 LONGEST_LINE = 4_000_000  # bytes in one answer
 GRACE = 0.4  # s, in addition to the child's own time limit
@@ -40,24 +40,24 @@ class EngineProcess:
         A process that takes too long is killed. If that happens, or if the process exits early, the
         last answer explains to the student what went wrong.
         """
-        limit = TIME_LIMIT + GRACE
+        limit, extra = TIME_LIMIT, GRACE
         if self.process is None:
             self.process = await self._start()
-            limit += START
+            limit, extra = FIRST_LIMIT, GRACE + START
         process = self.process
         assert process.stdin is not None
         assert process.stdout is not None
         try:
             process.stdin.write(message.encode() + b"\n")
             await process.stdin.drain()
-            async with asyncio.timeout(limit):
+            async with asyncio.timeout(limit + extra):
                 while (line := await process.stdout.readline()) != b"\n":
                     if not line:
                         raise EOFError
                     yield line.decode().rstrip("\n")
         except (TimeoutError, EOFError, ConnectionError):
             await self.end()
-            yield json.dumps({"kind": "stopped", "why": self._why()})
+            yield json.dumps({"kind": "stopped", "why": self._why(limit)})
         except ValueError:  # a line is longer than LONGEST_LINE
             await self.end()
             yield json.dumps({"kind": "stopped", "why": TOO_MUCH})
@@ -95,10 +95,10 @@ class EngineProcess:
             limit=LONGEST_LINE,
         )
 
-    def _why(self) -> str:
+    def _why(self, limit: float) -> str:
         """Explain to the student why the process that ran their engine has stopped."""
         stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
-        return why_it_broke_off(stack, [ROOT / self.engine])
+        return why_it_broke_off(stack, [ROOT / self.engine], limit)
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:

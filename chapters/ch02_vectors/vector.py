@@ -89,8 +89,8 @@ class Vector3:
     def __mul__(self, scale: float) -> Vector3:
         """Multiply every component by a number, and return a new vector.
 
-        Both ``v * scale`` and ``scale * v`` call this method. Raises TypeError if ``scale`` is a
-        vector, because there are three different products of two vectors. Book 2.1.3.
+        Both ``v * scale`` and ``scale * v`` call this method. Two vectors can be multiplied in
+        three different ways, so it raises TypeError if ``scale`` is a vector. Book 2.1.3.
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
@@ -190,7 +190,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.8: The scalar product")
 
     def __matmul__(self, v: Vector3) -> float:
-        """Return the scalar product of two vectors for ``a @ b``, as ``dot`` does."""
+        """Let ``a @ b`` return the scalar product of two vectors, as ``a.dot(b)`` does."""
         raise NotImplementedError("Exercise B2.8: The scalar product")
 
     def cross(self, v: Vector3) -> Vector3:
@@ -203,7 +203,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.9: The vector product")
 
     def cross_update(self, v: Vector3) -> None:
-        """Replace this vector by its vector product with ``v``, in place (book 2.1.8).
+        """Set this vector to the vector product self x ``v``, in place (book 2.1.8).
 
         Raises TypeError if ``v`` is not a vector.
         """

@@ -15,14 +15,15 @@ from ch03_laws_of_motion.particle import Particle
 
 
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
-    """Compute the three factors from which the exact motion of a particle with drag follows.
+    """Compute three factors that give the exact motion of a particle with drag.
 
-    With these factors, called kept, gone and fallen, v(t) = v kept + a gone and p(t) = p + v gone +
-    a fallen:
+    A particle starts at the position p with the velocity v, and its constant acceleration is a.
+    After t seconds its velocity is v(t) = v kept + a gone, and its position is p(t) = p + v gone +
+    a fallen. These are the three factors:
 
     - kept = d^t, which has no unit, is the fraction of the velocity that remains.
-    - gone = (1 - d^t) / k, in s, is the distance traveled at an initial speed of 1 m/s.
-    - fallen = (t - gone) / k, in s^2, is the distance traveled at an acceleration of 1 m/s^2.
+    - gone = (1 - d^t) / k, in s, is how far an initial speed of 1 m/s takes the particle.
+    - fallen = (t - gone) / k, in s^2, is how far an acceleration of 1 m/s^2 takes it from rest.
 
     Here d is the damping, k = -ln d, and t is the time in s. As the damping approaches 1, the
     factors approach 1, t and t^2 / 2. Close to this limit the formulas divide almost 0 by almost 0,
@@ -40,7 +41,7 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
     """Predict the position and velocity of ``particle`` after ``time`` s, without moving it.
 
-    Use this function for a prediction, such as where a shell will land. Both results are new
+    Use this function, for example, to predict where a shell will land. Both results are new
     vectors. For an immovable particle, return copies of its current position and velocity.
 
     Raises:

@@ -99,8 +99,8 @@ class Vector3:
     def __mul__(self, scale: float) -> Vector3:
         """Multiply every component by a number, and return a new vector.
 
-        Both ``v * scale`` and ``scale * v`` call this method. Raises TypeError if ``scale`` is a
-        vector, because there are three different products of two vectors. Book 2.1.3.
+        Both ``v * scale`` and ``scale * v`` call this method. Two vectors can be multiplied in
+        three different ways, so it raises TypeError if ``scale`` is a vector. Book 2.1.3.
         """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)
@@ -246,7 +246,7 @@ class Vector3:
         return self.x * v.x + self.y * v.y + self.z * v.z
 
     def __matmul__(self, v: Vector3) -> float:
-        """Return the scalar product of two vectors for ``a @ b``, as ``dot`` does."""
+        """Let ``a @ b`` return the scalar product of two vectors, as ``a.dot(b)`` does."""
         if not isinstance(v, Vector3):
             return NotImplemented
         return self.dot(v)
@@ -267,7 +267,7 @@ class Vector3:
         )
 
     def cross_update(self, v: Vector3) -> None:
-        """Replace this vector by its vector product with ``v``, in place (book 2.1.8).
+        """Set this vector to the vector product self x ``v``, in place (book 2.1.8).
 
         Raises TypeError if ``v`` is not a vector.
         """

@@ -23,7 +23,7 @@ POLICIES = ("keep_old", "drop_oldest")
 
 @dataclass(frozen=True)
 class Payload:
-    """The ``count`` fireworks of one ``type`` that another firework lights when it burns out.
+    """Fireworks that another firework lights when it burns out: ``count`` of them, of one ``type``.
 
     Raises:
         ValueError: if the count is below 1.
@@ -43,8 +43,8 @@ class FireworkRule:
 
     Fireworks of the same type still differ from each other, because their age in s and each
     component of their velocity in m/s are drawn at random between a minimum and a maximum.
-    ``damping`` is the fraction of the velocity that is kept per second. The ``payloads`` are the
-    fireworks that one of these lights when it burns out.
+    ``damping`` is the fraction of the velocity that is kept per second. ``payloads`` says which
+    fireworks each of them lights when it burns out.
 
     Raises:
         ValueError: if an age or the damping is negative, a number is not finite, a velocity does
@@ -84,9 +84,10 @@ class FireworkRule:
 
 
 class Firework:
-    """A burning firework: its ``type``, its ``particle``, and its ``age``.
+    """A firework that is burning at the moment.
 
-    The age counts down: it is the time in s that is left on the fuse.
+    ``type`` is the number of its type, and ``particle`` moves it. ``age`` is the time in s that is
+    left on the fuse, so it counts down.
     """
 
     __slots__ = ("age", "particle", "type")
@@ -139,7 +140,7 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
 
 class FireworksShow:
-    """A show of burning fireworks, which are listed in the order in which they were lit.
+    """A fireworks show. Its list of burning fireworks is in the order in which they were lit.
 
     At most ``capacity`` fireworks burn at a time, even if the rules light each other forever.
     ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are
@@ -191,7 +192,7 @@ class FireworksShow:
         self.light([(type, 1, None)])
 
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
-        """Light new fireworks, as many as the show has room for.
+        """Light as many new fireworks as the show has room for.
 
         Each of the ``births`` is a tuple (type, count, parent). The new fireworks are added after
         the ones that already burn, in the order of the births. If there is no room for all of them,

@@ -21,7 +21,7 @@ class Particle:
     ``particle.velocity.y = 3.0``, but nothing checks these changes, so make sure that the
     components stay finite.
 
-    ``damping`` is the fraction of the velocity that the particle keeps per second: 1 keeps all of
+    ``damping`` is the fraction of the velocity that the particle keeps per second. 1 keeps all of
     it, 0 stops the particle, and a number above 1 speeds it up. A particle is immovable if its mass
     is ``math.inf``, which means that its inverse mass is 0.
 

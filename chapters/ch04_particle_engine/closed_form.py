@@ -1,9 +1,9 @@
 """Compute the state of a particle at any time with a formula, without time steps.
 
-If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v, with a
-constant acceleration a and k = -ln d. This equation has an exact solution, which gives the position
-and the velocity at any time. A body that moves in this way, such as a spark, therefore needs no
-time steps: you can evaluate the solution once, for the time that you want.
+If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v. Here a
+is a constant acceleration and k = -ln d. This equation has an exact solution, which gives the
+position and the velocity at any time. A body that moves in this way, such as a spark, therefore
+needs no time steps. You can evaluate the solution once, for the time that you want.
 """
 
 from __future__ import annotations

@@ -2,9 +2,9 @@
 
 The axes are right-handed, and +Y points up. Vectors are mutable, so it matters which operations
 change a vector and which create a new one. An operator such as ``v + w`` returns a new vector and
-leaves both operands unchanged, whereas a method marked "in place" changes ``v`` itself and returns
-None. The operators ``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but their methods must end
-with ``return self``, because Python assigns the returned value to ``v``.
+leaves both operands unchanged. A method marked "in place" changes ``v`` itself and returns None.
+The operators ``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but their methods must end with
+``return self``, because Python assigns the returned value to ``v``.
 """
 
 from __future__ import annotations

@@ -72,7 +72,7 @@ class CatherineWheel:
         After a total of t seconds, the wheel has thrown ``sparks_per_second`` times t sparks,
         rounded down. The number therefore does not depend on the length of the steps, apart from
         the rounding errors in t. All sparks of a step start where the nozzle is at the end of the
-        step, and they count as thrown even if the show has no room for them. Update the show
+        step. They count as thrown even if the show has no room for them. Update the show
         separately, because this method only lights the sparks.
 
         Raises:

@@ -54,7 +54,7 @@ def click(display: Display, x: float, y: float) -> bool:
 
     If ``find_rocket`` returns a rocket, the click is a hit. It scores 1 point, or 3 points if the
     rocket had less than ``LATE`` s of fuse left. Set the age of the rocket to 0, so that it bursts
-    in the next update, and launch another rocket of its type if the show has room. If there is no
+    in the next update. Then launch another rocket of its type, if the show has room. If there is no
     rocket within reach, the click counts as a miss. When the game is over, a click does nothing and
     returns False. Project 4.1.
     """

@@ -41,10 +41,10 @@ class Payload:
 class FireworkRule:
     """How the fireworks of one type behave: how long they burn, how they fly, and what they light.
 
-    Fireworks of the same type still differ from each other, because their age in s and each
-    component of their velocity in m/s are drawn at random between a minimum and a maximum.
-    ``damping`` is the fraction of the velocity that is kept per second. ``payloads`` says which
-    fireworks each of them lights when it burns out.
+    Fireworks of the same type still differ from each other. Their age in s and each component of
+    their velocity in m/s are drawn at random between a minimum and a maximum. ``damping`` is the
+    fraction of the velocity that is kept per second. ``payloads`` says which fireworks each of them
+    lights when it burns out.
 
     Raises:
         ValueError: if an age or the damping is negative, a number is not finite, a velocity does
@@ -122,7 +122,7 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
     A show with such a type never ends, so use this function to check a set of rules. For example,
     if type 1 has a payload of type 2, and type 2 has a payload of type 1, both types lead back to
-    themselves. If type 3 has a payload of type 1, its fireworks never end either, but type 3 is not
+    themselves. If type 3 has a payload of type 1, its fireworks never end either. But type 3 is not
     in the result, because no type leads back to it. Return the types in ascending order.
     """
     leaves = {rule.type: {payload.type for payload in rule.payloads} for rule in rules}

@@ -44,10 +44,10 @@ class TargetBlock:
 def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
     """Find where the straight path of a shot, from ``start`` to ``end``, first hits a target block.
 
-    The result is the fraction of the path that the shot has covered when it hits the block: 0 at
-    the start, 0.25 after a quarter of the path, and 1 at the end. If the path already starts inside
-    the block, the result is 0. A path that only touches the block counts as a hit, and a path that
-    misses it gives None. Positions are in m and have finite components. Exercise 4.3b.
+    The result is the fraction of the path that the shot has covered when it hits the block. It is 0
+    at the start, 0.25 after a quarter of the path, and 1 at the end. If the path already starts
+    inside the block, the result is 0. A path that only touches the block counts as a hit, and a
+    path that misses it gives None. Positions are in m and have finite components. Exercise 4.3b.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)

@@ -134,10 +134,10 @@ def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
 
 
 class Uplift:
-    """A vertical column of rising air, without an upper or lower end, that pushes particles.
+    """A vertical column of rising air that pushes the particles inside it.
 
     ``force`` is the force in N on every particle inside the column. The axis of the column passes
-    through ``origin``, and its ``radius`` is in m.
+    through ``origin``, and its ``radius`` is in m. The column has no upper or lower end.
 
     Raises:
         ValueError: if the radius is negative or not finite.

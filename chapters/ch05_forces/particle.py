@@ -122,9 +122,10 @@ class Particle(particle.Particle):
         """The total acceleration of the particle in its last time step, in m/s^2 as a new vector.
 
         This is the constant acceleration plus f / m, where f is the sum of the forces that the last
-        step used. The mass and the constant acceleration are the current ones. Before the first
-        step there is no such force, and an immovable particle does not react to it, so the result
-        is the constant acceleration alone. Book Eq. 3.2.
+        step used. The mass and the constant acceleration are the current ones, even if they have
+        changed since that step. Before the first step there is no such force, and an immovable
+        particle does not react to it, so the result is the constant acceleration alone. Book Eq.
+        3.2.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")
 

@@ -113,7 +113,7 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
+        """Add the force of the spring to ``a``, and exactly the opposite force to ``b``.
 
         Opposite forces keep the total momentum of both particles constant. You may register the
         connection with either particle.

@@ -2,9 +2,9 @@
 
 A detector answers two questions. After each step, the engine calls its method ``contacts()`` to
 find out which particles touch. Particles that just touch also have a contact, with a penetration of
-0, and the contacts are always in the order of the particles. Time division asks the second question
-before it moves the particles, because it must stop at the time of the next impact. To ask it, it
-calls ``next_impact(duration)``.
+0, and the contacts are always in the order of the particles. Time division asks the second
+question. It must stop at the time of the next impact, so it calls ``next_impact(duration)`` before
+it moves the particles.
 
 Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
 particles to the list later. Constructors raise ValueError for a number that is not finite, a radius

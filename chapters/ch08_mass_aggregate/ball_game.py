@@ -58,8 +58,8 @@ class Rules:
         """Count a landing of the ball on the row of planks with the index ``row``.
 
         The first landing on a row gives ``POINTS``. If this landing wins the game, the player also
-        gets ``BONUS`` for each remaining life. Later landings on the same row change nothing, and
-        neither does a landing after the game is over.
+        gets ``BONUS`` for each life that is left. Later landings on the same row change nothing,
+        and neither does a landing after the game is over.
 
         Raises:
             ValueError: if the row does not exist. Rows are numbered from 0.

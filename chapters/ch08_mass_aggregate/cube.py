@@ -21,7 +21,7 @@ ITERATIONS = 200  # per phase
 
 
 def fewest_rods(count: int) -> int:
-    """Compute how many rods it takes, at the least, to make ``count`` particles in space rigid.
+    """Compute the smallest number of rods that can make ``count`` particles rigid in space.
 
     Each particle can move in three independent directions, and each rod prevents at most one
     independent motion. You need enough rods to leave only the six motions of a rigid body, which
@@ -43,9 +43,9 @@ def fewest_rods(count: int) -> int:
 def cube_rods() -> list[tuple[int, int]]:
     """Choose rods that make the cube rigid, and return them as pairs of corners.
 
-    A pair contains two indices into ``CORNERS``. Any set of rods is accepted if it only allows the
-    cube to move and rotate as a whole. You need at least ``fewest_rods(8)`` rods, but the number
-    alone is not enough, because the rods must also join the right corners. Mini-project 8.2.
+    A pair contains two indices into ``CORNERS``. Any set of rods is accepted if it lets the cube
+    move and rotate only as a whole. You need at least ``fewest_rods(8)`` rods, but the number alone
+    is not enough, because the rods must also join the right corners. Mini-project 8.2.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 

@@ -98,8 +98,8 @@ class Matrix3:
         """Compute the inverse: a new matrix that undoes the effect of this one.
 
         An almost singular matrix has an inverse too, but rounding errors make it useless. So reject
-        a matrix if the ratio of its determinant to the lengths of its rows is too small. This ratio
-        does not depend on the scale of the matrix.
+        a matrix if its determinant is too small compared with the product of its rows' lengths.
+        This ratio does not depend on the scale of the matrix.
 
         Raises:
             ValueError: if an entry is not finite, or if |determinant| is at most ``SINGULAR``

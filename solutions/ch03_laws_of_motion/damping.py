@@ -21,9 +21,9 @@ def damp_per_frame(
 ) -> Vector3:
     """Compute a velocity after one time step, with damping that is applied once per step.
 
-    Every step keeps the fraction d of the velocity, however long the step is. The result is v' = v
-    d + a h, where a is the acceleration and h is the duration. A higher frame rate means more steps
-    per second, so it damps the motion more strongly.
+    The result is v' = v d + a h, where a is the acceleration and h is the duration. Every step
+    keeps the fraction d of the velocity, however long the step is. A higher frame rate means more
+    steps per second, so it damps the motion more strongly.
 
     Raises:
         ValueError: if the damping is negative or not finite, or if the duration is not positive and
@@ -40,9 +40,9 @@ def damp_per_second(
 ) -> Vector3:
     """Compute a velocity after one time step, with damping that depends on the step's duration.
 
-    Every second keeps the fraction d of the velocity, so a step of h s keeps d^h. The result is v'
-    = v d^h + a h, where a is the acceleration. ``Particle.kick`` uses the form of the book's
-    listing instead, which is (v + a h) d^h (erratum E-16).
+    The result is v' = v d^h + a h, where a is the acceleration and h is the duration. Every second
+    keeps the fraction d of the velocity, so a step of h s keeps d^h of it. ``Particle.kick`` uses
+    the form of the book's listing instead, which is (v + a h) d^h (erratum E-16).
 
     Raises:
         ValueError: if the damping is negative or not finite, or if the duration is not positive and

@@ -152,7 +152,7 @@ def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[f
 def damping_difference(
     velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
 ) -> float:
-    """Measure how far apart the book's two damping equations end up on average, in m/s.
+    """Measure the average difference, in m/s, between the results of the book's damping equations.
 
     Each item of ``runs`` is one run: a list of step durations in s. In each run, two particles
     start with the same ``velocity`` in m/s and make the same steps with the same damping. One of

@@ -116,9 +116,10 @@ def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> 
     """List the shots that fly on after ``shot`` has moved from ``start`` by one time step.
 
     If the shot has hit one of the ``targets`` on its path, the list is empty, because the shot
-    disappears. Otherwise the result depends on the type of the shot. For a grenade, it is the
-    result of ``grenade_after``. For any other shot, it is a list that contains only the shot, or an
-    empty list if ``is_spent`` is True for it.
+    disappears. Use ``strike_first`` to find out, because it also pushes the target. Otherwise the
+    result depends on the type of the shot. For a grenade, it is the result of ``grenade_after``.
+    For any other shot, it is a list that contains only the shot, or an empty list if ``is_spent``
+    is True for it.
     """
     if targets and strike_first(start, shot.particle, targets):
         return []

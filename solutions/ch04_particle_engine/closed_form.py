@@ -19,9 +19,9 @@ from ch03_laws_of_motion.particle import Particle
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     """Compute three factors that give the exact motion of a particle with drag.
 
-    A particle starts at the position p with the velocity v, and its constant acceleration is a.
-    After t seconds its velocity is v(t) = v kept + a gone, and its position is p(t) = p + v gone +
-    a fallen. These are the three factors:
+    A particle starts at the position p with the velocity v and a constant acceleration a. After t s
+    its velocity is v(t) = v kept + a gone, and its position is p(t) = p + v gone + a fallen. The
+    three factors are called kept, gone and fallen:
 
     - kept = d^t, which has no unit, is the fraction of the velocity that remains.
     - gone = (1 - d^t) / k, in s, is how far an initial speed of 1 m/s takes the particle.

@@ -38,8 +38,8 @@ def explicit_euler(
 
     A step is p' = p + v h, and then v' = (v + a h) d^h. It has order 1, is not symplectic, and
     evaluates the forces once. At d = 1 every spring is unstable. For d < 1, springs below
-    ``max_stable_stiffness`` are stable, and a damper c makes a spring stable if k h < c and c h / m
-    < 2. The book calls it by another name (3.3.2, erratum E-17).
+    ``max_stable_stiffness`` are stable, and with a damper c a spring is stable if k h < c and c h /
+    m < 2. The book calls it by another name (3.3.2, erratum E-17).
     """
     positive("duration", duration)
     apply_forces(duration)

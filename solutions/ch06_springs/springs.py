@@ -120,7 +120,7 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
+        """Add the force of the spring to ``a``, and exactly the opposite force to ``b``.
 
         Opposite forces keep the total momentum of both particles constant. You may register the
         connection with either particle.
@@ -269,7 +269,7 @@ def _force(
 ) -> Vector3:
     """Compute the ``spring_force`` on ``particle``, for a spring with its other end at ``end``.
 
-    If ``end_velocity`` is None, the other end is at rest. Plain floats take a third of the time.
+    If ``end_velocity`` is None, that end is at rest. Floats take a third of the time of vectors.
     """
     position = particle.position
     velocity = particle.velocity

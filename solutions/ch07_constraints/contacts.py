@@ -2,9 +2,9 @@
 
 A contact stores the direction in which two bodies touch and the depth of their overlap. It also
 stores the restitution, which is the fraction of the speed that is left after a bounce. To resolve
-the contact, the engine applies an impulse (a change of momentum in N s, erratum E-24)  and moves
-the two bodies apart. Impulses always conserve momentum, but they conserve kinetic energy only if
-the restitution is 1 (erratum E-7).
+the contact, the engine applies an impulse (a change of momentum in N s, erratum E-24) and moves the
+two bodies apart. Impulses always conserve momentum, but they conserve kinetic energy only if the
+restitution is 1 (erratum E-7).
 
 Lengths are in m, velocities in m/s.
 """

@@ -62,10 +62,10 @@ class Design:
 class Throw:
     """The result of a throw: its range, and the share of the energy that went into the projectile.
 
-    The range is in m, measured from the pivot. The share is a fraction, such as 0.4 for 40 %. To
-    compute it, divide two energies, both measured from the start to the release. The first is the
-    kinetic and potential energy that the projectile gained, and the second is the potential energy
-    that the counterweight lost. If the projectile was never released, both numbers are 0.
+    The range is in m, measured from the pivot. The share is a fraction, such as 0.4 for 40 %. It is
+    the kinetic and potential energy that the projectile gained, divided by the potential energy
+    that the counterweight lost. Both are measured from the start to the release. If the projectile
+    was never released, both numbers are 0.
     """
 
     range: float
@@ -133,8 +133,9 @@ class Trebuchet:
     def step(self, duration: float) -> None:
         """Advance the throw by one time step, and release the projectile if ``lets_go()`` is True.
 
-        ``duration`` is in s. To release the projectile, set ``flies`` to True and remove the
-        sling's cable from the generators of the world. This can happen only once.
+        ``duration`` is in s. Call ``lets_go`` after the step. To release the projectile, set
+        ``flies`` to True and remove the sling's cable from the generators of the world. This can
+        happen only once.
         """
         self.world.step(duration)
         if not self.flies and self.lets_go():
@@ -142,7 +143,7 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Simulate a throw, and return its range and the share of the energy that it used.
+        """Simulate a throw, and return its range and its share of the energy.
 
         Make steps of ``STEP`` until the sling releases the projectile. From then on the projectile
         flies without drag until it reaches the ground, which is at a height of 0. The throw fails

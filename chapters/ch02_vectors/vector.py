@@ -53,7 +53,7 @@ class Vector3:
     def copy(self) -> Vector3:
         """Return a new vector with the same components.
 
-        Copy a vector if you still need its current value after it changes in place.
+        Copy a vector before it changes in place, if you still need its current value.
         """
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
@@ -90,7 +90,7 @@ class Vector3:
         """Multiply every component by a number, and return a new vector.
 
         Both ``v * scale`` and ``scale * v`` call this method. Two vectors can be multiplied in
-        three different ways, so it raises TypeError if ``scale`` is a vector. Book 2.1.3.
+        three different ways, so a vector as ``scale`` raises TypeError. Book 2.1.3.
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 

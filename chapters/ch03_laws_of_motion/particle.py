@@ -52,7 +52,7 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute, after checking and copying a position, velocity or acceleration."""
+        """Set an attribute. Check and copy the value of a position, velocity or acceleration first."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)

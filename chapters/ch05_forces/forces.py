@@ -160,7 +160,7 @@ class Uplift:
 
 
 class Airbrake:
-    """An airbrake, which is strong drag that can be switched on and off.
+    """An airbrake: a strong drag force that can be switched on and off.
 
     Its force is -k v, where v is the velocity of the particle and ``k`` is in N s/m. Set the
     attribute ``on`` to True or False to switch the brake. It is off at first.
@@ -222,8 +222,8 @@ class PointGravity:
 class InverseSquareGravity:
     """Gravity toward a point that gets weaker with distance, in proportion to 1 / r^2.
 
-    Use it for orbits, such as a planet around the sun. ``mu`` is G times the attracting mass, in
-    m^3/s^2. If it is negative, the center pushes particles away.
+    Use it for orbits, for example for a planet that orbits the sun. ``mu`` is G times the
+    attracting mass, in m^3/s^2. If it is negative, the center pushes particles away.
 
     Raises:
         ValueError: if ``mu`` is not finite.

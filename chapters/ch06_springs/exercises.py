@@ -16,7 +16,7 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
-    """Exercise 6.5: find out by simulation whether the oscillations of a particle on a spring grow.
+    """Exercise 6.5: simulate a particle on a spring, and find out whether its oscillations grow.
 
     The result is True if they grow, which means that the spring is too stiff for the integrator.
     Oscillations of constant amplitude do not count as growing.

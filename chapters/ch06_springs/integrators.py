@@ -57,8 +57,8 @@ def semi_implicit_euler(
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
     """Move for half of the step, update the velocity for all of it, and move for the other half.
 
-    First p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and then p' = p1 + v' h /
-    2. The forces are evaluated only once, in the middle of the step, and the damping acts once.
+    A step is p1 = p + v h / 2, then v' = (v + a h) d^h with a at p1, then p' = p1 + v' h / 2. The
+    forces are evaluated only once, in the middle of the step, and the damping acts once.
 
     If no force depends on the velocity, the order is 2, and the method is symplectic at d = 1. A
     force that does depend on it is evaluated with the old velocity, which reduces the order to 1.

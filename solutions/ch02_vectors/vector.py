@@ -61,7 +61,7 @@ class Vector3:
     def copy(self) -> Vector3:
         """Return a new vector with the same components.
 
-        Copy a vector if you still need its current value after it changes in place.
+        Copy a vector before it changes in place, if you still need its current value.
         """
         return Vector3(self.x, self.y, self.z)
 
@@ -100,7 +100,7 @@ class Vector3:
         """Multiply every component by a number, and return a new vector.
 
         Both ``v * scale`` and ``scale * v`` call this method. Two vectors can be multiplied in
-        three different ways, so it raises TypeError if ``scale`` is a vector. Book 2.1.3.
+        three different ways, so a vector as ``scale`` raises TypeError. Book 2.1.3.
         """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)

@@ -87,7 +87,7 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 
 
 def is_spent(shot: Shot) -> bool:
-    """Return True if a shot has left the range or flown for too long, and must be removed.
+    """Return True if a shot must be removed, because it has left the range or flown for too long.
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
     ``END_OF_RANGE`` in z. If spent shots were never removed, the range would have to simulate more

@@ -146,7 +146,7 @@ class FireworksShow:
     ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are
     lit, as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room,
     as in the book's listing (erratum E-20). In both cases ``dropped`` counts the fireworks that
-    were lost in this way. The same ``seed`` always gives the same show.
+    were not lit or were put out. The same ``seed`` always gives the same show.
 
     Raises:
         ValueError: if two rules have the same type, a payload has a type without a rule, the

@@ -80,7 +80,7 @@ class Wind:
         self.velocity = Vector3()
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag that results from the velocity of the particle relative to the air.
+        """Add the drag on a particle, which depends on its velocity relative to the air.
 
         Compute the drag with ``drag_force``. A particle that moves with the air therefore feels no
         force, and in still air the force is the same as that of ``Drag``. Project 4.2.

@@ -186,11 +186,11 @@ class ContactGenerator(Protocol):
 class ContactResolver:
     """Resolves the contacts of a time step: first velocities, then penetrations (book 7.3.1).
 
-    In each phase, the worst contact comes next: the one that closes fastest, and then the deepest
-    one. Resolving it can make other contacts better or worse, so the resolver compares all contacts
-    again afterward. ``iterations`` limits the number of resolutions in each phase, and None means
-    twice the number of contacts. ``iterations_used`` counts the resolutions of both phases together
-    in the last step.
+    Each phase begins with the worst contact. For velocities this is the one that closes fastest,
+    and for penetrations it is the deepest one. Resolving it can make other contacts better or
+    worse, so the resolver then looks for the worst contact again. ``iterations`` limits the number
+    of resolutions in each phase, and None means twice the number of contacts. ``iterations_used``
+    counts the resolutions of both phases together in the last step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.

@@ -33,7 +33,7 @@ class Cable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut, which means ``max_length`` long or longer.
+        """Return a contact if the cable is taut, that is, at least ``max_length`` long.
 
         In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b, because
         a taut cable pulls its ends together. The penetration is the current length minus

@@ -52,7 +52,7 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute. Check and copy the value of a position, velocity or acceleration first."""
+        """Set an attribute. A position, velocity or acceleration is first checked and copied."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)

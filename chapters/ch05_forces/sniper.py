@@ -117,7 +117,7 @@ class SniperRange:
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Fire a bullet in the direction of the two angles, and return True if it was fired.
+        """Try to fire a bullet in the direction of the two angles. Return True if it was fired.
 
         The rifle does not fire while another bullet is in flight, or if no shots are left.
         Otherwise a bullet starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and ``shots_left`` decreases

@@ -1,4 +1,4 @@
-"""The exercises of the book's chapter 2, and exercise B2.11, with one function for each.
+"""Functions that solve the exercises of the book's chapter 2, and our own exercise B2.11.
 
 None of these functions changes its arguments. Angles are in radians.
 """
@@ -93,9 +93,9 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     """Remove from the unit vector ``b`` the part that points along the unit vector ``a``.
 
-    That part is the projection of ``b`` onto ``a``, which is c a with c = a . b. The remainder is d
-    = b - c a, and should be perpendicular to ``a``. Return c, d, and the angle between ``a`` and d
-    in radians. The numbers in the example differ from the book's.
+    That part is the projection of ``b`` onto ``a``, which is c a with c = a . b. Subtract it to get
+    the rest of ``b``, d = b - c a. Return c, d, and the angle in radians between ``a`` and d, which
+    should be a right angle. The numbers in the example differ from the book's.
 
     Raises:
         ValueError: if the length of ``a`` or ``b`` differs from 1 by more than 1e-6 or is NaN, or

@@ -22,10 +22,10 @@ END_OF_RANGE = 200.0  # m along Z, as in the book's listing; its text says 100 (
 
 @dataclass(frozen=True)
 class ShotType:
-    """A type of shot, such as "pistol": its name, and how its particles move.
+    """A kind of ammunition, such as "pistol" or "laser", and the values with which it is fired.
 
     The mass is in kg, the velocity in m/s and the acceleration in m/s^2. The damping is the
-    fraction of the velocity that is kept per second.
+    fraction of its velocity that a shot keeps per second.
     """
 
     name: str
@@ -48,7 +48,11 @@ SHOT_TYPES = {type.name: type for type in _TYPES}
 
 
 class Shot:
-    """A shot in flight: the name of its ``type``, its ``particle`` and its ``age`` in s."""
+    """A bullet, grenade or other shot that is in flight.
+
+    ``type`` is the name of its ammunition, such as "pistol". ``particle`` moves the shot, and
+    ``age`` is the time in s since it was fired.
+    """
 
     __slots__ = ("age", "particle", "type")
 
@@ -59,7 +63,7 @@ class Shot:
 
 
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
-    """Compute the velocity of a shot from its speed and the two angles at which it is aimed.
+    """Compute the velocity of a shot from its speed and the two angles at which it is fired.
 
     The result is a new vector in m/s. ``azimuth`` is the horizontal angle from Z toward X, so a
     shot flies along Z at an azimuth of 0, and along X at a quarter turn. ``elevation`` is the angle
@@ -74,7 +78,7 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 
 
 def is_spent(shot: Shot) -> bool:
-    """Return True if a shot has left the range or flown for too long, and must be removed.
+    """Return True if a shot must be removed, because it has left the range or flown for too long.
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
     ``END_OF_RANGE`` in z. If spent shots were never removed, the range would have to simulate more
@@ -84,29 +88,34 @@ def is_spent(shot: Shot) -> bool:
 
 
 def grenade_after(shot: Shot) -> list[Shot]:
-    """Let a grenade bounce, burst or fly on after a step, and return the shots that replace it.
+    """Let a grenade bounce or burst after a time step, and list the shots that fly on.
 
     When this function is called, the grenade has already moved. If it is now below the ground, let
     it bounce first. Then check its fuse. If the age of the grenade has reached ``FUSE``, it bursts,
     so return its fragments as shots of the type "fragment" with an age of 0. Otherwise return a
-    list that contains only the grenade itself, or an empty list if it is spent. Mini-project 4.1.
+    list that contains only the grenade, or an empty list if ``is_spent`` is True for it.
+    Mini-project 4.1.
     """
     raise NotImplementedError("Exercise 4.1: A grenade")
 
 
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
-    """Return the shots that replace ``shot`` after it has moved from ``start`` by one time step.
+    """List the shots that fly on after ``shot`` has moved from ``start`` by one time step.
 
-    If the shot has hit a target on its path, the list is empty, because the shot disappears.
-    Otherwise the result depends on the type of the shot. ``grenade_after`` decides what happens to
-    a grenade. Any other shot flies on, so the list contains only the shot itself, or nothing if it
-    is spent (``is_spent``).
+    If the shot has hit one of the ``targets`` on its path, the list is empty, because the shot
+    disappears. Use ``strike_first`` to find out, because it also pushes the target. Otherwise the
+    result depends on the type of the shot. For a grenade, it is the result of ``grenade_after``.
+    For any other shot, it is a list that contains only the shot, or an empty list if ``is_spent``
+    is True for it.
     """
     raise NotImplementedError("Exercise B4.3: Shots in flight")
 
 
 class BallisticRange:
-    """A shooting range: its target blocks, and the shots in flight, oldest first."""
+    """A shooting range on which you can fire shots at target blocks.
+
+    ``targets`` are the blocks, and ``shots`` are the shots in flight, oldest first.
+    """
 
     def __init__(self, targets: Iterable[TargetBlock] = ()) -> None:
         self.targets = list(targets)
@@ -132,9 +141,9 @@ class BallisticRange:
         """Move the targets and the shots by one time step, and remove shots that are spent.
 
         ``duration`` is in s. First the targets move. Then each shot moves, its age grows by the
-        duration, and it is replaced by the shots that ``what_is_left`` returns for it. That
-        function must know where the shot was before the move, so keep a copy of the old position. A
-        reference is not enough, because ``integrate`` changes the vector itself.
+        duration, and the shots that ``what_is_left`` returns take its place. That function must
+        know where the shot was before it moved, so keep a copy of the old position. A reference is
+        not enough, because ``integrate`` changes the vector itself.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing moves.

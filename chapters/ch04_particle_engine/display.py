@@ -19,7 +19,11 @@ MISSES_ALLOWED = 5
 
 @dataclass
 class Display:
-    """The state of the rocket game: its show, the score, the misses, and the time played in s."""
+    """The state of the rocket game, which every click and every time step can change.
+
+    ``show`` contains the burning fireworks, ``score`` is the number of points, and ``misses``
+    counts the clicks that hit no rocket. ``time`` is the time played in s.
+    """
 
     show: FireworksShow
     score: int = 0
@@ -30,10 +34,10 @@ class Display:
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
     """Find the rocket nearest to the point (x, y), or return None if none is within ``REACH``.
 
-    A rocket is any firework whose rule has payloads, even if it was itself lit as a payload.
-    Measure distances in the X-Y plane, and also accept a rocket at exactly the distance ``REACH``.
-    Skip rockets with an age of 0 or less, because they have no fuse left and a click can no longer
-    save them. Project 4.1.
+    A rocket is any firework whose rule has payloads, so that it lights others when it burns out. It
+    counts as a rocket even if another rocket lit it. Measure distances in the X-Y plane, and also
+    accept a rocket at exactly the distance ``REACH``. Skip rockets with an age of 0 or less,
+    because they have no fuse left and a click can no longer save them. Project 4.1.
     """
     raise NotImplementedError("Exercise P4.1: Keep the display alive")
 
@@ -43,7 +47,7 @@ def click(display: Display, x: float, y: float) -> bool:
 
     If ``find_rocket`` returns a rocket, the click is a hit. It scores 1 point, or 3 points if the
     rocket had less than ``LATE`` s of fuse left. Set the age of the rocket to 0, so that it bursts
-    in the next update, and launch another rocket of its type if the show has room. If there is no
+    in the next update. Then launch another rocket of its type, if the show has room. If there is no
     rocket within reach, the click counts as a miss. When the game is over, a click does nothing and
     returns False. Project 4.1.
     """
@@ -61,7 +65,10 @@ def is_over(display: Display) -> bool:
 
 
 def tick(display: Display, duration: float) -> None:
-    """Advance the fireworks by ``duration`` s, and count it as time played unless the game is over.
+    """Move the fireworks by one time step, and count it as time played unless the game is over.
+
+    ``duration`` is the length of the step in s. Check whether the game is over before the step.
+    When it is, the fireworks still move, but the time played stays the same.
 
     Raises:
         ValueError: if the duration is not positive and finite. In that case nothing changes.

@@ -22,7 +22,7 @@ POLICIES = ("keep_old", "drop_oldest")
 
 @dataclass(frozen=True)
 class Payload:
-    """The ``count`` fireworks of one ``type`` that another firework lights when it burns out.
+    """Fireworks that another firework lights when it burns out: ``count`` of them, of one ``type``.
 
     Raises:
         ValueError: if the count is below 1.
@@ -40,10 +40,10 @@ class Payload:
 class FireworkRule:
     """How the fireworks of one type behave: how long they burn, how they fly, and what they light.
 
-    Fireworks of the same type still differ from each other, because their age in s and each
-    component of their velocity in m/s are drawn at random between a minimum and a maximum.
-    ``damping`` is the fraction of the velocity that is kept per second. The ``payloads`` are the
-    fireworks that one of these lights when it burns out.
+    Fireworks of the same type still differ from each other. Their age in s and each component of
+    their velocity in m/s are drawn at random between a minimum and a maximum. ``damping`` is the
+    fraction of the velocity that is kept per second. ``payloads`` says which fireworks each of them
+    lights when it burns out.
 
     Raises:
         ValueError: if an age or the damping is negative, a number is not finite, a velocity does
@@ -83,9 +83,10 @@ class FireworkRule:
 
 
 class Firework:
-    """A burning firework: its ``type``, its ``particle``, and its ``age``.
+    """A firework that is burning at the moment.
 
-    The age counts down: it is the time in s that is left on the fuse.
+    ``type`` is the number of its type, and ``particle`` moves it. ``age`` is the time in s that is
+    left on the fuse, so it counts down.
     """
 
     __slots__ = ("age", "particle", "type")
@@ -113,20 +114,20 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
     A show with such a type never ends, so use this function to check a set of rules. For example,
     if type 1 has a payload of type 2, and type 2 has a payload of type 1, both types lead back to
-    themselves. If type 3 has a payload of type 1, its fireworks never end either, but type 3 is not
+    themselves. If type 3 has a payload of type 1, its fireworks never end either. But type 3 is not
     in the result, because no type leads back to it. Return the types in ascending order.
     """
     raise NotImplementedError("Exercise B4.7: Rules without an end")
 
 
 class FireworksShow:
-    """A show of burning fireworks, which are listed in the order in which they were lit.
+    """A fireworks show. Its list of burning fireworks is in the order in which they were lit.
 
     At most ``capacity`` fireworks burn at a time, even if the rules light each other forever.
     ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are
     lit, as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room,
     as in the book's listing (erratum E-20). In both cases ``dropped`` counts the fireworks that
-    were lost in this way. The same ``seed`` always gives the same show.
+    were not lit or were put out. The same ``seed`` always gives the same show.
 
     Raises:
         ValueError: if two rules have the same type, a payload has a type without a rule, the
@@ -172,7 +173,7 @@ class FireworksShow:
         raise NotImplementedError("Exercise B4.5: Slots, and what happens when they are full")
 
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
-        """Light new fireworks, as many as the show has room for.
+        """Light as many new fireworks as the show has room for.
 
         Each of the ``births`` is a tuple (type, count, parent). The new fireworks are added after
         the ones that already burn, in the order of the births. If there is no room for all of them,

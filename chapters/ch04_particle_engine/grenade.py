@@ -1,4 +1,4 @@
-"""The behavior of a grenade (mini-project 4.1): it bounces, and it bursts at the end of its fuse.
+"""The behavior of a grenade (mini-project 4.1): it bounces, and it bursts when its fuse runs out.
 
 The bounce is a simple rule that works only for this type of shot on level ground. Chapter 7
 replaces such rules by contacts, which work for any particle.
@@ -26,7 +26,7 @@ def bounce(particle: Particle) -> None:
 
 
 def fragments(particle: Particle) -> list[Particle]:
-    """Burst a grenade into fragments, and return their particles.
+    """Burst a grenade into fragments, and return one new particle for each of them.
 
     There are ``FRAGMENTS`` pieces of equal mass, which start at the position of the grenade.
     Together they have the mass of the grenade, and each has the same acceleration and damping as

@@ -38,11 +38,10 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 
 
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
-    """Compute the speed in m/s that a body has left after ``time`` s in which only drag acts.
+    """Compute the speed in m/s of a body after ``time`` s in which only drag has acted on it.
 
     If v is the ``speed`` at the start and s = k1 t / m, the result is v e^-s / (1 + k2 v (1 - e^-s)
-    / k1). For k1 = 0 you would divide by 0, so replace the fraction (1 - e^-s) / k1 by its limit, t
-    / m.
+    / k1). For k1 = 0 you would divide by 0, so replace (1 - e^-s) / k1 by its limit t / m.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not
@@ -54,11 +53,11 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
     """Compute how long a time step may be before drag reverses the motion or even speeds it up.
 
-    A time step computes the drag once, from the ``speed`` before the step, and applies it for the
-    whole duration h: v' = v + (f / m) h. Return two limits in s for a step in which only drag acts.
-    If the step is longer than the first limit, the drag does not only stop the motion but reverses
-    it. If it is longer than the second limit, the particle is even faster after the step than
-    before it. Without drag, both limits are ``math.inf``.
+    A time step computes the drag f only once, from the ``speed`` before the step. It then applies
+    this force for the whole duration h: v' = v + (f / m) h. Return two limits in s for a step in
+    which only drag acts. If the step is longer than the first limit, the drag reverses the motion
+    instead of only slowing it down. If it is longer than the second limit, the particle moves
+    backward even faster than it moved forward. Without drag, both limits are ``math.inf``.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not

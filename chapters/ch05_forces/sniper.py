@@ -29,7 +29,7 @@ SHOTS = 10
 
 @dataclass(frozen=True)
 class Target:
-    """A disc that faces the rifle, for the player to shoot at.
+    """A disc at which the player shoots. It faces the rifle.
 
     Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring times
     ``factor``, which rewards shots at distant targets.
@@ -64,7 +64,7 @@ class Hole:
 
 
 class Wind:
-    """The drag of moving air: a force generator that pushes a particle along with the wind.
+    """A force generator for wind: the drag of moving air, which carries a particle along.
 
     ``velocity`` is the velocity of the air in m/s. ``k1`` is in N s/m and ``k2`` in N s^2/m^2, as
     in Eq. 5.1.
@@ -79,7 +79,7 @@ class Wind:
         self.velocity = Vector3()
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag for the velocity of the particle relative to the air.
+        """Add the drag on a particle, which depends on its velocity relative to the air.
 
         Compute the drag with ``drag_force``. A particle that moves with the air therefore feels no
         force, and in still air the force is the same as that of ``Drag``. Project 4.2.
@@ -117,7 +117,7 @@ class SniperRange:
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Fire a bullet in the direction of the two angles, and return True if it was fired.
+        """Try to fire a bullet in the direction of the two angles. Return True if it was fired.
 
         The rifle does not fire while another bullet is in flight, or if no shots are left.
         Otherwise a bullet starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and ``shots_left`` decreases
@@ -162,10 +162,10 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
 
 
 def ring_points(x: float, y: float) -> int:
-    """Return the points for a bullet that hits a target at (x, y), in m from its center.
+    """Look up the score for a bullet that hits a target at (x, y), in m from the center.
 
-    They are the points of the smallest ring in ``RINGS`` that contains the point. A point on the
-    edge of a ring counts as inside. If no ring contains it, the bullet has missed the target, so
-    return 0. Project 4.2.
+    The score is that of the smallest ring in ``RINGS`` that contains (x, y). A hit on the edge of a
+    ring counts as inside. If no ring contains it, the bullet has missed the target, so return 0.
+    Project 4.2.
     """
     raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")

@@ -2,14 +2,14 @@
 
 The first five integrators take ``(particles, apply_forces, duration)``. ``particles`` lists each
 particle once. ``apply_forces(duration)`` adds the current forces to the accumulators of these
-particles only, as ``ForceRegistry.update_forces`` does. It is called one or more times. Before each
+particles only, as ``ForceRegistry.update_forces`` does. It may be called several times. Before each
 call, the accumulators contain only the forces that were added by hand before the step. After the
 step they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
 
 In the formulas, p is a position, v a velocity, a an acceleration and h the ``duration`` in s. A
 particle's own damping d multiplies its velocity by d^h once, at the end of a step. The given orders
-hold for d = 1, and for any other d the order is 1. Unless stated otherwise, a stability limit is
-for d = 1 and a spring without damping. It limits k h^2 / m. Immovable particles do not move.
+hold for d = 1, and for any other d the order is 1. A stability limit is the limit of k h^2 / m for
+a mass m on an undamped spring k, at d = 1 unless stated otherwise. Immovable particles stay put.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
 not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
@@ -34,8 +34,8 @@ def explicit_euler(
 
     A step is p' = p + v h, and then v' = (v + a h) d^h. It has order 1, is not symplectic, and
     evaluates the forces once. At d = 1 every spring is unstable. For d < 1, springs below
-    ``max_stable_stiffness`` are stable, and a damper c makes a spring stable if k h < c and c h / m
-    < 2. The book uses another name (3.3.2, E-17).
+    ``max_stable_stiffness`` are stable, and with a damper c a spring is stable if k h < c and c h /
+    m < 2. The book calls it by another name (3.3.2, erratum E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -47,8 +47,8 @@ def semi_implicit_euler(
 
     A step is v' = (v + a h) d^h, and then p' = p + v' h. It has order 1 and evaluates the forces
     once. If d = 1 and no force depends on the velocity, it is symplectic, so the energy does not
-    drift. It is stable for k h^2 / m < 4. With damping d this limit grows to 2 (1 + d^h) / d^h, but
-    a damper c in the spring lowers it, because the condition is then k h^2 / m + 2 c h / m < 4.
+    drift. It is stable for k h^2 / m < 4. With damping d this limit grows to 2 (1 + d^h) / d^h. A
+    damper c in the spring lowers it, because the condition is then k h^2 / m + 2 c h / m < 4.
     Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
@@ -57,8 +57,8 @@ def semi_implicit_euler(
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
     """Move for half of the step, update the velocity for all of it, and move for the other half.
 
-    First p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and then p' = p1 + v' h /
-    2. The forces are evaluated only once, in the middle of the step, and the damping acts once.
+    A step is p1 = p + v h / 2, then v' = (v + a h) d^h with a at p1, then p' = p1 + v' h / 2. The
+    forces are evaluated only once, in the middle of the step, and the damping acts once.
 
     If no force depends on the velocity, the order is 2, and the method is symplectic at d = 1. A
     force that does depend on it is evaluated with the old velocity, which reduces the order to 1.
@@ -108,9 +108,9 @@ def backward_euler(
 ) -> tuple[float, float]:
     """Step a body on a spring with backward Euler, and return its new position and velocity.
 
-    They solve x' = x + v' h and v' = v + a' h, where a' depends on the new values: m a' = -(k x' +
-    c v'). The spring is at rest at x = 0. Positions are in m, velocities in m/s, ``stiffness`` k in
-    N/m, ``damping`` c in N s/m, ``mass`` m in kg and ``duration`` h in s.
+    The new values x' and v' solve x' = x + v' h and v' = v + a' h, where m a' = -(k x' + c v'). The
+    spring is at rest at x = 0. Positions are in m, velocities in m/s, ``stiffness`` k in N/m,
+    ``damping`` c in N s/m, ``mass`` m in kg and ``duration`` h in s.
 
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
     stiffness, but the stiffer the spring, the more energy it loses. Source: Hairer and Wanner,
@@ -127,8 +127,8 @@ def trapezoidal(
 ) -> tuple[float, float]:
     """Step a body on a spring with the trapezoidal rule, and return its new position and velocity.
 
-    They solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and
-    new values. Here m a = -k x - c v. The arguments and the units are those of ``backward_euler``.
+    The new values solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with m a = -k x - c v.
+    The arguments and the units are those of ``backward_euler``.
 
     The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
     damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,

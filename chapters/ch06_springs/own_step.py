@@ -17,15 +17,15 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
     """Move ``particles`` by one time step with an integrator that you design yourself.
 
     ``duration`` is in s, and you may divide it into as many parts as you like. Each call of
-    ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators, so clear the
+    ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators. So clear the
     accumulators before you call it again, and also at the end of the step. Do not forget a
     particle's own acceleration, which acts in addition to the forces.
 
     Your method is graded on one revolution of an orbit with an eccentricity of 0.5. The revolution
     takes 60 frames, and your step is called once per frame. The grade depends on the number of
-    evaluations and on the error, which is the largest distance from the true orbit after any frame,
-    in units of the semi-major axis. With at most 500 evaluations, an error of 1e-3 is good and 1e-4
-    is better. The run is stopped after 5000 evaluations.
+    evaluations and on the error. The error is the largest distance from the true position after any
+    frame, in units of the semi-major axis. With at most 500 evaluations, an error of 1e-3 is good
+    and 1e-4 is better. The run is stopped after 5000 evaluations.
 
     The orbit is a simple scene: it has no damping, no forces that depend on a velocity, no forces
     added by hand and no immovable particles. Its forces do not depend on the duration that you pass

@@ -1,6 +1,6 @@
 """Going further: use springs to keep particles out of the ground, and see why this fails.
 
-The book says that one of its exercises does this, but the exercise is missing (E-36).
+The book says that one of its exercises does this, but the exercise is missing (erratum E-36).
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ class PenaltyGround:
     ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m.
 
     No stiffness k works well. Soft ground is like a sponge, because a body of mass m at rest on it
-    sinks in by m g / k. Hard ground has a different problem: it begins to push only when a step has
+    sinks in by m g / k. Hard ground has a different problem. It begins to push only when a step has
     ended below the ground, and then it pushes for the whole next step, which may be too long.
-    Without damping it can therefore throw a body higher than the height from which it fell, unless
-    k h^2 / m is far below 1 for a step of h s. If k h^2 / m is above 4, the ground even throws
-    bodies that rest on it.
+    Without damping, a body can therefore bounce higher than the height from which it fell. To avoid
+    this, k h^2 / m must be far below 1, where h is the length of a step in s. If k h^2 / m is above
+    4, the ground even throws bodies that rest on it.
 
     Raises:
         ValueError: if the height is not finite, or another argument is negative or not finite.
@@ -31,7 +31,7 @@ class PenaltyGround:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Push a particle that is below the ground upward, with the force k depth - c v_y.
+        """Push a particle upward if it is below the ground, with the force k depth - c v_y.
 
         Here k is ``stiffness``, c is ``damping``, and v_y is the upward velocity of the particle.
         Add the force only if it is positive. On a particle that is already moving out of the

@@ -26,22 +26,22 @@ def spring_force(
     """Compute the force in N that a spring exerts on one of its ends, as a new vector.
 
     ``offset`` is the position of this end relative to the other end in m, and ``velocity`` is its
-    velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^, where l is the
+    velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^. Here l is the
     length of ``offset``, d^ is its direction, k is ``stiffness``, l0 is ``rest_length`` and c is
     ``damping``. The spring gets longer at the rate l', which is the component of ``velocity`` along
-    d^. If the offset is zero, it has no direction, so the force is zero. The arguments are not
-    checked here, because the constructors of the springs check them.
+    d^. A zero offset has no direction, so the force is then zero. The arguments are not checked,
+    because the constructors of the springs check them.
 
-    A spring that is shorter than its rest length pushes. In the book's listing it pulls instead,
-    because the listing takes the absolute value of the extension (E-3). Book: Eq. 6.1 and 6.2.
+    A spring that is shorter than its rest length pushes. In the book's listing it pulls, because
+    the listing takes the absolute value of the extension (erratum E-3). Book: Eq. 6.1, 6.2.
     """
     raise NotImplementedError("Exercise B6.1: Springs")
 
 
 class Spring:
-    """A spring that pulls on one particle only (book 6.2.1).
+    """A spring that acts on one particle only (book 6.2.1).
 
-    Its other end is at ``other``, a particle that feels no force. To pull on both, use ``connect``.
+    The particle ``other`` at its other end feels no force. To act on both, use ``connect``.
     """
 
     def __init__(
@@ -73,15 +73,15 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on the particle. The anchor is an end that is at rest."""
+        """Add the force of the spring on ``particle``. The anchor counts as an end at rest."""
         raise NotImplementedError("Exercise B6.1: Springs")
 
 
 class Bungee(Spring):
-    """An elastic rope to another particle, ``other``: a spring that pulls but never pushes.
+    """An elastic rope to the particle ``other``: a spring that pulls but never pushes (book 6.2.3).
 
     If its length is at most the rest length, the rope is slack and exerts no force. The book's
-    listing subtracts the lengths in the wrong order, so its rope pushes (E-4). Book: section 6.2.3.
+    listing subtracts the lengths in the wrong order, so its rope pushes (erratum E-4).
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -101,7 +101,7 @@ class AnchoredBungee(AnchoredSpring):
 
 
 class Connection:
-    """A spring that pulls on both of its ends, ``a`` and ``b``. Create it with ``connect``."""
+    """A spring that acts on both of its ends, ``a`` and ``b``. Create it with ``connect``."""
 
     def __init__(
         self, a: Particle, b: Particle, stiffness: float, rest_length: float, damping: float = 0.0
@@ -113,7 +113,7 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
+        """Add the force of the spring to ``a``, and exactly the opposite force to ``b``.
 
         Opposite forces keep the total momentum of both particles constant. You may register the
         connection with either particle.
@@ -141,20 +141,20 @@ class FakeStiffSpring:
     """A substitute for a spring that is too stiff for the time steps (book 6.3.2).
 
     It uses ``damped_spring_state`` to compute where a real spring would have moved the particle by
-    the end of the step, and then adds the constant force that takes the particle to this position.
-    Its rest length is 0, and its other end is ``anchor``.
+    the end of the step. Then it adds the constant force that takes the particle there. Its rest
+    length is 0, and its other end is ``anchor``.
 
     The force is meant for semi-implicit Euler, p' = p + v' h. With it, the particle reaches the
     computed position if its damping is 1 and nothing else accelerates it. With explicit Euler
     (``Particle.integrate``) it arrives one step late, because p' = p + v h does not include the new
-    force, and its oscillations therefore grow (E-22). The book's force formulas fit no integrator
-    (E-6).
+    force. Its oscillations therefore grow (erratum E-22). The book's formulas fit no integrator
+    (erratum E-6).
 
     After the step, the particle has the mean velocity of the step instead of the velocity on a real
     spring. With short steps the force is therefore half that of a real spring, and the oscillation
     is slower by a factor of 1.41. Even without damping, most oscillations die out. They grow, by up
-    to 13 % per step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06
-    after pi), where chi is sqrt(k / m). A twentieth of the critical damping prevents this.
+    to 13 % per step, only if h sqrt(k / m) is slightly larger than an odd multiple of pi, for
+    example from pi to 4.06. A twentieth of the critical damping prevents this.
     """
 
     def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:
@@ -175,9 +175,9 @@ class FakeStiffSpring:
 class ElasticLimitSpring:
     """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
-    Up to a length of ``limit`` it behaves like a Spring, but any length beyond the limit pulls with
-    only the fraction ``share`` of the stiffness. The spring has no damping, and it exerts no force
-    on the particle at its other end, ``other``.
+    Up to a length of ``limit`` it behaves like a Spring. The part of its length beyond the limit
+    pulls with only the fraction ``share`` of the stiffness. The spring has no damping, and it
+    exerts no force on the particle at its other end, ``other``.
 
     Raises:
         ValueError: if the limit is below the rest length, or if a number is negative or not finite.
@@ -195,7 +195,7 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force of the spring. It is continuous at the elastic limit."""
+        """Exercise 6.1: add the force of the spring, which does not jump at the elastic limit."""
         raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 

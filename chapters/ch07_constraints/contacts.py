@@ -1,10 +1,10 @@
 """Contacts between two particles, or between a particle and the world, and their resolver.
 
-A contact stores the direction in which two bodies touch, the depth of their overlap, and the
-restitution, which says how much of the speed is left after a bounce. To resolve the contact, the
-engine applies an impulse (a change of momentum in N s, E-24) and moves the two bodies apart.
-Impulses always conserve momentum, but they conserve kinetic energy only if the restitution is 1
-(E-7).
+A contact stores the direction in which two bodies touch and the depth of their overlap. It also
+stores the restitution, which is the fraction of the speed that is left after a bounce. To resolve
+the contact, the engine applies an impulse (a change of momentum in N s, erratum E-24) and moves the
+two bodies apart. Impulses always conserve momentum, but they conserve kinetic energy only if the
+restitution is 1 (erratum E-7).
 
 Lengths are in m, velocities in m/s.
 """
@@ -27,10 +27,10 @@ class Contact:
     """A contact between two particles, or with the immovable world if ``other`` is None.
 
     ``normal`` is a unit vector that points from ``other`` to ``particle``, and is copied. For two
-    balls it is the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4).
-    ``restitution`` is the separating speed after a bounce divided by the closing speed before it.
-    ``penetration`` is the depth of the overlap, which is 0 if the bodies just touch, and negative
-    if there is a gap. Later changes of the attributes are not checked.
+    balls at pa and pb it has the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2,
+    7.4). ``restitution`` is the separating speed after a bounce divided by the closing speed before
+    it. ``penetration`` is the depth of the overlap, which is 0 if the bodies just touch, and
+    negative if there is a gap. Later changes of the attributes are not checked.
 
     Raises:
         ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution is
@@ -70,7 +70,8 @@ class Contact:
     def separating_velocity(self) -> float:
         """Compute how fast the two bodies move apart, (va - vb) . n, in m/s (Eq. 7.2).
 
-        It is negative while they approach each other. If ``other`` is None, its velocity vb is 0.
+        Here va and vb are the velocities of ``particle`` and ``other``, and n is the normal. The
+        result is negative while the bodies approach each other. If ``other`` is None, vb is 0.
         """
         raise NotImplementedError("Exercise B7.1: Separating velocity")
 
@@ -83,10 +84,10 @@ class Contact:
         A body at rest on the ground also has a closing contact, because gravity has just
         accelerated it for one time step. If this small velocity made it bounce, the body would
         jitter. So if the acceleration closes the contact, (aa - ab) . n < 0, leave out the velocity
-        that it has built up: return c (-v_s + (aa - ab) . n h), but never less than 0. Here h is
+        that it has built up. Return c (-v_s + (aa - ab) . n h), but never less than 0. Here h is
         ``duration`` in s, and aa and ab are the ``last_acceleration`` of the particles, which
         includes forces. Use 0 for an immovable or missing particle. The book uses only the constant
-        acceleration, so a body under a gravity generator would jitter (7.2.3, E-26).
+        acceleration, so a body under a gravity generator would jitter (7.2.3, erratum E-26).
 
         Time division resolves each impact at the moment when it happens. No such velocity has built
         up by then, so pass a duration of 0.
@@ -100,9 +101,9 @@ class Contact:
         """Apply the impulse that changes the separating velocity to ``velocity_after(duration)``.
 
         The impulse g in N s acts on ``particle`` along the normal n, and on ``other`` in the
-        opposite direction: va' = va + n g / ma and vb' = vb - n g / mb, where ma and mb are the
-        masses. This conserves momentum. Nothing changes if the contact is not closing, or if
-        neither particle can move. Book: sections 7.1.4 and 7.2.1.
+        opposite direction. With the masses ma and mb, va' = va + n g / ma and vb' = vb - n g / mb.
+        This conserves momentum. Nothing changes if the contact is not closing, or if neither
+        particle can move. Book: sections 7.1.4 and 7.2.1.
 
         Raises:
             ValueError: if the duration is negative or not finite, in every case.
@@ -120,8 +121,8 @@ class Contact:
 
         Returns:
             The displacements of ``particle`` and ``other`` in m, as two new vectors. The
-                displacement of a particle that did not move is zero, so that an earlier
-                displacement is not applied again (E-27).
+            displacement of a particle that did not move is zero, so that an earlier displacement is
+            not applied again (erratum E-27).
         """
         raise NotImplementedError("Exercise B7.4: Pushing particles apart")
 
@@ -142,7 +143,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """The interface of a contact generator: any object with a method ``contacts``."""
+    """A contact generator, which is any object with a method ``contacts``."""
 
     def contacts(self) -> Iterable[Contact]:
         """Find all contacts at the current positions and return them."""
@@ -151,11 +152,11 @@ class ContactGenerator(Protocol):
 class ContactResolver:
     """Resolves the contacts of a time step: first velocities, then penetrations (book 7.3.1).
 
-    In each phase, the worst contact comes next: the one that closes fastest, and then the deepest
-    one. Resolving it can make other contacts better or worse, so the resolver compares all contacts
-    again afterward. ``iterations`` limits the number of resolutions in each phase, and None means
-    twice the number of contacts. ``iterations_used`` counts the resolutions of both phases together
-    in the last step.
+    Each phase begins with the worst contact. For velocities this is the one that closes fastest,
+    and for penetrations it is the deepest one. Resolving it can make other contacts better or
+    worse, so the resolver then looks for the worst contact again. ``iterations`` limits the number
+    of resolutions in each phase, and None means twice the number of contacts. ``iterations_used``
+    counts the resolutions of both phases together in the last step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
@@ -205,7 +206,7 @@ class ContactResolver:
         Every resolution moves particles, which changes the penetrations of all their contacts. So
         update each of these contacts: subtract the distance that its ``particle`` moved along its
         normal, and add the distance that its ``other`` moved along it. The book's listing omits
-        this update (E-8).
+        this update (erratum E-8).
 
         Stop after ``limit`` resolutions, or when no contact is deeper than ``DEPTH_TOLERANCE``. If
         several contacts are equally deep, take the first. You may assume that at least one particle

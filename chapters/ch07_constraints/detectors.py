@@ -2,13 +2,14 @@
 
 A detector answers two questions. After each step, the engine calls its method ``contacts()`` to
 find out which particles touch. Particles that just touch also have a contact, with a penetration of
-0, and the contacts are always in the order of the particles. Time division asks the second question
-before it moves the particles: it calls ``next_impact(duration)``, because it must stop at the time
-of the next impact.
+0, and the contacts are always in the order of the particles. Time division asks the second
+question. It must stop at the time of the next impact, so it calls ``next_impact(duration)`` before
+it moves the particles.
 
 Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
-particles to the list later. Constructors raise ValueError for a number that is negative or not
-finite and for a restitution outside 0 to 1, and TypeError for an argument of the wrong type.
+particles to the list later. Constructors raise ValueError for a number that is not finite, a radius
+that is too small, and a restitution outside 0 to 1. They raise TypeError for an argument of the
+wrong type.
 """
 
 from __future__ import annotations
@@ -24,9 +25,9 @@ Impact = tuple[float, Contact]
 
 
 class Detector(Protocol):
-    """The interface of a detector: any object with the methods ``contacts`` and ``next_impact``.
+    """A detector, which is any object with the methods ``contacts`` and ``next_impact``.
 
-    A detector does not have to inherit from this class.
+    This class only describes the interface, so a detector does not have to inherit from it.
     """
 
     def contacts(self) -> Iterable[Contact]:
@@ -74,8 +75,8 @@ class GroundPlane:
         the particle that is earlier in the list.
 
         Returns:
-            (time, contact), where the contact has a penetration of 0, or None if there is no
-                impact.
+            The tuple (time, contact), or None if there is no impact. The contact has a penetration
+            of 0.
 
         Raises:
             ValueError: if the duration is negative or not finite.
@@ -124,8 +125,8 @@ class ParticlePairs:
         ``contacts()``.
 
         Returns:
-            (time, contact), or None if there is no impact. The contact has the normal at the time
-                of the impact, and a penetration of 0.
+            The tuple (time, contact), or None if there is no impact. The contact has the normal at
+            the time of the impact, and a penetration of 0.
 
         Raises:
             ValueError: if the duration is negative or not finite, or if the accelerations of any

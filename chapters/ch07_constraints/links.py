@@ -5,8 +5,8 @@ generates no contact. As soon as the length reaches or passes a limit, ``contact
 contact, and resolving this contact brings the length back to the limit.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
-outside 0 to 1 and anything that is not finite, and TypeError for an argument of the wrong type. You
-may change the attributes later, as a winch does, but these changes are not checked.
+outside 0 to 1 and anything that is not finite. They raise TypeError for an argument of the wrong
+type. You may change the attributes later, as a winch does, but these changes are not checked.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Cable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut, which means ``max_length`` long or longer.
+        """Return a contact if the cable is taut, that is, at least ``max_length`` long.
 
         In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b, because
         a taut cable pulls its ends together. The penetration is the current length minus
@@ -84,7 +84,7 @@ class Rod:
         b. The penetration is the difference between the distance and ``length`` as a positive
         number, and the restitution is 0. If both ends are at the same position, use +Y as the
         direction from a to b. The book's text uses two contacts per rod, but its listing shows that
-        one contact is enough (E-9).
+        one contact is enough (erratum E-9).
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 
@@ -110,7 +110,7 @@ class AnchoredRod:
 
 
 class Limits:
-    """Exercise 7.6: a link that keeps the distance of two particles between two limits.
+    """Exercise 7.6: a link that keeps two particles from getting too close or too far apart.
 
     The particles stay at least ``min_length`` m and at most ``max_length`` m apart. If
     ``min_length`` is 0, there is no lower limit. The constructor also raises ValueError if
@@ -158,7 +158,7 @@ class TwoSidedRod(Rod):
     def contacts(self) -> list[Contact]:
         """G7.1: always return two contacts: first one that pulls, then one that pushes.
 
-        The first contact is like the contact of a Cable: its normal points from a to b, and its
+        The first contact is like the contact of a Cable. Its normal points from a to b, and its
         penetration is the distance minus ``length``, which may be negative. The second contact has
         the opposite normal and the opposite penetration. In the velocity phase, the first contact
         stops ends that move apart, and the second stops ends that approach each other. If both ends

@@ -27,11 +27,11 @@ TOUCH = 1e-6  # m: a ball this close to the ground touches it, whatever the roun
 
 
 class Rules:
-    """The rules of the bridge game, which count the ``score``, ``lives`` and ``visited`` rows.
+    """The rules of the bridge game, which keep the score and count the lives.
 
-    ``rows`` is the number of rows of planks on the bridge. This class knows nothing about
-    particles. Instead, the game calls ``landed`` or ``fell`` whenever the ball lands on a row or
-    touches the ground.
+    ``rows`` is the number of rows of planks on the bridge, and ``visited`` is the set of rows on
+    which the ball has landed. This class knows nothing about particles. Instead, the game calls
+    ``landed`` or ``fell`` whenever the ball lands on a row or touches the ground.
 
     Raises:
         ValueError: if ``rows`` is less than 1.
@@ -46,20 +46,20 @@ class Rules:
 
     @property
     def won(self) -> bool:
-        """Whether the ball has landed on every row of the bridge (P8.1a)."""
+        """True if the ball has landed on every row of the bridge (project 8.1a)."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost. From then on, the score and the lives do not change."""
+        """True if the game is won or lost. From then on, the score and the lives do not change."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def landed(self, row: int) -> None:
         """Count a landing of the ball on the row of planks with the index ``row``.
 
         The first landing on a row gives ``POINTS``. If this landing wins the game, the player also
-        gets ``BONUS`` for each remaining life. Later landings on the same row change nothing, and
-        neither does a landing after the game is over.
+        gets ``BONUS`` for each life that is left. Later landings on the same row change nothing,
+        and neither does a landing after the game is over.
 
         Raises:
             ValueError: if the row does not exist. Rows are numbered from 0.
@@ -92,9 +92,10 @@ class Landings:
 
 
 class BallGame:
-    """The bridge game: its ``rules``, the ``rows`` of planks, the ``ball`` and their ``world``.
+    """The bridge game, which combines the rules with a simulation of the ball and the bridge.
 
-    Set ``direction`` to steer the ball: -1 means left, 1 means right, and 0 means neither.
+    ``rules`` keeps the score, and ``world`` moves the ``ball`` and the ``rows`` of planks. Set
+    ``direction`` to steer the ball: -1 means left, 1 means right, and 0 means neither.
     """
 
     def __init__(self) -> None:
@@ -119,10 +120,10 @@ class BallGame:
         self.ball.velocity = Vector3()
 
     def step(self, duration: float) -> None:
-        """Make one time step of the game, or do nothing if the game is over. ``duration`` is in s.
+        """Advance the game by one time step of ``duration`` s, or do nothing if the game is over.
 
         First push the ball in the player's direction so that it gets an acceleration of ``PUSH``,
-        and step the world. Then check where the ball is:
+        and step the world. Then check where the ball is.
 
         - If it has landed on a row, report the landing to the rules. Make the ball jump by setting
           its vertical velocity to ``JUMP``. Its velocity along X stays the same.

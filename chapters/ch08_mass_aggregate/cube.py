@@ -21,7 +21,7 @@ ITERATIONS = 200  # per phase
 
 
 def fewest_rods(count: int) -> int:
-    """Compute the smallest number of rods that can make ``count`` particles in space rigid (8.2).
+    """Compute the smallest number of rods that can make ``count`` particles rigid in space.
 
     Each particle can move in three independent directions, and each rod prevents at most one
     independent motion. You need enough rods to leave only the six motions of a rigid body, which
@@ -31,6 +31,8 @@ def fewest_rods(count: int) -> int:
       itself changes nothing.
     - A single particle has only three motions, because it cannot rotate.
 
+    Mini-project 8.2.
+
     Raises:
         ValueError: if ``count`` is less than 1.
         TypeError: if ``count`` is not a whole number.
@@ -39,20 +41,21 @@ def fewest_rods(count: int) -> int:
 
 
 def cube_rods() -> list[tuple[int, int]]:
-    """Choose rods that make the cube rigid, and return them as pairs of corners (8.2).
+    """Choose rods that make the cube rigid, and return them as pairs of corners.
 
-    A pair contains two indices into ``CORNERS``. Any set of rods is accepted if it only allows the
-    cube to move and rotate as a whole. You need at least ``fewest_rods(8)`` rods, but the number
-    alone is not enough, because the rods must also join the right corners.
+    A pair contains two indices into ``CORNERS``. Any set of rods is accepted if it lets the cube
+    move and rotate only as a whole. You need at least ``fewest_rods(8)`` rods, but the number alone
+    is not enough, because the rods must also join the right corners. Mini-project 8.2.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 
 
 class Cube:
-    """A cube that falls on one of its corners: its ``particles``, ``rods`` and ``world``.
+    """A cube of particles and rods that falls on one of its corners.
 
-    The cube starts at rest and slightly rotated, with its lowest corner at ``height``, in m.
-    ``rods`` is a list of pairs of corner indices. If it is None, the cube uses ``cube_rods()``.
+    ``world`` simulates the ``particles``, which are the corners. The cube starts at rest and
+    slightly rotated, with its lowest corner at ``height``, in m. ``rods`` is a list of pairs of
+    corner indices. If it is None, the cube uses ``cube_rods()``.
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.

@@ -28,10 +28,10 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """What the world stores about a sleeping particle, to wake it or to see that it was changed.
+    """A record of a sleeping particle, which tells the world when and how to wake it.
 
-    The particle gets its inverse mass back when it wakes. The other values show whether it was
-    moved or is pushed differently, and which particles wake with it.
+    The particle gets ``inverse_mass`` back when it wakes. ``place`` and ``acceleration`` show
+    whether it has been moved or is now pushed differently. The ``neighbors`` wake with it.
     """
 
     inverse_mass: float  # 1/kg
@@ -43,9 +43,9 @@ class Sleep:
 class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which groups of touching particles fall asleep when they are at rest.
 
-    A step counts as slow for a particle if the particle's kinetic energy per kg of mass is at most
-    ``sleep_energy``, in J/kg, at the end of the step. After ``sleep_frames`` slow steps in a row
-    the particle is tired, and when all particles of a group are tired, the group falls asleep. A
+    A step counts as slow for a particle if its kinetic energy per kg of mass is at most
+    ``sleep_energy``, in J/kg, after the step. After ``sleep_frames`` slow steps in a row the
+    particle is tired, and when all particles of a group are tired, the group falls asleep. A
     sleeping particle has no velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each
     sleeping particle to its Sleep.
 
@@ -82,8 +82,8 @@ class SleepingWorld(ParticleWorld):
         """Wake ``particle``, its neighbors, their neighbors, and so on.
 
         Particles that fell asleep together therefore wake together. Each of them gets its mass
-        back, unless you have given it another finite mass in the meantime, and starts to count its
-        slow steps from 0 again. If ``particle`` was already awake, only its count restarts.
+        back, unless you have given it another finite mass in the meantime. Its count of slow steps
+        starts from 0 again. If ``particle`` was already awake, only its count restarts.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -100,9 +100,10 @@ class SleepingWorld(ParticleWorld):
         """Wake every sleeping particle on which the force generators now act differently.
 
         Compute the current acceleration a + f / m of each sleeping particle, where f is the sum of
-        the generators' forces, and compare it with the acceleration that the particle had when it
-        fell asleep. The particle wakes if the change is more than ``SAME`` times the larger of two
-        numbers: the current |a| + |f / m|, and the magnitude of the old acceleration.
+        the generators' forces. Compare it with the acceleration that the particle had when it fell
+        asleep. The particle wakes if the change is more than ``SAME`` times a reference value. This
+        value is the current |a| + |f / m| or the magnitude of the old acceleration, whichever is
+        larger.
 
         Call only generators that are registered for sleeping particles. Give each sleeping particle
         its original mass during these calls, because a generator may use the mass. The accumulators
@@ -119,16 +120,17 @@ class SleepingWorld(ParticleWorld):
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Count one step, and put to sleep every group in which all particles are tired.
+        """Count one more step for each particle, and put groups of tired particles to sleep.
 
         Particles that are connected, directly or through other particles, form a group. Two
         particles are connected if they were in contact in one of the last ``sleep_frames`` steps,
         or if a generator of the registry joins them. Immovable particles do not connect groups, and
         they never sleep.
 
-        A group falls asleep as a whole or not at all, because a particle that still moves would
-        soon push the sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its
-        ``velocity`` and ``inverse_mass`` to 0.
+        A particle is tired if its last ``sleep_frames`` steps were all slow. A group falls asleep
+        when all of its particles are tired, because a particle that still moves would soon push the
+        sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its ``velocity``
+        and ``inverse_mass`` to 0.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

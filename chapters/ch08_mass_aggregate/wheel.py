@@ -21,19 +21,20 @@ ITERATIONS = 200  # per phase
 
 
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
-    """Create the rods of a wheel: its spokes, and the rods along its rim (8.3a).
+    """Create the rods of a wheel: its spokes, and the rods along its rim.
 
     ``rim`` has three or more particles, in order. A spoke joins the hub to each of them. The rods
     along the rim join each particle to the next one, and the last particle to the first. The length
-    of each rod is the current distance between its ends.
+    of each rod is the current distance between its ends. Mini-project 8.3a.
     """
     raise NotImplementedError("Exercise 8.3a: A wheel")
 
 
 class RimDrive:
-    """A force generator that drives a wheel by pushing its rim around ``hub`` (8.3b).
+    """A force generator that drives a wheel by pushing its rim around ``hub``.
 
-    It pushes each particle for which it is registered with the same ``force`` in N.
+    The ``force`` in N is the same for every particle with which it is registered. Mini-project
+    8.3b.
     """
 
     def __init__(self, hub: Particle, force: float) -> None:
@@ -44,7 +45,7 @@ class RimDrive:
         """Push ``particle`` around the hub, in the X-Y plane and at a right angle to its spoke.
 
         A positive force rotates the wheel counter-clockwise. The force is the same at every
-        distance from the hub, but a particle at the hub's position gets no force, because the
+        distance from the hub. Only a particle at the hub's position gets no force, because the
         direction would be undefined there.
         """
         raise NotImplementedError("Exercise 8.3b: Drive the rim")
@@ -53,26 +54,28 @@ class RimDrive:
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
     """Measure how fast a wheel rotates about its hub, in rad/s.
 
-    This angular velocity is the angular momentum of the rim, the sum of m (x v_y - y v_x), divided
-    by its moment of inertia, the sum of m (x^2 + y^2). The hub may itself move, so use positions
-    and velocities relative to the hub. Return 0 if the moment of inertia is zero.
+    This angular velocity is the angular momentum of the rim divided by its moment of inertia. The
+    angular momentum is the sum of m (x v_y - y v_x) over all particles, and the moment of inertia
+    is the sum of m (x^2 + y^2). The hub may itself move, so use positions and velocities relative
+    to the hub. Return 0 if the moment of inertia is zero.
     """
     raise NotImplementedError("Exercise 8.3b: Drive the rim")
 
 
 def deformation(rods: Sequence[Rod]) -> float:
-    """Measure how much a wheel is deformed, as the largest relative error of a rod's length (8.3c).
+    """Measure how much a wheel is deformed, as the largest relative error of a rod's length.
 
     The relative error is the difference between the actual and the intended length, divided by the
-    intended length. Return 0 if there are no rods.
+    intended length. Return 0 if there are no rods. Mini-project 8.3c.
     """
     raise NotImplementedError("Exercise 8.3c: Does it deform?")
 
 
 class Wheel:
-    """A wheel that rotates about a hub: its ``hub``, ``rim``, ``rods`` and ``world``.
+    """A wheel of particles and rods that rotates about an immovable hub.
 
-    A RimDrive with a ``force`` in N pushes each of the first ``driven`` particles of the rim.
+    ``world`` simulates the ``hub``, the particles of the ``rim`` and the ``rods``. A RimDrive with
+    a ``force`` in N pushes each of the first ``driven`` particles of the rim.
 
     Raises:
         ValueError: if the force is not finite, or ``driven`` is not from 0 to ``COUNT``.

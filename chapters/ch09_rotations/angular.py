@@ -13,11 +13,11 @@ from ch09_rotations.quaternion import Quaternion
 def velocity_of_point(
     point: Vector3, position: Vector3, velocity: Vector3, angular_velocity: Vector3
 ) -> Vector3:
-    """Compute the velocity of a point on an object that moves and rotates, as a new vector.
+    """Compute the velocity of a point on an object that moves and rotates at the same time.
 
     The object as a whole moves with ``velocity`` in m/s, and it also rotates about ``position`` in
-    m. ``point`` is the world position of the point in m. ``angular_velocity`` is in rad/s, and the
-    result is in m/s.
+    m. ``point`` is the world position of the point in m. ``angular_velocity`` is in rad/s. The
+    result is a new vector in m/s.
 
     Raises:
         ValueError: if a component is not finite.
@@ -48,15 +48,14 @@ def integrate_rotation(
 
 
 def first_order_drift(angular_speed: float, duration: float, steps: int) -> tuple[float, float]:
-    """Compute how wrong Eq. 9.5 gets a steady rotation: the final length and the missing angle.
+    """Measure the errors of Eq. 9.5 in a steady rotation: the final length and the missing angle.
 
     A unit quaternion should rotate about one axis at ``angular_speed`` in rad/s for ``duration`` in
     s. It makes ``steps`` equal steps of ``Quaternion.add_scaled``, and is never normalized, so that
     the errors add up. The first result is the length of the quaternion at the end, which should be
-    1. The second result is how far the rotation lags behind, in radians: the quaternion should have
-    rotated by ``angular_speed`` times ``duration``, and the angle it really rotated by is
-    subtracted from that. For a negative speed, the result is negative. Normalizing would correct
-    the length (E-31), but not the angle.
+    1. The second result is how far the rotation lags behind, in radians. It is ``angular_speed``
+    times ``duration``, minus the angle by which the quaternion has really rotated. For a negative
+    speed, it is negative. Normalizing would correct the length (erratum E-31), but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

@@ -57,7 +57,7 @@ class Matrix4:
     @overload
     def __matmul__(self, other: Matrix4) -> Matrix4: ...
     def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
-        """Let ``m @ v`` mean ``m.transform(v)``, and ``a @ b`` mean ``a.product(b)``."""
+        """Let ``m @ v`` return ``m.transform(v)``, and let ``a @ b`` return ``a.product(b)``."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
@@ -70,25 +70,25 @@ class Matrix4:
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return ``self @ m``, which transforms a point by ``m`` first and then by ``self``.
+        """Multiply two matrices: the new matrix ``self @ m`` transforms a point by ``m`` first.
 
-        The matrix product is a new matrix. Book: section 9.4.2.
+        Book: section 9.4.2.
         """
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def determinant(self) -> float:
         """Compute the factor by which the matrix changes volumes: the determinant of its 3x3 part.
 
-        It is negative for a reflection. The book's listing has a wrong sign (E-28).
+        It is negative for a reflection. The book's listing has a wrong sign (erratum E-28).
         """
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def inverse(self) -> Matrix4:
-        """Compute the matrix that undoes this one, as a new matrix.
+        """Compute the inverse: a new matrix that undoes the effect of this one.
 
-        Its 3x3 part is the inverse of this matrix's 3x3 part. To get its translation, multiply the
-        negative of this matrix's translation by that inverse. Do not copy the book's listings,
-        because they contain errors (E-13, E-29, E-30).
+        First invert the 3x3 part. Then multiply the result by the negative of the translation,
+        which gives the translation of the inverse. Do not copy the book's listings, because they
+        contain errors (errata E-13, E-29 and E-30).
 
         Raises:
             ValueError: if ``Matrix3.inverse`` rejects the 3x3 part.

@@ -72,7 +72,7 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
     def is_unit(self) -> bool:
-        """Test whether the length is 1 to within ``UNIT_TOLERANCE``, as for every orientation.
+        """Test whether the length is 1 to within ``UNIT_TOLERANCE``, as an orientation requires.
 
         If a component is NaN, the result is False.
         """
@@ -145,7 +145,7 @@ class Quaternion:
         ``vector`` is in world axes, and a zero vector rotates nothing. The result is exp((0,
         vector)/2) q, for which Eq. 9.9 is only a first-order approximation. The book's listing
         contains two errors: it multiplies by (0, vector), which is not a rotation, and it does so
-        on the wrong side (E-12).
+        on the wrong side (erratum E-12).
 
         Raises:
             ValueError: if the vector is not finite.
@@ -157,7 +157,8 @@ class Quaternion:
 
         If ``vector`` is an angular velocity and ``scale`` is a duration, this is the book's time
         step for an orientation. It is accurate only to first order, and it makes the quaternion
-        longer (E-31). Do not normalize the result, because the exercises measure this error.
+        longer (erratum E-31). Do not normalize the result, because the exercises measure this
+        error.
 
         Raises:
             ValueError: if the vector or the scale is not finite. In that case nothing changes.

@@ -2,9 +2,9 @@
 
 The axes are right-handed, and +Y points up. Vectors are mutable, so it matters which operations
 change a vector and which create a new one. An operator such as ``v + w`` returns a new vector and
-leaves both operands unchanged, whereas a method marked "in place" changes ``v`` itself and returns
-None. The operators ``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but their methods must end
-with ``return self``, because Python assigns the returned value to ``v``.
+leaves both operands unchanged. A method marked "in place" changes ``v`` itself and returns None.
+The operators ``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but their methods must end with
+``return self``, because Python assigns the returned value to ``v``.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Vector3:
     def copy(self) -> Vector3:
         """Return a new vector with the same components.
 
-        Copy a vector if you still need its current value after it changes in place.
+        Copy a vector before it changes in place, if you still need its current value.
         """
         return Vector3(self.x, self.y, self.z)
 
@@ -99,8 +99,8 @@ class Vector3:
     def __mul__(self, scale: float) -> Vector3:
         """Multiply every component by a number, and return a new vector.
 
-        Both ``v * scale`` and ``scale * v`` call this method. Raises TypeError if ``scale`` is a
-        vector, because there are three different products of two vectors. Book 2.1.3.
+        Both ``v * scale`` and ``scale * v`` call this method. Two vectors can be multiplied in
+        three different ways, so a vector as ``scale`` raises TypeError. Book 2.1.3.
         """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)
@@ -246,7 +246,7 @@ class Vector3:
         return self.x * v.x + self.y * v.y + self.z * v.z
 
     def __matmul__(self, v: Vector3) -> float:
-        """Return the scalar product of two vectors for ``a @ b``, as ``dot`` does."""
+        """Let ``a @ b`` return the scalar product of two vectors, as ``a.dot(b)`` does."""
         if not isinstance(v, Vector3):
             return NotImplemented
         return self.dot(v)
@@ -267,7 +267,7 @@ class Vector3:
         )
 
     def cross_update(self, v: Vector3) -> None:
-        """Replace this vector by its vector product with ``v``, in place (book 2.1.8).
+        """Set this vector to the vector product self x ``v``, in place (book 2.1.8).
 
         Raises TypeError if ``v`` is not a vector.
         """

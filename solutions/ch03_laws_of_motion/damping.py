@@ -19,10 +19,11 @@ from ch02_vectors.vector import Vector3
 def damp_per_frame(
     velocity: Vector3, acceleration: Vector3, damping: float, duration: float
 ) -> Vector3:
-    """Compute the velocity after a time step if every step, long or short, keeps the fraction d.
+    """Compute a velocity after one time step, with damping that is applied once per step.
 
-    The result is v' = v d + a h. Because d is applied once per step, the motion is damped more
-    strongly at a higher frame rate.
+    The result is v' = v d + a h, where a is the acceleration and h is the duration. Every step
+    keeps the fraction d of the velocity, however long the step is. A higher frame rate means more
+    steps per second, so it damps the motion more strongly.
 
     Raises:
         ValueError: if the damping is negative or not finite, or if the duration is not positive and
@@ -37,10 +38,11 @@ def damp_per_frame(
 def damp_per_second(
     velocity: Vector3, acceleration: Vector3, damping: float, duration: float
 ) -> Vector3:
-    """Compute the velocity after a time step if every second, not every step, keeps the fraction d.
+    """Compute a velocity after one time step, with damping that depends on the step's duration.
 
-    The result is v' = v d^h + a h. ``Particle.kick`` uses the form of the book's listing instead,
-    which is (v + a h) d^h (erratum E-16).
+    The result is v' = v d^h + a h, where a is the acceleration and h is the duration. Every second
+    keeps the fraction d of the velocity, so a step of h s keeps d^h of it. ``Particle.kick`` uses
+    the form of the book's listing instead, which is (v + a h) d^h (erratum E-16).
 
     Raises:
         ValueError: if the damping is negative or not finite, or if the duration is not positive and

@@ -1,7 +1,8 @@
-"""The exercises of the book's chapter 3, with one function for each.
+"""Functions that solve the exercises of the book's chapter 3.
 
-Exercise 3.3 is in particle.py. None of these functions changes its arguments. All of them raise
-TypeError if an argument that must be a number is something else.
+Exercise 3.3 is the method ``Particle.kinetic_energy`` in particle.py. None of these functions
+changes its arguments. All of them raise TypeError if an argument that must be a number is something
+else.
 """
 
 from __future__ import annotations
@@ -56,11 +57,11 @@ def gravity_between(first_mass: float, second_mass: float, distance: float) -> f
 def position_by_equation(
     position: Vector3, velocity: Vector3, acceleration: Vector3, time: float
 ) -> Vector3:
-    """Compute the position of a particle after ``time`` s of constant acceleration, without steps.
+    """Compute a particle's position after ``time`` s of constant acceleration, without time steps.
 
-    The result is p' = p + v t + a t^2 / 2 in m, as a new vector. It is exact, so you can measure
-    the error of time steps against it. In this example and the following ones, the start position
-    and two components of the acceleration differ from the book's.
+    The result is p' = p + v t + a t^2 / 2 in m, as a new vector. It is exact, so you can use it to
+    measure the error of a simulation that makes time steps. In all examples for exercise 3.4, the
+    start position and two components of the acceleration differ from the book's.
 
     Raises:
         ValueError: if the time is not positive and finite.
@@ -108,8 +109,8 @@ def stepping_error(
     """Measure how far from the exact position a particle ends up when it moves in time steps.
 
     The result is the position after the steps minus the exact position, in m, as a new vector. The
-    arguments are the same as those of ``state_by_steps``, and so are the errors that it raises.
-    Exercise 3.4d.
+    function takes the same arguments as ``state_by_steps`` and raises the same errors. Exercise
+    3.4d.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)
@@ -120,7 +121,7 @@ def stepping_error(
 
 
 def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
-    """Make up random frame durations in s, which imitate a game whose frame rate varies.
+    """Draw random frame durations in s, to imitate a game whose frame rate varies.
 
     Each duration is drawn uniformly between mean * (1 - jitter) and mean * (1 + jitter). The last
     duration is shortened so that the sum equals ``total``, except for rounding. The same ``seed``
@@ -151,7 +152,7 @@ def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[f
 def damping_difference(
     velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
 ) -> float:
-    """Measure how much the results of the book's two damping equations differ on average, in m/s.
+    """Measure the average difference, in m/s, between the results of the book's damping equations.
 
     Each item of ``runs`` is one run: a list of step durations in s. In each run, two particles
     start with the same ``velocity`` in m/s and make the same steps with the same damping. One of

@@ -22,7 +22,7 @@ class Particle:
     ``particle.velocity.y = 3.0``, but nothing checks these changes, so make sure that the
     components stay finite.
 
-    ``damping`` is the fraction of the velocity that the particle keeps per second: 1 keeps all of
+    ``damping`` is the fraction of the velocity that the particle keeps per second. 1 keeps all of
     it, 0 stops the particle, and a number above 1 speeds it up. A particle is immovable if its mass
     is ``math.inf``, which means that its inverse mass is 0.
 
@@ -53,7 +53,7 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute, after checking and copying a position, velocity or acceleration."""
+        """Set an attribute. A position, velocity or acceleration is first checked and copied."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)

@@ -19,10 +19,11 @@ class CatherineWheel:
     """A wheel in the X-Y plane that rotates at a constant rate and throws sparks from its rim.
 
     ``center`` and ``radius`` are in m. The wheel rotates from X toward Y at ``rate`` in rad/s. A
-    nozzle on its rim throws ``sparks_per_second`` sparks in each second, which are fireworks of the
-    type ``spark_type``. The sparks leave the nozzle backward, against the motion of the rim, at the
-    speed ``jet`` in m/s. ``angle`` is the current angle of the nozzle from the X axis, and
-    ``thrown`` counts the sparks that have left it.
+    nozzle on its rim throws ``sparks_per_second`` sparks in each second. The sparks are fireworks
+    of the type ``spark_type``, which burn in ``show``. The sparks leave the nozzle backward,
+    against the motion of the rim, at the speed ``jet`` in m/s. ``angle`` is the current angle of
+    the nozzle in radians, measured from the X axis, and ``thrown`` counts the sparks that have left
+    it.
 
     Raises:
         ValueError: if the show has no such type, the center is not finite, the radius or the rate
@@ -53,12 +54,12 @@ class CatherineWheel:
         self.thrown = 0
 
     def nozzle(self) -> Particle:
-        """Return a new particle at the nozzle of the wheel, to be the parent of sparks.
+        """Create a particle at the nozzle of the wheel, from which new sparks start.
 
-        Sparks start with the position and velocity of their parent. So place the particle on the
-        rim, at the wheel's angle, with a velocity perpendicular to the spoke. The rim moves at
-        ``rate`` times ``radius``, but the sparks are thrown backward, so the speed of the particle
-        is the speed of the rim minus ``jet``. Mini-project 4.4.
+        The particle is the parent of the sparks, so they start with its position and velocity.
+        Place it on the rim, at the wheel's angle, with a velocity perpendicular to the spoke. The
+        rim moves at ``rate`` times ``radius``, but the sparks are thrown backward, so the speed of
+        the particle is the speed of the rim minus ``jet``. Mini-project 4.4.
         """
         x, y = math.cos(self.angle), math.sin(self.angle)
         spoke, along = Vector3(x, y, 0.0), Vector3(-y, x, 0.0)
@@ -71,7 +72,7 @@ class CatherineWheel:
         After a total of t seconds, the wheel has thrown ``sparks_per_second`` times t sparks,
         rounded down. The number therefore does not depend on the length of the steps, apart from
         the rounding errors in t. All sparks of a step start where the nozzle is at the end of the
-        step, and they count as thrown even if the show has no room for them. Update the show
+        step. They count as thrown even if the show has no room for them. Update the show
         separately, because this method only lights the sparks.
 
         Raises:

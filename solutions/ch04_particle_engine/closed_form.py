@@ -1,9 +1,9 @@
 """Compute the state of a particle at any time with a formula, without time steps.
 
-If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v, with a
-constant acceleration a and k = -ln d. This equation has an exact solution, which gives the position
-and the velocity at any time. A body that moves in this way, such as a spark, therefore needs no
-time steps: you can evaluate the solution once, for the time that you want.
+If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v. Here a
+is a constant acceleration and k = -ln d. This equation has an exact solution, which gives the
+position and the velocity at any time. A body that moves in this way, such as a spark, therefore
+needs no time steps. You can evaluate the solution once, for the time that you want.
 """
 
 from __future__ import annotations
@@ -17,14 +17,15 @@ from ch03_laws_of_motion.particle import Particle
 
 
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
-    """Compute the three factors from which the exact motion of a particle with drag follows.
+    """Compute three factors that give the exact motion of a particle with drag.
 
-    With these factors, called kept, gone and fallen, v(t) = v kept + a gone and p(t) = p + v gone +
-    a fallen:
+    A particle starts at the position p with the velocity v and a constant acceleration a. After t s
+    its velocity is v(t) = v kept + a gone, and its position is p(t) = p + v gone + a fallen. The
+    three factors are called kept, gone and fallen:
 
     - kept = d^t, which has no unit, is the fraction of the velocity that remains.
-    - gone = (1 - d^t) / k, in s, is the distance traveled at an initial speed of 1 m/s.
-    - fallen = (t - gone) / k, in s^2, is the distance traveled at an acceleration of 1 m/s^2.
+    - gone = (1 - d^t) / k, in s, is how far an initial speed of 1 m/s takes the particle.
+    - fallen = (t - gone) / k, in s^2, is how far an acceleration of 1 m/s^2 takes it from rest.
 
     Here d is the damping, k = -ln d, and t is the time in s. As the damping approaches 1, the
     factors approach 1, t and t^2 / 2. Close to this limit the formulas divide almost 0 by almost 0,
@@ -64,7 +65,7 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
     """Predict the position and velocity of ``particle`` after ``time`` s, without moving it.
 
-    Use this function for a prediction, such as where a shell will land. Both results are new
+    Use this function, for example, to predict where a shell will land. Both results are new
     vectors. For an immovable particle, return copies of its current position and velocity.
 
     Raises:

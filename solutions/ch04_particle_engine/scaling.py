@@ -32,8 +32,8 @@ def muzzle_energy(mass: float, speed: float) -> float:
 def slowed_mass(mass: float, factor: float) -> float:
     """Compute the mass in kg that gives a slowed shot the kinetic energy of the real shot.
 
-    The shot is slower by ``factor``, so it needs a larger mass to have the same energy. It then
-    does as much work on a target as the real shot.
+    The shot is ``factor`` times slower than a real one, so it needs a larger mass to have the same
+    energy. It then does as much work on a target.
 
     Raises:
         ValueError: if the mass or the factor is not positive and finite.
@@ -48,7 +48,7 @@ def slowed_gravity(gravity: float, factor: float) -> float:
     """Compute the gravity in m/s^2 that gives a slowed shot the trajectory of the real shot.
 
     The slower shot needs more time for the same distance, so gravity acts on it for longer. Gravity
-    must therefore be weaker if the slow shot should drop no farther than the real one. The book
+    must therefore be weaker, or the slow shot would drop farther than the real one. The book
     divides gravity by the factor only once, which is not enough (erratum E-2).
 
     Raises:

@@ -1,7 +1,7 @@
 """Sparks that rotate on the screen at a constant rate, for a picture without physics (book 4.2.3).
 
 A rotation at a constant rate needs no time steps, because a formula gives the angle at any time.
-See also erratum E-35.
+The book mentions an exercise with such sparks but does not contain it (erratum E-35).
 """
 
 from __future__ import annotations

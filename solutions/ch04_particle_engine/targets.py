@@ -19,9 +19,9 @@ class TargetBlock:
     """A box that stands on the ground or on a post, and slides when a shot hits it.
 
     The sides of the box are parallel to the axes, and ``size`` contains their lengths along X, Y
-    and Z in m. ``particle`` is at the center of the box. If its mass is ``math.inf``, a shot cannot
-    move the block. ``damping`` imitates friction, so that the block comes to rest after a hit, and
-    ``hits`` counts the shots that have hit it.
+    and Z in m. ``particle``, at the center of the box, moves the block. If its mass is
+    ``math.inf``, a shot cannot move the block. ``damping`` imitates friction and brings the block
+    to rest after a hit. ``hits`` counts the shots that have hit it.
 
     Raises:
         ValueError: if a side or the mass is not positive, or if the damping is negative or not
@@ -44,10 +44,10 @@ class TargetBlock:
 def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
     """Find where the straight path of a shot, from ``start`` to ``end``, first hits a target block.
 
-    The result is the fraction of the path that the shot has covered when it hits the block: 0 at
-    the start, 0.25 after a quarter of the path, and 1 at the end. If the path already starts inside
-    the block, the result is 0. A path that only touches the block counts as a hit, and a path that
-    misses it gives None. Positions are in m and have finite components. Exercise 4.3b.
+    The result is the fraction of the path that the shot has covered when it hits the block. It is 0
+    at the start, 0.25 after a quarter of the path, and 1 at the end. If the path already starts
+    inside the block, the result is 0. A path that only touches the block counts as a hit, and a
+    path that misses it gives None. Positions are in m and have finite components. Exercise 4.3b.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)

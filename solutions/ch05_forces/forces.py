@@ -18,9 +18,9 @@ from ch05_forces.particle import Particle
 
 
 class ForceGenerator(Protocol):
-    """The interface of a force generator: any object with an ``update_force`` method.
+    """A force generator, which is any object with a method ``update_force``.
 
-    A generator does not have to inherit from this class.
+    This class only describes the interface, so a generator does not have to inherit from it.
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -31,7 +31,7 @@ class ForceGenerator(Protocol):
 
 
 class ForceRegistry:
-    """A list of which force generators act on which particles in every time step.
+    """A list that says which force generators act on which particles in every time step.
 
     The attribute ``_pairs`` is a list that is empty at first. It holds tuples (particle, generator)
     in the order in which they were added. You may store the pairs in another way, but then change
@@ -132,7 +132,7 @@ class Drag:
         self.k2 = not_negative("k2", k2)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag at the particle's current velocity, as computed by ``drag_force``."""
+        """Add the drag on ``particle``, which ``drag_force`` computes from its current velocity."""
         particle.add_force(drag_force(particle.velocity, self.k1, self.k2))
 
 
@@ -146,10 +146,10 @@ def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
 
 
 class Uplift:
-    """A vertical column of rising air, without an upper or lower end, that pushes particles.
+    """A vertical column of rising air that pushes the particles inside it.
 
     ``force`` is the force in N on every particle inside the column. The axis of the column passes
-    through ``origin``, and its ``radius`` is in m.
+    through ``origin``, and its ``radius`` is in m. The column has no upper or lower end.
 
     Raises:
         ValueError: if the radius is negative or not finite.
@@ -174,10 +174,10 @@ class Uplift:
 
 
 class Airbrake:
-    """Strong drag that can be switched on and off, with the force -k v.
+    """An airbrake: a strong drag force that can be switched on and off.
 
-    ``k`` is in N s/m. Set the attribute ``on`` to True or False to switch the brake. It is off at
-    first.
+    Its force is -k v, where v is the velocity of the particle and ``k`` is in N s/m. Set the
+    attribute ``on`` to True or False to switch the brake. It is off at first.
 
     Raises:
         ValueError: if k is negative or not finite.
@@ -197,8 +197,8 @@ class Airbrake:
 
         In a time step of h s, a force f changes the velocity by f h / m. If k or h is large, a
         force of -k v would therefore push the particle backward. A brake cannot do this, so limit
-        the force: on its own, it may remove at most the fraction ``FULL`` of the velocity. For an
-        immovable particle, do nothing and raise no error.
+        the force: on its own, the brake may remove at most the fraction ``FULL`` of the velocity in
+        one step. For an immovable particle, do nothing and raise no error.
 
         Raises:
             ValueError: if the duration is not positive and finite.
@@ -241,8 +241,8 @@ class PointGravity:
 class InverseSquareGravity:
     """Gravity toward a point that gets weaker with distance, in proportion to 1 / r^2.
 
-    Use it for orbits, such as a planet around the sun. ``mu`` is G times the attracting mass, in
-    m^3/s^2. If it is negative, the center pushes particles away.
+    Use it for orbits, for example for a planet that orbits the sun. ``mu`` is G times the
+    attracting mass, in m^3/s^2. If it is negative, the center pushes particles away.
 
     Raises:
         ValueError: if ``mu`` is not finite.

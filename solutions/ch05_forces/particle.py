@@ -1,4 +1,4 @@
-"""A particle on which forces act: chapter 3's particle with a force accumulator (book 5.1).
+"""A particle on which forces act: the particle of chapter 3, with a force accumulator (book 5.1).
 
 Units are SI, so forces are in N. Everything here raises TypeError for an argument that is not a
 number, or not a Vector3 where a vector is expected.
@@ -133,9 +133,10 @@ class Particle(particle.Particle):
         """The total acceleration of the particle in its last time step, in m/s^2 as a new vector.
 
         This is the constant acceleration plus f / m, where f is the sum of the forces that the last
-        step used. The mass and the constant acceleration are the current ones. Before the first
-        step there is no such force, and an immovable particle does not react to it, so the result
-        is the constant acceleration alone. Book Eq. 3.2.
+        step used. The mass and the constant acceleration are the current ones, even if they have
+        changed since that step. Before the first step there is no such force, and an immovable
+        particle does not react to it, so the result is the constant acceleration alone. Book Eq.
+        3.2.
         """
         force = Vector3(*(self._forces[1] or ()))
         return self.acceleration + force * self._inverse_mass
@@ -145,9 +146,10 @@ class Particle(particle.Particle):
 
         The new velocity is v' = (v + a h) d^h. Here h is ``duration``, d is the damping, and a is
         the constant acceleration plus f / m, where f is the sum of the forces since the last kick.
-        Afterward the kick clears the sum, so that each force acts only once. It does so even for an
-        immovable particle, but it keeps a copy for ``last_acceleration``. You do not have to write
-        ``integrate`` again, because the version of chapter 3 drifts and then calls this method.
+        Afterward the kick clears the sum of forces, even for an immovable particle, so that each
+        force acts only once. It keeps a copy of the sum for ``last_acceleration``. You do not have
+        to write ``integrate`` again, because the version of chapter 3 drifts and then calls this
+        method.
 
         As in chapter 3, the duration is not checked.
         """

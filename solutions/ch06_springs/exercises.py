@@ -1,7 +1,7 @@
 """Measure how stiff a spring may be before its oscillations grow (exercise 6.5).
 
 A spring that is too stiff for the time step makes a simulation explode. These functions find the
-largest stable stiffness by experiment: they simulate a particle on a spring, and check whether it
+largest stable stiffness by experiment. They simulate a particle on a spring, and check whether it
 swings farther and farther.
 """
 
@@ -23,7 +23,7 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
-    """Exercise 6.5: find out by simulation whether the oscillations of a particle on a spring grow.
+    """Exercise 6.5: simulate a particle on a spring, and find out whether its oscillations grow.
 
     The result is True if they grow, which means that the spring is too stiff for the integrator.
     Oscillations of constant amplitude do not count as growing.
@@ -71,8 +71,8 @@ def largest_stable_stiffness(integrator: Integrator, damping: float, duration: f
     return 0 or almost 0. If even the stiffest spring is stable, return STIFFEST / h^2.
 
     The result must be within 1 % of the true limit for a damping from 0.3 to 0.9 and a duration
-    from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required, because the
-    oscillations of the book's step then grow so slowly that ``FRAMES`` steps do not show it.
+    from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required. The oscillations
+    of the book's step then grow so slowly that you cannot notice it within ``FRAMES`` steps.
 
     Raises:
         ValueError: if the damping is negative, the duration is not positive, or one of them is not

@@ -17,13 +17,13 @@ from ch05_forces.particle import Particle
 class Buoyancy:
     """The upward force of still water on a body that floats or sinks in it.
 
-    - ``max_depth`` is half the height of the body, in m. So the body just touches the water when
-      its center is this far above the surface, and it is completely submerged when its center is
-      this far below the surface.
+    - ``max_depth`` is half the height of the body, in m. The body just touches the water when its
+      center is this far above the surface. It is completely submerged when its center is this far
+      below.
     - ``volume`` is in m^3, and ``gravity`` is in m/s^2.
     - ``water_height`` is the height of the water surface in m.
     - ``liquid_density`` is in kg/m^3: 1000 for fresh water, and from 1020 to 1030 for sea water.
-      The example in the book's text is too large by a factor of 1000 (E-21).
+      The example in the book's text is too large by a factor of 1000 (erratum E-21).
 
     Raises:
         ValueError: if ``max_depth``, ``volume`` or ``liquid_density`` is not positive, ``gravity``
@@ -50,13 +50,13 @@ class Buoyancy:
         """Add an upward force that equals the weight of the displaced water.
 
         The body displaces as much water as the volume of its part below the surface. So the force
-        is rho V g times the fraction of the body that is under water, where rho is
-        ``liquid_density``, V is ``volume`` and g is ``gravity``. This fraction is (y_w + s - y) /
-        (2 s), limited to the range from 0 to 1. Here s is ``max_depth``, y_w is the height of the
-        water surface and y is the height of the particle.
+        is rho V g times the fraction of the body that is under water. Here rho is
+        ``liquid_density``, V is ``volume`` and g is ``gravity``. The fraction is (y_w + s - y) / (2
+        s), limited to the range from 0 to 1. In this formula s is ``max_depth``, y_w is the height
+        of the water surface and y is the height of the particle.
 
         The book's formula has the wrong sign, and its listing lacks parentheses and the factor g
-        (E-5).
+        (erratum E-5).
         """
         depth = self.water_height + self.max_depth - particle.position.y
         share = min(max(depth / (2.0 * self.max_depth), 0.0), 1.0)
@@ -81,7 +81,7 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: push the balloon up, with the lift that the air gives it at its height."""
+        """Exercise 6.2: push the balloon up with the lift that it has at its current height."""
         height = max(particle.position.y, 0.0)
         lift = self.max_lift * math.exp(-height / self.scale_height)
         particle.add_force(Vector3(0.0, lift, 0.0))
@@ -124,8 +124,8 @@ class HomingBullet:
 
     A bullet that steers toward the current position of a moving target always arrives behind it. So
     compute where the bullet and the target will be after ``look_ahead`` s if they keep their
-    current velocities. The force on the bullet is the same as the pull of a spring between these
-    two positions, with a rest length of 0 and a ``stiffness`` in N/m.
+    current velocities. The force on the bullet is the pull of a spring between these two positions.
+    Its rest length is 0, and its ``stiffness`` is in N/m.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:

@@ -22,7 +22,7 @@ def hang_bridge(
     stiffness: float,
     damping: float,
 ) -> None:
-    """Hang each plank of a bridge on a spring of its own, and join neighboring planks by springs.
+    """Hang each plank of a bridge on a spring of its own, and join neighboring planks with springs.
 
     The anchor of each plank is ``height`` m straight above it. All springs have the same
     ``stiffness`` in N/m and ``damping`` in N s/m. The rest length of each spring is its current

@@ -1,7 +1,8 @@
-"""Exercises 7.1, 7.3 and 7.4 of the book, each as a function or two.
+"""Functions that solve exercises 7.1, 7.3 and 7.4 of the book.
 
-You compute the restitution of real balls from measured bounces, the speed of a ball that is dropped
-on top of another one, and the force that replaces a push shorter than a frame.
+You compute the restitution of real balls from measured bounces, and the speed of a ball that was
+dropped on top of another one. You also compute the force over a whole frame that replaces a shorter
+push.
 """
 
 from __future__ import annotations
@@ -45,10 +46,9 @@ def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float |
 
     Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height, both in
     m. The table has a row for each material: (material, number of drops, mean restitution, standard
-    error of the mean). The standard error is s / sqrt(n), where n is the number of drops and s is
-    the standard deviation of their restitutions, computed with n - 1. A single drop has no standard
-    deviation, so its standard error is None. The rows are in the order in which the materials first
-    appear.
+    error of the mean). The standard error is s / sqrt(n) for n drops. Here s is the standard
+    deviation of their restitutions, computed with n - 1. A single drop has no standard deviation,
+    so its standard error is None. The rows are in the order in which the materials first appear.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``restitution_of_drop``.
@@ -98,7 +98,7 @@ def top_ball_speed(
 
 
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
-    """Exercise 7.4: compute a force for a whole frame that replaces a shorter, stronger push.
+    """Exercise 7.4: compute the force over a whole frame that replaces a shorter, stronger push.
 
     ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s, but the engine
     applies every force for the whole frame. So return a smaller force in N, as a new vector, which

@@ -32,8 +32,8 @@ class Bond:
     """A soft spring between two particles that has an elastic limit, can break, and can heal.
 
     Up to the length ``limit`` the bond is an ordinary spring with a ``stiffness`` in N/m. Beyond
-    the limit it is softer, because the extra length pulls with only the fraction ``share`` of the
-    stiffness, as in exercise 6.1. If the bond gets longer than ``break_length``, it breaks and
+    the limit it is softer, because the length beyond it pulls with only the fraction ``share`` of
+    the stiffness, as in exercise 6.1. If the bond gets longer than ``break_length``, it breaks and
     exerts no force until it heals. It heals when the distance between its ends is ``rest_length``
     or less. ``holds`` is False while the bond is broken.
 
@@ -106,11 +106,12 @@ def spread(particles: Sequence[Particle]) -> float:
 
 
 class Blob:
-    """A blob that falls to the ground: its ``particles``, ``bonds`` and ``world``.
+    """A blob of particles, joined by bonds, that falls to the ground.
 
-    The blob is flat, so all particles start at z = 0, and its middle starts at ``height``, in m.
-    Every two particles are joined by a bond. If ``cables`` is True, they are also joined by a cable
-    as long as the bond's ``break_length``, which keeps the bond from breaking.
+    ``world`` simulates the blob, which consists of ``particles`` and ``bonds``. The blob is flat,
+    so all particles start at z = 0, and its middle starts at ``height``, in m. A bond joins every
+    two particles. If ``cables`` is True, a cable also joins them. It is as long as the bond's
+    ``break_length``, so it keeps the bond from breaking.
 
     Set ``push`` to a force in N to push the blob. It acts on each particle in every step.
 
@@ -143,9 +144,9 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Make one time step of ``duration`` s, in which the force ``push`` acts on every particle.
+        """Advance the blob by one time step, in which the force ``push`` acts on every particle.
 
-        If the push is not finite, ``add_force`` raises its usual error.
+        ``duration`` is in s. If the push is not finite, ``add_force`` raises its usual error.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

@@ -83,9 +83,9 @@ class Deck:
 
         The result is the index of the row and the height in m. Treat each row as a point, the
         midpoint of its two ends. The nearest row is the one whose midpoint is nearest along X. The
-        deck is the line of straight segments that connect these midpoints, and it continues at the
-        same height before the first row and after the last one. The returned height is the height
-        of this line directly below the ball.
+        deck is a line of straight segments that connect these midpoints. It continues at the same
+        height before the first row and after the last one. The returned height is the height of the
+        deck directly below the ball.
 
         If two rows are equally near, return the first one. Return None if the ball is more than
         half a ``SPACING`` beyond the first or last row.
@@ -123,10 +123,11 @@ class Deck:
 
 
 class Bridge:
-    """A rope bridge above the ground: its ``rows`` of planks, a ``ball`` and their ``world``.
+    """A rope bridge above the ground, with a heavy ball that rolls over it.
 
-    ``ball_mass`` is in kg, and ``x`` is the start position of the ball along X in m. The bridge
-    moves the ball along X at the speed ``pace`` in m/s, which is 0 at first.
+    ``world`` simulates the ``rows`` of planks and the ``ball``. ``ball_mass`` is in kg, and ``x``
+    is the start position of the ball along X in m. The bridge moves the ball along X at the speed
+    ``pace`` in m/s, which is 0 at first.
 
     Raises:
         ValueError: if the ball's mass is not positive and finite, or x is not finite.
@@ -148,7 +149,7 @@ class Bridge:
         )
 
     def step(self, duration: float) -> None:
-        """Make one time step of ``duration`` s, in which the ball moves along X at ``pace``.
+        """Advance the bridge by a time step of ``duration`` s. The ball moves along X at ``pace``.
 
         Raises:
             ValueError: if the duration is not positive and finite, or the pace is not finite. In

@@ -16,7 +16,7 @@ SHARE = 1e-9  # of a step: if less than this is missing, only rounding has made 
 
 
 class FixedStep:
-    """Calls a step function with a fixed duration, as often as the elapsed time requires.
+    """Calls a step function with a fixed duration, as often as needed to keep up with real time.
 
     ``step`` can be any function that takes a duration in s, such as ``ParticleWorld.step``.
     ``left`` is the time in s that has passed but has not been simulated yet. It is always shorter
@@ -58,8 +58,8 @@ class FixedStep:
         If more than ``max_steps`` steps are due, skip the steps beyond the limit by moving their
         time from ``left`` to ``dropped``.
 
-        If a step raises an exception, let the exception propagate and leave the time of that step
-        in ``left``, so that the next call makes the step again.
+        If a step raises an exception, let it propagate. Leave the time of that step in ``left``, so
+        that the next call makes the step again.
 
         Raises:
             ValueError: if ``elapsed`` is negative or not finite. In that case nothing changes.

@@ -1,8 +1,8 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.2, mini-project 8.1).
 
 Seen from the side, the platform is a V made of rods, whose tip is a pivot on the ground. The right
-end is farther from the pivot than the left end. In space the platform consists of two such Vs, at z
-= -1 and z = 1, with rods between them. Arguments of the wrong type raise TypeError.
+end is farther from the pivot than the left end. In space the platform has two such Vs, at z = -1
+and z = 1, with rods between them. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -78,9 +78,10 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
 
 
 class TiltingPlatform:
-    """A platform that tilts on an immovable pivot: its ``particles``, ``rods`` and ``world``.
+    """A platform of particles and rods that tilts on an immovable pivot.
 
-    The particles are in the same order as their start positions in ``PLACES``.
+    ``world`` simulates the platform. Its ``particles`` are in the same order as their start
+    positions in ``PLACES``.
     """
 
     def __init__(self) -> None:
@@ -96,12 +97,13 @@ class TiltingPlatform:
         )
 
     def free_pivot(self) -> None:
-        """Make the pivot movable, so that it rests on the ground without being fixed to it (8.1).
+        """Make the pivot movable, so that it rests on the ground without being fixed to it.
 
         Give each of its two particles the mass ``MASS``. While they were immovable, they needed no
         rod between them, but now nothing else keeps them the same distance apart. So if no rod
         joins them yet, add one to ``self.rods`` and to the generators of the world. It keeps the
-        platform rigid. The ground has no friction. This method is called only once.
+        platform rigid. The ground has no friction. This method is called only once. Mini-project
+        8.1.
         """
         a, b = self.particles[:2]
         for pivot in (a, b):

@@ -33,7 +33,7 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 class Design:
     """The design of a trebuchet, with masses in kg, lengths in m, and angles in degrees.
 
-    The sling releases the projectile as soon as it flies forward and its direction is at most
+    The sling releases the projectile as soon as it flies forward in a direction at most
     ``release_angle`` above the horizontal.
 
     Raises:
@@ -60,12 +60,12 @@ class Design:
 
 @dataclass(frozen=True)
 class Throw:
-    """The result of a throw: its range, and the share of the energy that reached the projectile.
+    """The result of a throw: its range, and the share of the energy that went into the projectile.
 
-    The range is in m, measured from the pivot. The share tells you how much of the counterweight's
-    energy was used for the throw: it is the kinetic and potential energy that the projectile has
-    gained, divided by the potential energy that the counterweight has lost, both from the start to
-    the release. If the projectile was never released, both numbers are 0.
+    The range is in m, measured from the pivot. The share is a fraction, such as 0.4 for 40 %. It is
+    the kinetic and potential energy that the projectile gained, divided by the potential energy
+    that the counterweight lost. Both are measured from the start to the release. If the projectile
+    was never released, both numbers are 0.
     """
 
     range: float
@@ -73,18 +73,18 @@ class Throw:
 
 
 def my_design() -> Design:
-    """Return your own design of a trebuchet, which should throw far (P8.2b).
+    """Return your own design of a trebuchet, which should throw far.
 
     The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
     ``LONGEST_BEAM``. Your grade depends on the range and on the share of the energy that reaches
     the projectile. A range of 60 m and a share of 40 % are good, and 80 m and 50 % are better. The
-    checks throw with their own simulation, so only the numbers in your design count.
+    checks simulate the throw themselves, so only the numbers in your design count. Project 8.2b.
     """
     return Design(400.0, 0.8, 4.2, 3.0, 27.0)
 
 
 class Trebuchet:
-    """A trebuchet built from ``design``: its particles, and the ``world`` in which they move.
+    """A trebuchet that is built from ``design``, and the ``world`` that simulates it.
 
     The particles are ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile``, and
     they all start at rest. ``flies`` is False until the sling has released the projectile.
@@ -131,10 +131,11 @@ class Trebuchet:
         return angle <= self.design.release_angle
 
     def step(self, duration: float) -> None:
-        """Make one time step, and then release the projectile if ``lets_go()`` is True.
+        """Advance the throw by one time step, and release the projectile if ``lets_go()`` is True.
 
-        ``duration`` is in s. To release the projectile, set ``flies`` to True and remove the
-        sling's cable from the generators of the world. This can happen only once.
+        ``duration`` is in s. Call ``lets_go`` after the step. To release the projectile, set
+        ``flies`` to True and remove the sling's cable from the generators of the world. This can
+        happen only once.
         """
         self.world.step(duration)
         if not self.flies and self.lets_go():
@@ -142,13 +143,13 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Simulate a throw, and return its range and the share of the energy that it used (P8.2a).
+        """Simulate a throw, and return its range and its share of the energy.
 
         Make steps of ``STEP`` until the sling releases the projectile. From then on the projectile
         flies without drag until it reaches the ground, which is at a height of 0. The throw fails
         if the projectile reaches the ground while it is still in the sling, or if it has not been
         released within ``TIME_LIMIT``. In that case return Throw(0.0, 0.0). Call this method only
-        on a new trebuchet, because a trebuchet can throw only once.
+        on a new trebuchet, because a trebuchet can throw only once. Project 8.2a.
         """
         weight, projectile = self.weight, self.projectile
         high, low = weight.position.y, projectile.position.y

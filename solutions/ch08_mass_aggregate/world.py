@@ -25,8 +25,8 @@ class ParticleWorld:
     ``integrator`` can be any integrator of chapter 6. ``iterations`` is the limit of the
     ContactResolver in ``resolver``.
 
-    There is no limit on the number of contacts in a step, unlike in the book, whose world silently
-    ignores all contacts beyond its limit.
+    A step can have any number of contacts. The book's world silently ignores all contacts beyond a
+    fixed limit.
 
     Raises:
         ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.

@@ -1,11 +1,11 @@
 """Euler angles, and why they fail (book 9.2.1).
 
 Three angles x, y and z in radians describe an orientation. The object rotates first by x about the
-X axis of the world, then by y about the world's Y axis, and then by z about the world's Z axis.
-Every orientation can be described in this way (E-33). But if y is a quarter turn, the second
-rotation turns the X axis onto Z or -Z. The first and the last rotation then have the same axis, so
-one degree of freedom is lost. This state is called gimbal lock, and it is the reason why engines
-store orientations as quaternions.
+X axis, then by y about the Y axis, and then by z about the Z axis. All three axes are those of the
+world. Every orientation can be described in this way (erratum E-33). But if y is a quarter turn,
+the second rotation turns the X axis onto Z or -Z. The first and the last rotation then have the
+same axis, so one degree of freedom is lost. This state is called gimbal lock, and it is the reason
+why engines store orientations as quaternions.
 
 The functions raise ValueError for a number that is not finite, and TypeError for an argument of the
 wrong type.
@@ -60,10 +60,9 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
     about the lost axis.
 
     Raises:
-        ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is
-            greater than ``SINGULAR`` of matrix3.py. Check this yourself, because
-            ``Matrix3.inverse`` does not notice it in every case. At z = 0 one row of the matrix is
-            as small as the determinant.
+        ValueError: in gimbal lock, which means that |cos y| is at most ``SINGULAR`` of matrix3.py.
+            Check this yourself, because ``Matrix3.inverse`` does not notice it in every case. The
+            determinant of the rate map is cos y, but at z = 0 one row of the map is just as small.
     """
     velocity = finite_vector("angular_velocity", angular_velocity)
     rates = rate_map(x, y, z)

@@ -1,4 +1,4 @@
-"""The exercises of the book's chapter 9, each as a function.
+"""Functions that solve the exercises of the book's chapter 9.
 
 The functions do not change their arguments. Angles are in radians unless a docstring says degrees.
 An argument of the wrong type raises TypeError.
@@ -23,10 +23,10 @@ _ON_THE_LINE = 1e-9
 def two_other_turns() -> tuple[float, float]:
     """Exercise 9.1: find two rotations that together have the same effect as two given ones.
 
-    If you rotate an object by 90 degrees about X and then by 90 degrees about Y, the result is the
-    same as if you rotate it by a about Z and then by b about X. Return a and b as a tuple, in
-    degrees, both from -180 to 180. The axes are those of the world, so they do not rotate with the
-    object, and rotations are right-handed.
+    Rotate an object by 90 degrees about X and then by 90 degrees about Y. You get the same result
+    by rotating it by a about Z and then by b about X. Return a and b as a tuple, in degrees, both
+    from -180 to 180. The axes are those of the world, so they do not rotate with the object, and
+    rotations are right-handed.
     """
     return -90.0, 90.0
 
@@ -135,8 +135,8 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
 
     The inverse of a rotation is its transpose, so transpose the 3x3 part. Then multiply the
     translation by this transpose and negate it. The result is a new matrix. If the 3x3 part is not
-    a rotation, the result is wrong, but do not check this, because a check would cost most of the
-    time that this method saves.
+    a rotation, the result is wrong. Do not check this, because a check would cost most of the time
+    that this method saves.
     """
     if not isinstance(matrix, Matrix4):
         raise TypeError(f"matrix must be a Matrix4, got {matrix!r}")
@@ -181,10 +181,10 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
     """Exercise 9.7: add up the masses in kg to the left and to the right of the balance edge.
 
-    The edge is the one from ``balance_offset``. The book says that the two masses are equal (E-32),
-    but they need not be, because a small mass far from the edge balances a large mass near it. A
-    stone belongs to the side on which its center lies, or to neither side if its center is within
-    1e-9 m of the edge.
+    The edge is the one from ``balance_offset``. The book says that the two masses are equal
+    (erratum E-32). They need not be, because a small mass far from the edge balances a large mass
+    near it. A stone belongs to the side on which its center lies, or to neither side if its center
+    is within 1e-9 m of the edge.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``balance_offset``.

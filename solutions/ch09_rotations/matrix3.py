@@ -61,7 +61,7 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Let ``m @ v`` mean ``m.transform(v)``, and ``a @ b`` mean ``a.product(b)``."""
+        """Let ``m @ v`` return ``m.transform(v)``, and let ``a @ b`` return ``a.product(b)``."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
@@ -78,9 +78,9 @@ class Matrix3:
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return ``self @ m``, which transforms a vector by ``m`` first and then by ``self``.
+        """Multiply two matrices: the new matrix ``self @ m`` transforms a vector by ``m`` first.
 
-        The matrix product is a new matrix. Book: section 9.4.2.
+        Book: section 9.4.2.
         """
         if not isinstance(m, Matrix3):
             raise TypeError(f"m must be a Matrix3, got {m!r}")
@@ -109,16 +109,16 @@ class Matrix3:
         return first.dot(second.cross(third))
 
     def inverse(self) -> Matrix3:
-        """Compute the matrix that undoes this one, as a new matrix.
+        """Compute the inverse: a new matrix that undoes the effect of this one.
 
-        A matrix that is almost singular has an inverse too, but rounding errors make it useless. So
-        the limit ``SINGULAR`` is compared with a ratio that does not depend on the scale of the
-        matrix.
+        An almost singular matrix has an inverse too, but rounding errors make it useless. So reject
+        a matrix if its determinant is too small compared with the product of its rows' lengths.
+        This ratio does not depend on the scale of the matrix.
 
         Raises:
-            ValueError: if an entry is not finite, or if the matrix is singular, which means that
-                |determinant| is at most ``SINGULAR`` (1e-13) times the product of the rows'
-                lengths. The message shows the determinant, and its ratio to that product.
+            ValueError: if an entry is not finite, or if |determinant| is at most ``SINGULAR``
+                (1e-13) times the product of the rows' lengths. The message shows the determinant,
+                and its ratio to that product.
 
         Book: section 9.4.3.
         """
@@ -155,7 +155,7 @@ class Matrix3:
         """Create the matrix that rotates vectors in the same way as the quaternion ``q``.
 
         The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
-        transpose of this matrix, which rotates in the opposite direction (E-11).
+        transpose of this matrix, which rotates in the opposite direction (erratum E-11).
 
         Raises:
             ValueError: if the quaternion's length is not 1 (``is_unit``).

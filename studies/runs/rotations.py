@@ -159,7 +159,7 @@ def disc_place(time: float) -> Numbers:
 
 
 def disc_orientation(time: float) -> Components:
-    """Compute the exact orientation of the thrown disc, which spins while its axis moves around a cone."""
+    """Compute the exact orientation of the thrown disc, which spins while its axis also moves."""
     return product(turn(Y, PRECESSION * time), product(turn(AXIS, SPIN * time), TILTED))
 
 

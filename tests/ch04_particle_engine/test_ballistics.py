@@ -77,8 +77,10 @@ def test_the_axes_of_aiming(rng: Random) -> None:
             (0.0, 0.0): [
                 (
                     (speed, 0.0, 0.0),
-                    "You measure the azimuth from X, so that a shot with an azimuth of 0 flies "
-                    "along X. Measure it from Z toward X.",
+                    (
+                        "You measure the azimuth from X, so a shot with an azimuth of 0 flies "
+                        "along X. Measure it from Z toward X."
+                    ),
                 ),
                 (
                     (0.0, speed, 0.0),
@@ -179,8 +181,10 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mistakes = [
         (
             (0.0, 0.0, speed),
-            "Your shot flies level because no elevation was given. It must keep the angle of its "
-            "type's velocity above the ground instead.",
+            (
+                "Without an elevation, your shot flies level. It must keep the angle of its type's "
+                "velocity to the ground."
+            ),
         ),
         (
             (0.0, up * along / speed, along * along / speed),
@@ -189,8 +193,8 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
         ),
     ]
     unaimed = (
-        "No angles were given, so the shot must start with exactly the velocity of its type. Keep "
-        "both its speed and its angle."
+        "Without angles, the shot must start with exactly the velocity of its type. Keep the "
+        "speed and the angle of that velocity."
     )
     about.cause = cause_of(xyz(p.velocity), mistakes, unaimed)
     expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity")
@@ -262,7 +266,7 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
     for elevation in (round(rng.uniform(0.3, 1.2), 3), 0.0):
         about.cause = (
             "The given elevation must replace the angle of the type, but the speed stays at 50 "
-            "m/s. Pass both to aim."
+            "m/s. Pass the elevation and the speed to aim."
         )
         if elevation == 0.0:
             about.cause = (
@@ -330,8 +334,8 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
 @pytest.mark.robust
 def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
     about.cause = (
-        "Reject a name without a type, and an angle that is not finite. Check both before you add "
-        "a shot to the list, so that a rejected call changes nothing."
+        "Raise ValueError if no type has this name or if an angle is not finite. Check both "
+        "before you add a shot to the list."
     )
     about.read = "the docstring of fire"
     at = BallisticRange()

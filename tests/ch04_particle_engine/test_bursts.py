@@ -80,14 +80,14 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.9")
 def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
-    about.call = "burst_positions(...) with 50 speeds; the number of calls of drag_factors"
+    about.call = "burst_positions(...) with 50 speeds; the number of calls to drag_factors"
     about.cause = (
         "You call drag_factors again for each spark, although the factors don't depend on its "
         "speed. Call drag_factors once, before the loop."
     )
     about.read = BURST
     positions, calls = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
-    expect_close(max(0, calls - 1), 0, then=" after the first")
+    expect_close(max(0, calls - 1), 0, then=", not counting the first")
     about.cause = "There are 50 speeds, so return a list of 50 positions."
     name = "burst_positions(...) with 50 speeds; the number of positions that it returns"
     expect_close(len(positions), 50, call=name)

@@ -24,8 +24,7 @@ def particle_of(
 ) -> tuple[str, Any]:
     """Return the code that makes a particle, and the particle."""
     words = (
-        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
-        f"damping={damping})"
+        f"x, v, a = Vector3{x}, Vector3{v}, Vector3{a}; p = Particle(x, v, a, damping={damping})"
     )
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), damping=damping, mass=mass)
     return words, p
@@ -56,19 +55,20 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
         about.cause = (
-            "One of the three factors is wrong. First compute the drag rate k = -ln d, and then "
-            "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k."
+            "One of the three factors is wrong. Call the damping d and the time t. Compute the "
+            "drag rate k = -ln d, and then kept = d^t, gone = (1 - d^t) / k and fallen = (t - "
+            "gone) / k."
         )
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
         undamped = (
             "You ignore the damping, so these are the factors without drag. Compute the drag rate "
-            "k = -ln d from it."
+            "from it, which is -ln(damping)."
         )
         if damping == 0.9999:
             undamped = (
-                "You treat this damping as 1 because it is near 1. Decide by k t instead of the "
-                "damping alone, because k t is large here."
+                "You treat this damping as 1 because it is near 1. Decide by -ln(damping) x time "
+                "instead, because the time is long here."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
@@ -76,15 +76,19 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
             *(
                 (
                     (kept, gone, (time - gone) / drag),
-                    "You compute the drag rate as k = 1 - d. The equation uses k = -ln d, which "
-                    "differs from it unless d is near 1.",
+                    (
+                        "You compute the drag rate k as 1 - damping. The equation uses k = "
+                        "-ln(damping), which is different unless the damping is near 1."
+                    ),
                 )
                 for kept, gone in powers
             ),
             (
                 (wanted[0], wanted[1], time * time / 2.0),
-                "You compute fallen as t^2 / 2, which is right only without drag. With drag it is "
-                "(t - gone) / k.",
+                (
+                    "You compute fallen as t^2 / 2, which is right only without drag. With drag it "
+                    "is (t - gone) / k, where t is the time and k = -ln(damping)."
+                ),
             ),
             ((1.0, time, time * time / 2.0), undamped),
         ]
@@ -102,15 +106,19 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
             1.0,
             time,
             (1.0, time, time * time / 2.0),
-            "A damping of 1 gives k = 0, and you cannot divide by 0. In this case return the "
-            "factors without drag, which are 1, t and t^2 / 2.",
+            (
+                "With a damping of 1, the drag rate is 0, and you cannot divide by it. In this "
+                "case return the factors without drag, which are 1, t and t^2 / 2 after a time t."
+            ),
         ),
         (
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            "A damping of 0 stops the motion at once, so all three factors are 0. Handle this case "
-            "before you compute ln d, because 0 has no logarithm.",
+            (
+                "A damping of 0 stops the motion at once, so all three factors are 0. Handle this "
+                "case before you compute the logarithm of the damping, because 0 has none."
+            ),
         ),
         (
             0.5,
@@ -138,8 +146,8 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
 @pytest.mark.parametrize("away", [1e-13, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
 def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> None:
     about.cause = (
-        "Your formula loses digits when k t is small, because it subtracts nearly equal numbers in "
-        "1 - d^t or t - gone. Use math.expm1 and the first terms of a series instead."
+        "With a damping d near 1, your formula loses digits, because 1 - d^t and t - gone "
+        "subtract nearly equal numbers. Use math.expm1 and the first terms of a series instead."
     )
     about.read = FACTORS
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
@@ -181,8 +189,8 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
     about.cause = (
-        "The position is inexact or wrong. Compute it without time steps, as p + v gone + a fallen "
-        "on each axis, with the factors from drag_factors."
+        "The position is wrong or not exact. Compute it without time steps, as x + v gone + a "
+        "fallen on each axis, with the factors gone and fallen from drag_factors."
     )
     about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
@@ -201,8 +209,8 @@ def test_without_damping_it_is_the_parabola(rng: Random) -> None:
     words, p = particle_of(x, v, a, 1.0)
     about(
         f"{words}; state_after(p, {t})",
-        cause="With a damping of 1 there is no drag. The position must be p + v t + a t^2 / 2, and "
-        "the velocity v + a t.",
+        cause="With a damping of 1 there is no drag. After a time t, the position must "
+        "be x + v t + a t^2 / 2, and the velocity v + a t.",
         read=STATE,
     )
     position, velocity = closed_form.state_after(p, t)
@@ -221,8 +229,8 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
     about.call = (
-        f"{words}; the state after {first} s, continued for another {second} s, which must equal "
-        f"state_after(p, {first + second:.6g})"
+        f"{words}; the state after {first} s, and from there the state after another {second} s; "
+        f"this must equal state_after(p, {first + second:.6g})"
     )
     about.cause = (
         "Two predictions, one starting where the other ends, must give the same state as one "
@@ -236,7 +244,8 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
             "and return new vectors."
         )
     undamped = (
-        "You don't damp the initial velocity. Multiply it by the factor kept before you add a gone."
+        "You don't damp the initial velocity. Multiply it by the factor kept before you add "
+        "acceleration x gone."
     )
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))

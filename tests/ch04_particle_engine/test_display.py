@@ -243,10 +243,11 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
     hit = display.click(a_game, 30.0, 20.0)
     expect_exactly(hit, False)
     counted = (a_game.misses, a_game.score)
-    expect_exactly(counted, (1, 0), then="; (display.misses, display.score)")
+    expect_exactly(counted, (1, 0), then="; the pair (display.misses, display.score)")
     expect_exactly(types(a_game), [1], then="; the types of the burning fireworks")
     about.call = (
-        "two rockets; four clicks, which hit, miss, hit and miss; (display.misses, display.score)"
+        "two rockets; four clicks, which hit, miss, hit and miss; the pair (display.misses, "
+        "display.score)"
     )
     about.cause = (
         "Two of these clicks hit a rocket and two miss. Add the points of each hit to score, and "
@@ -261,7 +262,7 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
 
 @pytest.mark.exercise("P4.1")
 def test_a_click_in_a_full_show_counts_too() -> None:
-    about.call = "a show with only one slot, taken by a rocket at (0, 20); click(display, 0, 20)"
+    about.call = "a show with one slot, which a rocket at (0, 20) has taken; click(display, 0, 20)"
     about.cause = (
         "A click on a rocket is a hit even if the show has no room for a new rocket. Score it and "
         "set the age of the rocket to 0 in any case."
@@ -338,8 +339,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
 def test_a_click_after_the_end_does_nothing() -> None:
     about("a rocket at (0, 20) and 6 misses so far, so the game is over; click(display, 0, 20)")
     about.cause = (
-        "The game is over after 6 misses, so a click must not change anything. Call is_over first, "
-        "and if it returns True, return False at once."
+        "The game is over after 6 misses, so a click must not change anything. Call is_over "
+        "first, and return False at once if the game is over."
     )
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
@@ -349,13 +350,13 @@ def test_a_click_after_the_end_does_nothing() -> None:
     display.click(a_game, 30.0, 20.0)
     counted = (a_game.misses, a_game.score)
     expect_exactly(
-        counted, (6, 0), then="; click(display, 30, 20); (display.misses, display.score)"
+        counted, (6, 0), then="; click(display, 30, 20); the pair (display.misses, display.score)"
     )
     expect_exactly(types(a_game), [1], then="; the types of the burning fireworks")
     about.call = "only a spark burns, so the game is over; click(display, 0, 20)"
     about.cause = (
-        "The game is already over, because no rocket is left. Call is_over at the start of click, "
-        "instead of checking only the number of misses."
+        "The game is already over, because no rocket is left. Call is_over at the start of click "
+        "instead of only checking the number of misses."
     )
     a_game = game((2, 0.0, 20.0))
     hit = display.click(a_game, 0.0, 20.0)

@@ -32,13 +32,13 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
     about.call = call
     __tracebackhide__ = True
     outside = sum(not low <= number <= high for number in drawn)
-    expect_exactly(outside, 0, then=f": how many are outside {low} to {high}")
+    expect_exactly(outside, 0, then=f": how many are below {low} or above {high}")
     # The standard deviation of the mean of n even draws is their range / sqrt(12 n).
     tolerance = 5.0 * (high - low) / math.sqrt(12.0 * len(drawn))
     middle = (low + high) / 2.0
     mean = math.fsum(drawn) / len(drawn)
     least, most = middle - tolerance, middle + tolerance
-    expect_between(mean, least, most, then=": their mean")
+    expect_between(mean, least, most, then=": the mean")
     # A quarter of even draws lies in each outer quarter. The standard deviation is sqrt(n 3 / 16).
     quarter = (high - low) / 4.0
     for part, inside in (
@@ -100,7 +100,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         correlation = statistics.correlation(columns[one], columns[other])
         # The standard deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
-        name = f"; the correlation of {one} and {other}"
+        name = f"; the correlation between {one} and {other} of the fireworks"
         expect_between(correlation, -tolerance, tolerance, then=name)
 
 
@@ -147,8 +147,8 @@ def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
     expect_close(firework[5:8], wanted, then=".particle.velocity")
     about.cause = (
-        "Your function adds to the parent's own velocity, so each further firework of the same "
-        "parent is faster. Add the two velocities in a new vector."
+        "Your function changes the velocity of the parent, so every later firework of this parent "
+        "gets a wrong velocity. Add the two velocities in a new vector."
     )
     family = probes.lit(data, seed, 3, (x, v))
     expect_close(
@@ -166,10 +166,7 @@ def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng
     about.read = "the docstring of make_firework"
     for parent in (None, (components(rng), components(rng))):
         (firework,) = probes.lit(data, 1, 1, parent, parent_mass=4.0)
-        about.cause = (
-            "The new firework must have the type of its rule, and its particle the damping of the "
-            "rule. Pass both on."
-        )
+        about.cause = "Take the type of the firework and the damping of its particle from the rule."
         expect_close(firework[0], type, then="; firework.type")
         expect_close(firework[12], damping, then="; firework.particle.damping")
         about.cause = (
@@ -185,19 +182,19 @@ def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng
 def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
-        f"make_firework(rule, random) 5 times with random = Random({seed}), and then all of this "
-        "again"
+        f"make_firework(rule, random) 5 times with random = Random({seed}); the same 5 calls with "
+        f"a new Random({seed})"
     )
     about.cause = (
         "Your fireworks differ although the seed is the same. Draw every number from the argument "
-        "random, not from a generator of your own or the module random."
+        "random, not from another generator or from the module random."
     )
     about.read = "the docstring of make_firework"
     once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
     differ = sum(a != b for a, b in zip(once, again, strict=True))
-    expect_exactly(differ, 0, then="; how many fireworks differ the second time")
+    expect_exactly(differ, 0, then="; how many of the second fireworks differ from the first")
     about.call = (
-        f"make_firework(rule, random) 5 times with random = Random({seed}), and 5 times with "
+        f"make_firework(rule, random) 5 times with random = Random({seed}); 5 times with "
         f"Random({seed + 1}); how many velocities are equal"
     )
     about.cause = (

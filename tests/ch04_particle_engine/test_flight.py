@@ -54,15 +54,16 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 0.0, 100.0),
             4.0,
             False,
-            "You treat a shot at y = 0 as spent. It is on the ground, and only a shot below the "
-            "ground (y < 0) is spent.",
+            (
+                "You treat a shot at y = 0 as spent, but it is only on the ground. A shot is spent "
+                "if it is below the ground (y < 0)."
+            ),
         ),
         (
             (0.0, -0.001, 100.0),
             4.0,
             True,
-            "This shot is below the ground (y < 0), which alone is enough for it to be spent. "
-            "Return True.",
+            "A shot below the ground (y < 0) is spent, whatever its age and its z. Return True.",
         ),
         (
             (0.0, 1.5, 100.0),
@@ -75,8 +76,7 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 1.5, 100.0),
             5.001,
             True,
-            "This shot is older than 5 s, which alone is enough for it to be spent. Check its age "
-            "too.",
+            "A shot older than 5 s is spent, wherever it is. Check its age too.",
         ),
         (
             (0.0, 1.5, 150.0),
@@ -96,8 +96,10 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 1.5, 200.001),
             4.0,
             True,
-            "This shot is past the end of the range, which alone is enough for it to be spent. "
-            "Check its z too.",
+            (
+                "A shot past the end of the range is spent, whatever its height and its age. Check "
+                "its z too."
+            ),
         ),
         (
             (300.0, 300.0, -300.0),
@@ -125,7 +127,7 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         f"r.update({h}); r.shots"
     )
     about.cause = (
-        "Each update is one time step for every shot. Call integrate exactly once for each "
+        "Each update must move every shot by one time step. Call integrate exactly once for each "
         "particle, with the duration of the step."
     )
     about.read = "the docstring of update"
@@ -202,23 +204,29 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
             "artillery",
             h,
             landed,
-            "Your update removes the shot in the wrong step. Remove it in the very update in which "
-            "it falls below y = 0, so call is_spent after integrate.",
+            (
+                "Your update removes the shot in the wrong step. Remove it in the same update in "
+                "which it falls below y = 0, so call is_spent after integrate."
+            ),
         ),
         (
             "laser",
             h,
             past,
-            "Your update removes the shot in the wrong step. Remove it in the very update in which "
-            "it passes z = 200 m, so call is_spent after integrate.",
+            (
+                "Your update removes the shot in the wrong step. Remove it in the same update in "
+                "which it passes z = 200 m, so call is_spent after integrate."
+            ),
         ),
         # 40 frames are exactly 5 s, and a shot of 5 s is not too old.
         (
             "fireball",
             1.0 / 8.0,
             41,
-            "Your update removes the shot in the wrong step. Remove it in the very update in which "
-            "its age passes 5 s, so add the duration before you call is_spent.",
+            (
+                "Your update removes the shot in the wrong step. Remove it in the same update in "
+                "which its age passes 5 s, so add the duration before you call is_spent."
+            ),
         ),
     ):
         about.cause = cause
@@ -234,8 +242,8 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
 def test_neighbors_that_are_spent_together_are_dropped_together() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = (
-        f"r = BallisticRange(); a {', a '.join(names)} are fired; r.update(0.5) 5 times; the types "
-        "of r.shots after update"
+        f"a range r; a {', a '.join(names)} are fired; r.update(0.5) 5 times; the types of the "
+        "shots after update"
     )
     about.cause = (
         "Some spent shots are still in the list, because a loop that removes an item from its own "
@@ -272,7 +280,7 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
         "the time of flight for h = 1/500 s, divided by the error for h = 1/1000 s"
     )
     about.cause = (
-        "If the time steps are half as long, the error must be half as large. Check that each "
+        "With time steps that are half as long, the error must be half as large. Check that each "
         "update makes exactly one step."
     )
     # The next order changes the ratio by h / t. The time is known to 5e-8 s of 1e-3 s.

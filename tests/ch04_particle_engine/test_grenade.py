@@ -83,8 +83,10 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
             ),
             (
                 (vx, vy, vz),
-                "The velocity did not change, but every grenade that moves down below the ground "
-                "must bounce. Don't require a minimum speed.",
+                (
+                    "The velocity did not change. A grenade that is below the ground and moves "
+                    "down must bounce, however slow it is."
+                ),
             ),
         ]
         blame(xyz(p.velocity), mistakes)
@@ -121,8 +123,8 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
     about.cause = (
-        "This grenade is already moving up, or is at rest. Move it to y = 0, but change its "
-        "velocity only if it points down."
+        "This grenade is already moving up or is at rest. Move it to y = 0, but change its "
+        "velocity only if that points down."
     )
     about.read = "the docstring of bounce"
     for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
@@ -140,8 +142,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     x, v, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     a, damping = components(rng), round(rng.uniform(0.1, 0.8), 3)
     about.call = (
-        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
-        f"mass={mass!r}, damping={damping!r}); pieces = fragments(p)"
+        f"x, v, a = Vector3{x}, Vector3{v}, Vector3{a}; p = Particle(x, v, a, mass={mass!r}, "
+        f"damping={damping!r}); pieces = fragments(p)"
     )
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
@@ -161,15 +163,15 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
         expect_close(piece[2:5], x, then="; the position of a fragment")
         expect_close(piece[8:], a, then="; the acceleration of a fragment")
     about.cause = (
-        "The burst changes the total momentum. Choose velocities relative to the grenade that add "
-        "up to 0, for example in opposite pairs."
+        "The burst changes the total momentum. The velocities of the fragments relative to the "
+        "grenade must add up to 0, so choose them in opposite pairs, for example."
     )
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
     if max(abs(component) for component in total) < 1e-9:
         about.cause = (
             "You leave out the velocity of the grenade, so the total momentum of the fragments is "
-            "0. Add it to the velocity of each fragment."
+            "0. Add the grenade's velocity to that of each fragment."
         )
     # The rounding errors of 12 numbers up to 25 x 9 / 12.
     expect_close(
@@ -186,14 +188,14 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     )
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
     about.cause = (
-        "Each fragment must move at FRAGMENT_SPEED (15 m/s) relative to the grenade. Normalize its "
-        "direction before you multiply by this speed."
+        "Each fragment must move at FRAGMENT_SPEED, which is 15 m/s, relative to the grenade. "
+        "Normalize its direction before you multiply by this speed."
     )
     for velocity in relative:
         expect_close(
             math.hypot(*velocity),
             15.0,
-            then="; the speed of a fragment relative to p in m/s",
+            then="; the speed of a fragment relative to the grenade p, in m/s",
             tolerance=1e-11,
         )
     expect_exactly(
@@ -209,7 +211,9 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     )
     near = sum(pair < 0.1 for pair in pairs)
     expect_exactly(
-        near, 0, then="; how many pairs of fragments have the same velocity, within 0.1 m/s"
+        near,
+        0,
+        then="; the number of pairs of fragments whose velocities are equal to within 0.1 m/s",
     )
 
 
@@ -239,30 +243,30 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
 def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     frames = BURST_FRAME - 1
     about.call = (
-        f'r = BallisticRange(); r.fire("grenade"); r.update(0.25) {frames} times; the height of '
-        "the grenade after each update"
+        f'r = BallisticRange(); r.fire("grenade"); r.update(0.25) {frames} times; the heights of '
+        "the grenade, one after each update"
     )
     about.cause = (
-        "Your grenade disappears before its fuse has burnt down. It must bounce off the ground, so "
-        "call bounce before is_spent."
+        "Your grenade disappears before its fuse has burned down. It must bounce off the ground, "
+        "so call bounce before is_spent."
     )
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
-    expect_exactly(len(heights), frames, then=": how many heights")
+    expect_exactly(len(heights), frames, then=": their number")
     about.cause = (
-        "The grenade never gets to y = 0. It must not burst before its fuse of 4 s has burnt down, "
-        "and bounce must move it to y = 0 when it lands."
+        "The grenade never gets to y = 0. Don't let it burst before its fuse of 4 s has burned "
+        "down, and let bounce move it to y = 0 when it lands."
     )
     lowest = min(heights)
     # It lands in frame 12 and is put back to exactly 0.
-    expect_close(lowest, 0.0, then=": the lowest, in m", tolerance=ROUNDED)
+    expect_close(lowest, 0.0, then=": the lowest one, in m", tolerance=ROUNDED)
     landed = heights.index(lowest)
     about.cause = (
         "The grenade does not rise again after its bounce. It must leave the ground at half the "
         "speed at which it fell."
     )
     risen = max(heights[landed:]) > 0.5
-    expect_exactly(risen, True, then=": is one of those after the bounce above 0.5 m?")
+    expect_exactly(risen, True, then=": does one after the bounce exceed 0.5 m?")
 
 
 @pytest.mark.exercise("4.1")
@@ -276,8 +280,8 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     types = tuple(shot.type for shot in at.shots)
     expect_exactly(types, ("grenade",), then="; the types of the shots")
     about.cause = (
-        "The grenade is now 4 s old (FUSE), so it must burst. Return 12 shots of the "
-        "type fragment and age 0 instead of the grenade."
+        "The grenade is now 4 s old (FUSE), so it must burst. Return 12 shots of the type "
+        "fragment and of age 0 instead of it."
     )
     about.call, at = thrown(frames=BURST_FRAME)
     types = tuple(shot.type for shot in at.shots)
@@ -339,8 +343,8 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
 def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> None:
     about.read = "the docstring of grenade_after"
     about.call = (
-        'shot = Shot("grenade", Particle(position=Vector3(0, -0.5, 9), velocity=Vector3(0, -8, '
-        "5))); shot.age = 4; grenade_after(shot)"
+        "p = Particle(position=Vector3(0, -0.5, 9), velocity=Vector3(0, -8, 5)); shot = "
+        'Shot("grenade", p); shot.age = 4; grenade_after(shot)'
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0.0, -8.0, 5.0)))
     shot.age = 4.0
@@ -367,8 +371,8 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
         'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
     )
     about.cause = (
-        "This grenade is past the end of the range, but its fuse has burnt down, so it must burst. "
-        "Check the fuse before you call is_spent."
+        "This grenade is past the end of the range, but its fuse has burned down, so it must "
+        "burst. Check the fuse before you call is_spent."
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     shot.age = 6.0

@@ -18,7 +18,7 @@ def words(leaves: dict[int, list[int]]) -> str:
         for type, after in leaves.items()
     ]
     more = f", and so on for {len(shown) - 6} more types" if len(shown) > 6 else ""
-    return f"rules where {', '.join(shown[:6])}{more}; endless_types(rules)"
+    return f"rules: {', '.join(shown[:6])}{more}; endless_types(rules)"
 
 
 @pytest.mark.exercise("B4.7")
@@ -39,7 +39,7 @@ def test_rules_that_end_have_no_endless_types() -> None:
         if got == [*leaves]:
             about.cause = (
                 "You return every type, probably because you mark the type that you start from as "
-                "reached. Mark a type as reached only if a payload leads to it."
+                "reached. Mark it only if a payload leads back to it."
             )
         elif got == [1]:
             about.cause = (
@@ -128,7 +128,7 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
     numbers = sorted(rule[0] for rule in rules)
     expect_exactly(numbers, [10, 11])
     about(
-        "own_types(); the types of the payloads",
+        "the types of the payloads in own_types()",
         cause=(
             "Neither of your two types has a payload. At least one of them must light other "
             "fireworks when it burns out, so add a payload to its rule."
@@ -148,10 +148,10 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
 def test_your_types_are_like_no_other() -> None:
     about.call = (
         "the two rules of own_types() and the nine in FIREWORK_TYPES; the pairs of types whose "
-        "rules are otherwise equal"
+        "rules differ in nothing but the type"
     )
     about.cause = (
-        "One of your rules copies another rule and changes only the type. Also change its ages, "
+        "One of your rules is a copy of another rule with a different type. Also change its ages, "
         "velocities, damping or payloads."
     )
     about.read = READ
@@ -183,10 +183,10 @@ def test_your_types_burn_and_come_to_an_end() -> None:
     # The show is always the same, so that a type with short enough fuses never fails by chance.
     seed = 5
     about.read = READ
-    about.call = "own_types(); those of your types whose payloads lead back to the same type"
+    about.call = "the types of own_types() whose payloads lead back to the same type"
     about.cause = (
-        "The payloads of this type lead back to the same type, so a show with it never ends. "
-        "Remove one of the payloads in that cycle."
+        "The payloads of each of these types lead back to the type itself, so a show with it "
+        "never ends. Remove a payload to break the cycle."
     )
     expect_exactly(own_endless_types(), [])
     for type in (10, 11):

@@ -48,15 +48,15 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.1")
 def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
-    about.read = "book 4.1.1; the module's docstring says which way the factor divides (E-19)"
+    about.read = "book 4.1.1; the docstring in scaling.py, which defines the factor (E-19)"
     for mass, factor in (
         (0.005, 20.0),
         (round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)),
         (round(rng.uniform(2.0, 90.0), 3), 0.25),
     ):
         about.call = (
-            f"slowed_mass(mass={mass}, factor={factor}); the energy of a shot with that mass at "
-            f"{500.0 / factor:.6g} m/s, in J"
+            f"slowed_mass(mass={mass}, factor={factor}); the energy of a shot at "
+            f"{500.0 / factor:.6g} m/s with this mass, in J"
         )
         about.cause = (
             "The slower shot does not have the energy of the real shot. The energy depends on the "
@@ -75,8 +75,8 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
                 mass / factor**2,
                 (
                     "You make the mass smaller, as in the book's footnote (E-19), but a slower "
-                    "shot needs a larger mass. The factor is the real speed divided by the speed "
-                    "in the game."
+                    "shot needs a larger mass. Use the factor as the real speed divided by "
+                    "the speed in the game."
                 ),
             ),
             (
@@ -102,19 +102,19 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
         (0.0, 4.0),
     ):
         about.call = (
-            f"slowed_gravity(gravity={gravity}, factor={factor}); how far a shot with that gravity "
-            f"drops on its first 100 m at {500.0 / factor:.6g} m/s, in m"
+            f"slowed_gravity(gravity={gravity}, factor={factor}); the drop after 100 m of a shot "
+            f"at {500.0 / factor:.6g} m/s with this gravity, in m"
         )
         about.cause = (
-            "You reject this gravity, but it may be negative or 0. Check it with finite from "
-            "arguments.py."
+            "You reject a valid gravity, because it may be negative or 0. Check it with finite "
+            "from arguments.py."
         )
         weak = scaling.slowed_gravity(gravity, factor)
         longer = (
-            "The slower shot flies factor times as long, and it drops by g t^2 / 2, so divide "
-            "gravity by factor^2."
+            "The slower shot flies factor times as long, and the drop grows with the square of "
+            "the time, so divide gravity by factor^2."
         )
-        stronger = "You make gravity stronger, but it must be weaker."
+        stronger = "You multiply gravity instead of dividing it."
         mistakes = [
             (
                 gravity / factor,
@@ -123,8 +123,7 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             (gravity * factor, f"{stronger} {longer}"),
             (
                 gravity * factor**2,
-                "You make gravity stronger, as if the factor were inverted as in the book's "
-                f"footnote (E-19). {longer}",
+                f"You multiply gravity instead of dividing it. {longer}",
             ),
         ]
         about.cause = cause_of(weak, mistakes, longer)

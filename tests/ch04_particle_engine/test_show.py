@@ -53,8 +53,8 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         f"show.update({h})"
     )
     about.cause = (
-        "Each update is one time step for every firework. Call integrate exactly once for each "
-        "particle, with the duration of the step."
+        "Each update must move every firework by one time step. Call integrate exactly once for "
+        "each particle, with the duration of the step."
     )
     a_show = show_with([fixed(1, 3.0, v)], [(1, 2, at((0.0, 20.0, 0.0)))])
     a_show.update(h)
@@ -107,29 +107,30 @@ def why_no_payload() -> str:
             "below the ground at once. Light payloads after all fireworks have moved."
         )
     return (
-        "You remove the firework that is below the ground without lighting its payload. Light it "
-        "just as you do when the fuse has burnt down."
+        "You remove a firework that hits the ground, but you do not light its payload. Light "
+        "the payload, as you do when a fuse has burned down."
     )
 
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
     start = (
-        "a firework of type 1 at (1, 0.5, 2), which falls at 8 m/s, has 9 s of fuse left and a "
-        "payload of 3 fireworks of type 2; show.update(0.0625)"
+        "a firework of type 1 at (1, 0.5, 2), which falls at 8 m/s and has 9 s of fuse left; its "
+        "payload is 3 fireworks of type 2; show.update(0.0625)"
     )
-    about.call = f"{start}, which ends at y = 0; show.update(0.001), which ends below the ground"
+    about.call = f"{start}, which moves it to y = 0; show.update(0.001), which moves it below the "
+    about.call += "ground"
     about.cause = (
-        "A firework below the ground (y < 0) has burnt out, however much fuse is left. Remove it, "
-        "and light all three fireworks of its payload."
+        "A firework below the ground (y < 0) has burned out, however much fuse is left. Remove "
+        "it, and light all three fireworks of its payload."
     )
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
-    name = f"{start}, which ends at y = 0; the types of the burning fireworks"
+    name = f"{start}, which moves it to y = 0; the types of the burning fireworks"
     on_ground = (
-        "At y = 0 the firework is on the ground and still burns. Treat it as burnt out only if y < "
-        "0."
+        "At y = 0 the firework is on the ground and still burns. Treat it as burned out only if y "
+        "< 0."
     )
     expect_exactly(types(a_show), [1], call=name, cause=on_ground, read=READ)
     a_show.update(0.001)
@@ -138,27 +139,27 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         about.cause = why_no_payload()
     if left == [1]:
         about.cause = (
-            "Your update keeps a firework that is below the ground. Treat it as burnt out if y < "
+            "Your update keeps a firework that is below the ground. Treat it as burned out if y < "
             "0, however much fuse is left."
         )
     if left == [2]:
         about.cause = (
-            "You light only one firework for the payload, which has a count of 3. Light it as one "
-            "birth with a count of 3."
+            "You light only one firework for the payload, but its count is 3. Light the payload "
+            "as one birth with a count of 3."
         )
     expect_exactly(left, [2, 2, 2], then="; the types of the burning fireworks", read=READ)
     about.cause = (
-        "The fireworks of a payload must start where their parent burnt out, even if that is below "
-        "the ground."
+        "The fireworks of a payload must start where their parent burned out, even if that is "
+        "below the ground."
     )
     height = a_show.fireworks[0].particle.position.y
     wanted = (-8.0 - 9.81 * 0.0625) * 0.001
     if height == 0.0:
         about.cause = (
             "The fireworks of the payload start at y = 0, so they probably have no parent. Pass "
-            "the particle of the burnt-out firework as their parent."
+            "the particle of the burned-out firework as their parent."
         )
-    expect_close(height, wanted, then="; the height y of the first new firework", read=READ)
+    expect_close(height, wanted, then="; the height y of the first new firework, in m", read=READ)
 
 
 @pytest.mark.exercise("B4.6")
@@ -201,12 +202,12 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
 def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     rules = [fixed(1, 0.1), fixed(2, 5.0)]
     about.call = (
-        "fireworks of types 1, 1, 2, 1, 1, 2 and 1, where only those of type 2 have more than 0.25 "
-        "s of fuse left; show.update(0.25)"
+        "fireworks of types 1, 1, 2, 1, 1, 2 and 1, of which only those of type 2 have more than "
+        "0.25 s of fuse left; show.update(0.25)"
     )
     about.cause = (
-        "Some burnt-out fireworks are still in the list, because a loop that removes an item from "
-        "its own list skips the next one. Build a new list of the fireworks that still burn."
+        "Some burned-out fireworks are still in the list, because a loop that removes an item "
+        "from its own list skips the next one. Build a new list of the fireworks that still burn."
     )
     a_show = show_with(
         rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
@@ -225,13 +226,13 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
 def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
     rules = [fixed(1, 0.1, UP, (3, 2)), fixed(2, 0.1, UP, (4, 2)), fixed(3, 5.0), fixed(4, 5.0)]
     about.call = (
-        'a show with 3 slots and the policy "keep_old"; three fireworks burn out together, with '
-        "payloads of 2 fireworks of type 3, 2 of type 4 and again 2 of type 4; the types of the "
-        "burning fireworks"
+        'a show with 3 slots and the policy "keep_old"; three fireworks burn out in the same '
+        "update; their payloads are 2 fireworks of type 3, 2 of type 4 and 2 of type 4; the types "
+        "of the burning fireworks"
     )
     about.cause = (
-        "You light payloads while other burnt-out fireworks still have their slots. Remove all "
-        "burnt-out fireworks first, so that three slots are free."
+        "You light payloads while other burned-out fireworks still have their slots. Remove all "
+        "burned-out fireworks first, so that three slots are free."
     )
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
@@ -249,9 +250,9 @@ def test_payloads_follow_the_policy_too() -> None:
     about.read = "the docstrings of FireworksShow and update"
     for when_full, wanted in (("keep_old", [2, 2, 3, 3]), ("drop_oldest", [2, 3, 3, 3])):
         about.call = (
-            f'a show with 4 slots and the policy "{when_full}"; fireworks of types 1, 2 and 2, of '
-            "which the first burns out and has a payload of 3 fireworks of type 3; the types of "
-            "the burning fireworks"
+            f'a show with 4 slots and the policy "{when_full}"; fireworks of types 1, 2 and 2; the '
+            "first burns out, and its payload is 3 fireworks of type 3; the types of the burning "
+            "fireworks"
         )
         about.cause = (
             "The policy for a full show applies to payloads too. Call self.light for them, which "
@@ -296,13 +297,13 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
         (5, 4.5, 4.5, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.001, ()),
     ]
     about.call = (
-        f"type 1 has payloads of {many} fireworks of type 3 and 2 of type 5, and type 3 has a "
-        "payload of 3 of type 5; show.launch(1) twice; show.update(0.05) 80 times; how many of "
-        "each type burn"
+        f"type 1 has payloads of {many} fireworks of type 3 and 2 of type 5; type 3 has a payload "
+        "of 3 of type 5; show.launch(1) twice; show.update(0.05) 80 times; how many of each type "
+        "burn"
     )
     about.cause = (
-        "The number of fireworks is wrong after several generations. Check that update lights each "
-        "payload of a burnt-out firework exactly once."
+        "The number of fireworks is wrong after several generations. Check that update lights "
+        "each payload of a burned-out firework exactly once."
     )
     seen = probes.sparks(rules, [1, 1], 500, "keep_old", rng.randrange(10**6), 0.05, 80)
     last = seen[-1]
@@ -327,7 +328,7 @@ def test_rules_without_an_end_stay_within_the_capacity() -> None:
         seen = probes.sparks(rules, [1], 50, when_full, 1, 0.2, 30)
         counts = [len(types) for types in seen]
         most = max(counts)
-        expect_exactly(most, 50, then="; the largest number that burns at once")
+        expect_exactly(most, 50, then="; the largest number of fireworks that burn at once")
         expect_exactly(
             counts[:3], [10, 50, 50], then="; how many burn after each of the first 3 updates"
         )
@@ -345,8 +346,8 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
         "show.update(0.05) 12 times"
     )
     about.cause = (
-        "Two shows with the same seed came out different. Draw all random numbers from "
-        "self.random, and always in the same order."
+        "Two shows with the same seed differ. Draw all random numbers from self.random, and "
+        "always in the same order."
     )
     about.read = "the docstring of FireworksShow"
     once, again, other = (
@@ -362,7 +363,8 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     )
     same = sum(firework in once for firework in other)
     about.call = (
-        f"two such shows, with the seeds {seed} and {seed + 1}; how many fireworks are equal"
+        f"two shows with the seeds {seed} and {seed + 1}, run in the same way; how many fireworks "
+        "are equal"
     )
     expect_exactly(same, 0)
 

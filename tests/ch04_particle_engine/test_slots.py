@@ -103,7 +103,7 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     if len(lit) == 3 and 4 in lit:
         about.cause = (
             "You remove the oldest fireworks, as in the book's listing (E-20). With keep_old they "
-            "must keep their slots, so don't light a new firework if all slots are taken."
+            "keep their slots, so don't light a new firework if all slots are taken."
         )
     expect_exactly(lit, [1, 2, 3], then="; the types of show.fireworks")
     about.cause = (
@@ -120,8 +120,8 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
         "launched in this order"
     )
     about.cause = (
-        "With drop_oldest, a new firework takes the slot of the oldest one if all slots are taken, "
-        "as in the book's listing (E-20). Put out the oldest firework first."
+        "If all slots are taken, drop_oldest gives the slot of the oldest firework to the new "
+        "one, as in the book's listing (E-20). Put out the oldest firework first."
     )
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "drop_oldest")
@@ -179,8 +179,8 @@ def test_births_have_their_own_parents(rng: Random) -> None:
         "(2, 1, None)])"
     )
     about(
-        cause="A firework must start at the position of its parent, if it has one. Pass the parent "
-        "of each birth, the third item of its tuple, to make_firework.",
+        cause="A firework with a parent must start at the position of the parent. Pass "
+        "the parent of each birth, which is the third item of its tuple, to make_firework.",
         read="the docstring of light",
     )
     a_show = show(9, "keep_old")
@@ -218,7 +218,7 @@ def test_births_have_their_own_parents(rng: Random) -> None:
 def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str) -> None:
     about.call = (
         f'a show with 2000 slots and the policy "{when_full}"; show.light(births), with 1000 '
-        "births of 50 fireworks each; calls of make_firework"
+        "births of 50 fireworks each; the calls to make_firework"
     )
     about.cause = (
         "You create fireworks that never get a slot. First work out how many fireworks will burn "
@@ -282,7 +282,7 @@ def test_births_that_mean_nothing_are_refused() -> None:
     )
     expect_exactly(len(a_show.fireworks), 0, then="; the number of burning fireworks")
     about.cause = (
-        "The second of the two births is not valid, so none of them may be lit. Check all births "
+        "The second of the two births is not valid, so light neither of them. Check all births "
         "before you light the first one."
     )
     for bad, births in (
@@ -290,7 +290,8 @@ def test_births_that_mean_nothing_are_refused() -> None:
         ("a negative count", [(1, 2, None), (2, -3, None)]),
         ("a negative count", [(1, 2, None), (2, -1, None)]),
     ):
-        about.call = f"a show with rules for the types 1 to 4; show.light({births}), with {bad}"
+        about.call = f"a show with rules for the types 1 to 4; show.light({births}), where the "
+        about.call += f"second birth has {bad}"
         expect_error(
             lambda births=births: a_show.light(births),
             ValueError,
@@ -298,4 +299,4 @@ def test_births_that_mean_nothing_are_refused() -> None:
             read="the docstring of light",
         )
         now = (len(a_show.fireworks), a_show.dropped)
-        expect_exactly(now, (0, 0), then="; (number of burning fireworks, show.dropped)")
+        expect_exactly(now, (0, 0), then="; the pair (number of burning fireworks, show.dropped)")

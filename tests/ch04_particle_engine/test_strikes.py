@@ -22,12 +22,12 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     v, mass, block_mass = components(rng), round(rng.uniform(0.5, 2.0), 3), 8.0
     before = (number(rng), 1.5, number(rng))
     about.call = (
-        f"a shot p of {mass} kg with the velocity {v}, inside a block of 8 kg with the velocity "
-        f"{before}; strike_first(start, p, [block])"
+        f"a shot p of {mass} kg with the velocity {v}; it is inside a block of 8 kg with the "
+        f"velocity {before}; strike_first(start, p, [block])"
     )
     about.cause = (
-        "The block gains the momentum of the shot along X and Z, so v' = v + m v_shot / M on these "
-        "axes. Its velocity along Y must not change."
+        "The block gains the momentum of the shot along X and Z. On these axes, add the shot's "
+        "momentum divided by the block's mass to the block's velocity, and leave Y unchanged."
     )
     block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=block_mass)
     block.particle.velocity = Vector3(*before)
@@ -41,8 +41,10 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     mistakes = [
         (
             (gained[0], 0.0, gained[2]),
-            "You replace the velocity of the block. Add the change m v / M to the velocity that "
-            "the block already has.",
+            (
+                "You replace the velocity of the block. Instead, add the shot's momentum divided "
+                "by the block's mass to the velocity that the block already has."
+            ),
         ),
         (
             tuple(before[i] + gained[i] for i in range(3)),
@@ -51,8 +53,10 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         ),
         (
             (before[0] + v[0], 1.5, before[2] + v[2]),
-            "You add the whole velocity of the shot. Add only m v / M, the momentum of the shot "
-            "divided by the mass of the block.",
+            (
+                "You add the whole velocity of the shot. Add only its momentum divided by the mass "
+                "of the block."
+            ),
         ),
     ]
     blame(got, mistakes)
@@ -91,8 +95,8 @@ def test_only_the_first_block_on_the_way_is_hit() -> None:
         "strike_first(start, p, blocks); the hits of each block"
     )
     about.cause = (
-        "The path leads through three blocks, but the shot stops at the first. Hit only the block "
-        "for which hit_fraction is smallest."
+        "The path leads through three blocks, but the shot stops at the first of them. Hit only "
+        "the block for which hit_fraction is smallest."
     )
     blocks = [
         TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (15.0, 5.0, 10.0)
@@ -114,8 +118,8 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     )
     about.read = STRIKE
     about.call = (
-        "a shot that flies along Z from z = 0 to 20, through a thin block at z = 9 that is inside "
-        "a long block from z = 4 to 16; strike_first(start, p, blocks)"
+        "a shot that flies along Z from z = 0 to 20, through a long block from z = 4 to 16; "
+        "inside it is a thin block at z = 9; strike_first(start, p, blocks)"
     )
     long = TargetBlock(Vector3(0.0, 1.0, 10.0), (2.0, 2.0, 12.0), mass=5.0)
     thin = TargetBlock(Vector3(0.0, 1.0, 9.0), (2.0, 2.0, 0.1), mass=5.0)
@@ -124,8 +128,8 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     hits = (thin.hits, long.hits)
     expect_exactly(hits, (0, 1), then="; the hits of the thin block and of the long one")
     about.call = (
-        "a shot that reaches two blocks at the same time; strike_first(start, p, blocks); the hits "
-        "of each block, in the order of the list"
+        "a shot that reaches two blocks at the same time; strike_first(start, p, blocks); the "
+        "hits of each block, in the order of the list blocks"
     )
     about.cause = (
         "Both blocks have the same hit_fraction. Hit the block that comes first in the list, and "
@@ -140,7 +144,7 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     about.call = (
-        "a shot that flies along Z from z = 5 to 20, through blocks at z = 10 and 5, starting "
+        "a shot that flies along Z from z = 5 to 20, through blocks at z = 10 and 5; it starts "
         "inside the second one; strike_first(start, p, blocks); the hits of each block"
     )
     about.cause = (
@@ -157,7 +161,7 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     about.call = (
-        "a shot that flies along Z from z = 0 to 20, and a block to one side, at x = 9; "
+        "a shot that flies along Z from z = 0 to 20, and a block beside its path, at x = 9; "
         "strike_first(start, p, [block])"
     )
     about.cause = "There is no block on the path of this shot. Return None, and don't count a hit."

@@ -46,7 +46,7 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     )
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
-    expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
+    expect_exactly(got is None, False, then="; is the result None, which means a miss?", read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
     about.cause = (
         "Return the fraction of the path after which the shot reaches the near face of the block: "
@@ -54,7 +54,7 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     )
     whole = (
         "You treat the block as twice as thick as it is. The numbers in size are whole sides, so "
-        "go only half of each from the center."
+        "each face is only half a side from the center."
     )
     blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
     expect_close(got, wanted, read=READ, tolerance=ROUNDED)
@@ -63,8 +63,9 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     about.cause = (
-        "Compute for each axis at which fraction the path gets between the two faces of the box, "
-        "and at which it leaves. It enters the box at the latest of the three entries."
+        "For each axis, compute the fraction at which the path gets between the two faces of the "
+        "box, and the fraction at which it leaves them. It enters the box at the largest of the "
+        "three entry fractions."
     )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
@@ -77,15 +78,18 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     ):
         about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
+        expect_exactly(
+            got is None, False, then="; is the result None, which means a miss?", read=READ
+        )
         expect_close(got, wanted, read=READ)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     about.cause = (
-        "This path doesn't move along two of the axes, so you cannot divide by its displacement "
-        "there. On such an axis it is between the two faces either all the time or never."
+        "The displacement of this path is 0 along two of the axes, so you cannot divide by it. On "
+        "each of these axes, check whether the path is between the two faces all the time or "
+        "never."
     )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
@@ -94,7 +98,9 @@ def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     ):
         about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
+        expect_exactly(
+            got is None, False, then="; is the result None, which means a miss?", read=READ
+        )
         expect_close(got, wanted, read=READ)
 
 
@@ -117,7 +123,9 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
         )
         block = TargetBlock(Vector3(*center), sizes, mass=10.0)
         got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
-        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
+        expect_exactly(
+            got is None, False, then="; is the result None, which means a miss?", read=READ
+        )
         wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
         expect_close(got, wanted, read=READ, tolerance=ROUNDED)
 
@@ -141,8 +149,8 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     # Where the first answer counts, so that this is no check of doing nothing.
     inside = Vector3(*center)
     about.call = (
-        "three paths that start at the center of a block, two of them the same and one in the "
-        "opposite direction; the results of hit_fraction"
+        "three paths from the center of a block, two identical ones and one in the opposite "
+        "direction; the results of hit_fraction"
     )
     other = Vector3(*(2.0 * c - e for c, e in zip(center, end, strict=True)))
     answers = [targets.hit_fraction(inside, there, block) for there in (last, last, other)]
@@ -150,7 +158,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
         "A path that starts inside the block hits it at once. Return 0 for it, and never a "
         "negative fraction."
     )
-    expect_exactly(answers[0] is None, False, then="; is the result None, for a miss?")
+    expect_exactly(answers[0] is None, False, then="; is the result None, which means a miss?")
     expect_close(answers, (0.0, 0.0, 0.0), tolerance=0.0)
 
 
@@ -161,8 +169,7 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
             (3.5, 4.0, 1.0),
             (3.5, 4.0, 9.0),
             True,
-            "This path runs parallel to Z at x = 3.5, to one side of the box, so it misses. Return "
-            "None.",
+            ("This path runs parallel to Z at x = 3.5, beside the box, so it misses. Return None."),
         ),
         (
             (2.9, 4.0, 1.0),
@@ -175,8 +182,10 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
             (1.1, 4.0, 1.0),
             (1.1, 4.0, 9.0),
             False,
-            "This path runs parallel to Z at x = 1.1, which is between the faces at x = 1 and x = "
-            "3, so it hits the box. Check both sides of the center.",
+            (
+                "This path runs parallel to Z at x = 1.1, which is between the faces at x = 1 and "
+                "x = 3, so it hits the box. Use the distance from the center, which has no sign."
+            ),
         ),
         (
             (2.0, 1.5, 1.0),
@@ -208,7 +217,9 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, missed, then="; is the result None, for a miss?", read=READ)
+        expect_exactly(
+            got is None, missed, then="; is the result None, which means a miss?", read=READ
+        )
 
 
 @pytest.mark.exercise("4.3b")
@@ -228,7 +239,9 @@ def test_a_way_that_cuts_the_corner_misses() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, missed, then="; is the result None, for a miss?", read=READ)
+        expect_exactly(
+            got is None, missed, then="; is the result None, which means a miss?", read=READ
+        )
 
 
 @pytest.mark.exercise("4.3b")
@@ -282,7 +295,9 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(got is None, False, then="; is the result None, for a miss?", read=READ)
+        expect_exactly(
+            got is None, False, then="; is the result None, which means a miss?", read=READ
+        )
         expect_close(got, wanted, read=READ, tolerance=0.0)
     about(
         words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0)),

@@ -179,8 +179,8 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
     about.call = (
-        f"a wheel with its center at (0, 5, 0), a radius of 2 m, a rate of {rate} rad/s and a jet "
-        f"of {jet} m/s, which throws 10.5 sparks per second; wheel.update(0.25)"
+        f"a wheel with its center at (0, 5, 0), a radius of 2 m and a rate of {rate} rad/s; its "
+        f"jet of {jet} m/s throws 10.5 sparks per second; wheel.update(0.25)"
     )
     about.cause = (
         "The sparks must start at the nozzle. Pass the particle that nozzle returns at the end of "
@@ -223,8 +223,8 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     )
     if wheel.thrown == 3:
         about.cause = (
-            "Your wheel counts only the sparks that got one of the 3 slots. Also count those that "
-            "found no free slot, because otherwise they are thrown again later."
+            "Your wheel counts only the sparks that got one of the 3 slots, so it throws the "
+            "others again later. Also count the sparks that found no free slot."
         )
     expect_exactly(wheel.thrown, 10, then="; wheel.thrown")
     show.update(10.0)

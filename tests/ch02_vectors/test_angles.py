@@ -69,7 +69,7 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
         if got == "right":
             about.cause = (
                 "You treat a small scalar product as 0, but only exactly 0 means a right angle. "
-                "This product is small, but its sign still decides, so don't round it."
+                "Don't round the product, because its sign still decides."
             )
         expect_exactly(got, word, then="; the second result, the kind of angle")
 

@@ -175,7 +175,7 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = (
-        f"two unit vectors, a = Vector3{rounded(a)} and b = Vector3{rounded(b)} when rounded; "
+        f"two unit vectors, here rounded: a = Vector3{rounded(a)}, b = Vector3{rounded(b)}; "
         "remove_projection(a, b)"
     )
     about.cause = (
@@ -196,8 +196,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     mistakes = [
         (
             tuple(along * n for n in a),
-            "You return c a, which is the projection itself. Subtract it from b to get the part of "
-            "b that is perpendicular to a.",
+            "You return the projection itself. Subtract it from b to get d, the part of b that "
+            "is perpendicular to a.",
         ),
         (
             tuple(-n for n in wanted),
@@ -205,8 +205,7 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         ),
         (
             tuple(b[i] + along * a[i] for i in range(3)),
-            "You return b + c a, because you add the projection to b. Subtract it instead: d = b - "
-            "c a.",
+            ("You add the projection c a to b. Subtract it instead: d = b - c a, where c = a . b."),
         ),
         (
             tuple(a[i] - along * b[i] for i in range(3)),
@@ -261,8 +260,8 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
     about.cause = (
-        "You accept a vector whose length is not 1, but c a is the projection of b only for unit "
-        "vectors. Check the lengths of both a and b first."
+        "You accept a vector whose length is not 1, but the formula for the projection is right "
+        "only for unit vectors. Check the lengths of both a and b first."
     )
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
@@ -305,16 +304,16 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
     )
     about.read = "the docstring of remove_projection"
     for b, second in ((a, "a"), ((-a[0], -a[1], -a[2]), "-a")):
-        about.call = f"a unit vector, a = Vector3{rounded(a)} when rounded"
-        about.call += f"; remove_projection(a, {second})"
+        about.call = f"a unit vector, here rounded: a = Vector3{rounded(a)}; remove_projection(a, "
+        about.call += f"{second})"
         expect_error(
             lambda b=b: exercises.remove_projection(Vector3(*a), Vector3(*b)),
             ValueError,
             allowed=lambda: remove_projection_of_length(1.0),
         )
     about.cause = (
-        "You accept vectors that count as parallel, because d is shorter than 1e-6. Compare the "
-        "length of d with 1e-6 instead of 0."
+        "You accept vectors that count as parallel, because the rest d of b is shorter than 1e-6. "
+        "Compare the length of d with 1e-6 instead of 0."
     )
     x = Vector3(1.0, 0.0, 0.0)
     # Both have length 1 to the last digit, and d is their Y component.

@@ -63,7 +63,7 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     v.add_scaled(w, scale)
     mistakes = [
         (a, LOST),
-        (tuple(a[i] * scale + b[i] for i in range(3)), "Your code multiplies v by the number "
+        (tuple(a[i] * scale + b[i] for i in range(3)), "You multiply v by the number "
          "instead of w. Multiply w by it, and add the product to v."),
         (tuple((a[i] + b[i]) * scale for i in range(3)), "You multiply the whole sum v + w by the "
          "number. Multiply only w by it, and then add the product to v."),

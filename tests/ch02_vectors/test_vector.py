@@ -73,8 +73,8 @@ def test_clear_leaves_zero(rng: Random) -> None:
         [
             (
                 a,
-                "v did not change. Set self.x, self.y and self.z to zero. Assigning to the name "
-                "self, as in self = Vector3(), doesn't change v.",
+                "v did not change. Set self.x, self.y and self.z to zero, because an "
+                "assignment to the name self doesn't change v.",
             )
         ],
     )
@@ -135,7 +135,7 @@ def test_magnitude_is_the_length(rng: Random) -> None:
         (length**2, "The result is the squared length. Take its square root."),
         (
             math.hypot(a[0], a[1]),
-            "You leave out z, so this is the length without z. Add the square of z to the sum.",
+            "You leave out z. Add its square to the sum before you take the square root.",
         ),
         (
             sum(a),

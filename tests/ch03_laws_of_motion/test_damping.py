@@ -43,8 +43,7 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
     about.read = "book 3.3, Eq. 3.5"
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         about.call = (
-            f"damp_per_frame(velocity=Vector3{v}, acceleration=Vector3{a}, damping={d}, "
-            f"duration={h})"
+            f"v, a = Vector3{v}, Vector3{a}; damp_per_frame(v, a, damping={d}, duration={h})"
         )
         about.cause = (
             "Eq. 3.5 is v' = v d + a h. Multiply the velocity by the damping d, and then add the "
@@ -52,8 +51,8 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
         )
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
         undamped = (
-            "You don't damp the velocity. Multiply it by the damping d before you add the "
-            "acceleration times h."
+            "You don't damp the velocity. Multiply it by the damping before you add the "
+            "acceleration times the duration."
         )
         if d == 0.0:
             undamped = (
@@ -64,8 +63,9 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
         mistakes = [
             (
                 combined(v, a, d**h, h),
-                "You multiply the velocity by d^h, as in Eq. 3.6, but this function implements Eq. "
-                "3.5. Multiply it by d, whatever the duration is.",
+                "You multiply the velocity by damping^duration, as in Eq. 3.6, but this "
+                "function implements Eq. 3.5. Multiply it by the damping itself, whatever "
+                "the duration is.",
             ),
             (
                 combined(v, a, d, 1.0),
@@ -74,7 +74,7 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
             ),
             (
                 combined(v, a, d, d * h),
-                "You damp the acceleration as well. In Eq. 3.5 the factor d applies only to the "
+                "You damp the acceleration as well. In Eq. 3.5 the damping applies only to the "
                 "old velocity.",
             ),
             (combined(v, a, 1.0, h), undamped),
@@ -90,8 +90,7 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
     about.read = "book 3.3, Eq. 3.6"
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
         about.call = (
-            f"damp_per_second(velocity=Vector3{v}, acceleration=Vector3(0, 0, 0), damping={d}, "
-            f"duration={h})"
+            f"v, a = Vector3{v}, Vector3(0, 0, 0); damp_per_second(v, a, damping={d}, duration={h})"
         )
         about.cause = (
             "The acceleration is 0 here, so Eq. 3.6 becomes v' = v d^h, where d is the damping and "
@@ -101,13 +100,13 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
         mistakes = [
             (
                 combined(v, v, d, 0.0),
-                "You multiply the velocity by d, as in Eq. 3.5, but this function implements Eq. "
-                "3.6. Multiply it by d^h, where h is the duration.",
+                "You multiply the velocity by the damping d, as in Eq. 3.5, but this function "
+                "implements Eq. 3.6. Multiply it by d^h, where h is the duration.",
             ),
             (
                 combined(v, v, d * h, 0.0),
-                "You multiply the velocity by d times h, but h is an exponent in Eq. 3.6. Use "
-                "damping**duration.",
+                "You multiply the velocity by the damping times the duration, but in Eq. 3.6 "
+                "the duration is an exponent. Use damping**duration.",
             ),
         ]
         blame(xyz(got), mistakes)
@@ -121,17 +120,16 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
     about.read = "book 3.3, Eq. 3.6, and errata.md"
     for d in (draw_damping(rng), 0.0, 1.5):
         about.call = (
-            f"damp_per_second(velocity=Vector3{v}, acceleration=Vector3{a}, damping={d}, "
-            "duration=0.5)"
+            f"v, a = Vector3{v}, Vector3{a}; damp_per_second(v, a, damping={d}, duration=0.5)"
         )
         about.cause = (
             "Eq. 3.6 is v' = v d^h + a h. Damp only the old velocity, and then add the "
-            "acceleration times h without damping it."
+            "acceleration times the duration h without damping it."
         )
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "You compute (v + a h) d^h, as in the book's listing, which contradicts Eq. 3.6 "
-            "(E-16). This function implements the equation itself, so compute v d^h + a h."
+            "You compute (v + a h) d^h, as in the book's listing (E-16), with the damping d and "
+            "the duration h. This function implements Eq. 3.6, so compute v d^h + a h."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -253,11 +251,12 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
     about.call = (
-        f"v, a = Vector3{v}, Vector3{a}; damping_difference(v, a, damping={damping}, runs={runs})"
+        f"v, a = Vector3{v}, Vector3{a}; runs = {runs}; damping_difference(v, a, "
+        f"damping={damping}, runs=runs)"
     )
     about.cause = (
-        "Every run must start from the given velocity. Take the length of the difference at the "
-        "end of each run, and return the mean of these lengths."
+        "Every run must start from the given velocity. Take the length of the difference of the "
+        "two velocities at the end of each run, and return the mean of these lengths."
     )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
@@ -286,8 +285,8 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
         ),
         (
             distances[-1],
-            "You return the difference of the last run alone. Return the mean of the differences "
-            "of all runs.",
+            "You return the difference after the last run alone. Return the mean of the "
+            "differences of all runs.",
         ),
     ]
     blame(got, mistakes)

@@ -26,7 +26,7 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
     about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
     faster = (
-        "You make the heavier body faster, but it must be slower, by a = f / m. The book's "
+        "You make the heavier body faster, but by a = f / m it must be slower. The book's "
         "sentence that acceleration is proportional to the mass is wrong (E-1)."
     )
     mistakes = [
@@ -159,7 +159,7 @@ def test_text_is_no_mass_and_no_distance() -> None:
 # 3.4 A position by equation, in steps, and the difference
 
 START, VELOCITY, ACCELERATION = (2.0, 5.0, -1.0), (1.0, -1.0, 2.0), (-2.0, 1.0, 0.5)
-EXAMPLE = f"position=Vector3{START}, velocity=Vector3{VELOCITY}, acceleration=Vector3{ACCELERATION}"
+EXAMPLE = f"p, v, a = Vector3{START}, Vector3{VELOCITY}, Vector3{ACCELERATION}"
 
 
 def vectors(*all_of: Components) -> tuple[Any, ...]:
@@ -170,7 +170,7 @@ def vectors(*all_of: Components) -> tuple[Any, ...]:
 @pytest.mark.exercise("3.4a")
 def test_five_seconds_by_the_equation() -> None:
     about(
-        f"position_by_equation({EXAMPLE}, time=5)",
+        f"{EXAMPLE}; position_by_equation(p, v, a, time=5)",
         cause="The position after a time t must be p' = p + v t + a t^2 / 2. Check each term of "
         "your formula against this.",
     )
@@ -179,7 +179,7 @@ def test_five_seconds_by_the_equation() -> None:
     mistakes = [
         (
             (-43.0, 25.0, 21.5),
-            "You leave out the factor 1/2 in the term of the acceleration. Use a t^2 / 2.",
+            "You leave out the factor 1/2 in the acceleration term. Use a t^2 / 2.",
         ),
         (
             (2.0, 2.5, 10.25),
@@ -227,7 +227,7 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
-    about.call = f"position_by_equation({EXAMPLE}, time={bad})"
+    about.call = f"{EXAMPLE}; position_by_equation(p, v, a, time={bad})"
     about.cause = (
         "The time must be positive and finite. Pass it to positive from arguments.py, which raises "
         "the ValueError for you."
@@ -246,7 +246,7 @@ def test_one_step_and_five_steps_of_a_second() -> None:
     about.read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
     wanted = {1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)), 5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5))}
     for steps, (x, v) in wanted.items():
-        about.call = f"state_by_steps({EXAMPLE}, duration=1, steps={steps})"
+        about.call = f"{EXAMPLE}; state_by_steps(p, v, a, duration=1, steps={steps})"
         about.cause = (
             "Return the position and the velocity as a pair. In each step, first change the "
             "position to p' = p + v h, and then the velocity to v' = v + a h."
@@ -255,8 +255,8 @@ def test_one_step_and_five_steps_of_a_second() -> None:
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
         few = (
-            "You make one step too few. A loop over range(steps) runs steps times, but a loop over "
-            "range(1, steps) runs only steps - 1 times."
+            "You make one step too few. Use range(steps) for the loop, because range(1, steps) "
+            "runs only steps - 1 times."
         )
         mistakes = [
             (
@@ -323,7 +323,7 @@ def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None
 @scoped
 def expect_refusal(name: str, duration: float, steps: int) -> None:
     """Expect an exercise to refuse a bad duration or number of steps."""
-    about.call = f"{name}({EXAMPLE}, duration={duration}, steps={steps})"
+    about.call = f"{EXAMPLE}; {name}(p, v, a, duration={duration}, steps={steps})"
     about.cause = (
         "The number of steps must be at least 1. A loop over range(0) raises no error, so check "
         "the number before the loop."
@@ -346,7 +346,7 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
 @pytest.mark.exercise("3.4d")
 def test_five_steps_are_off_by_half_a_step() -> None:
     about(
-        f"stepping_error({EXAMPLE}, duration=1, steps=5)",
+        f"{EXAMPLE}; stepping_error(p, v, a, duration=1, steps=5)",
         cause="The error is the position after the steps minus the exact position. Return this "
         "difference as a vector.",
     )

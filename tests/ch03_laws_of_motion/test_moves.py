@@ -25,7 +25,7 @@ def a_particle(
     x: Components, v: Components, a: Components, mass: float = 1.0, damping: float = 1.0
 ) -> tuple[str, Particle]:
     """Return the code that makes a particle, and the particle."""
-    words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}"
+    words = f"x, v, a = Vector3{x}, Vector3{v}, Vector3{a}; p = Particle(x, v, a"
     words += f", {mass=}" if mass != 1.0 else ""
     words += f", {damping=})" if damping != 1.0 else ")"
     return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
@@ -39,7 +39,7 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         words, p = a_particle(x, v, a, damping=damping)
         about.call = f"{words}; p.drift({h})"
         about.cause = (
-            "A drift must move the position by p' = p + v h. It must accept a duration h of 0 too, "
+            "A drift must add v h to the position, where h is the duration. Accept an h of 0 too, "
             "and a negative h, which moves the particle back."
         )
         p.drift(h)

@@ -89,8 +89,8 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
     name = (
-        f"{about.call}; the fraction of the durations from mean * (1 - jitter / 2) to mean * (1 + "
-        "jitter / 2)"
+        f"{about.call}; the fraction of the durations that lie between mean * (1 - jitter / 2) and "
+        "mean * (1 + jitter / 2)"
     )
     if inner > 0.5:
         about.cause = (

@@ -23,8 +23,8 @@ def a_particle(
     position: Components, velocity: Components, acceleration: Components, damping: float = 1.0
 ) -> tuple[str, Particle]:
     """Return the code that makes a particle, and the particle."""
-    words = f"p = Particle(position=Vector3{position}, velocity=Vector3{velocity}, "
-    words += f"acceleration=Vector3{acceleration}"
+    words = f"x, v, a = Vector3{position}, Vector3{velocity}, Vector3{acceleration}; "
+    words += "p = Particle(x, v, a"
     vectors = (Vector3(*position), Vector3(*velocity), Vector3(*acceleration))
     words += f", damping={damping})" if damping != 1.0 else ")"
     return words, Particle(*vectors, damping=damping)
@@ -151,8 +151,8 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
             ),
             (
                 tuple(n * first for n in v),
-                "You use the factor d^h of the first step in all steps. Compute it again in each "
-                "step, because their durations h differ.",
+                "You use the factor d^h of the first step in all steps. Compute it again in "
+                "each step, because the durations h differ.",
             ),
             (v, "You don't damp the velocity. Multiply it by d^h in every step of duration h."),
         ]
@@ -270,8 +270,8 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
 def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     about.call = (
-        f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
-        f"mass=math.inf); p.integrate({h})"
+        f"x, v, a = Vector3{x}, Vector3{v}, Vector3{a}; p = Particle(x, v, a, mass=math.inf); "
+        f"p.integrate({h})"
     )
     about.cause = (
         "This particle has an infinite mass, so nothing may change it. Do nothing if its "

@@ -77,10 +77,8 @@ def test_the_axes_of_aiming(rng: Random) -> None:
             (0.0, 0.0): [
                 (
                     (speed, 0.0, 0.0),
-                    (
-                        "You measure the azimuth from X, so a shot with an azimuth of 0 flies "
-                        "along X. Measure it from Z toward X."
-                    ),
+                    "You measure the azimuth from X, so a shot with an azimuth of 0 flies "
+                    "along X. Measure it from Z toward X.",
                 ),
                 (
                     (0.0, speed, 0.0),
@@ -181,10 +179,8 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mistakes = [
         (
             (0.0, 0.0, speed),
-            (
-                "Without an elevation, your shot flies level. It must keep the angle of its type's "
-                "velocity to the ground."
-            ),
+            "Without an elevation, your shot flies level. It must keep the angle of its type's "
+            "velocity to the ground.",
         ),
         (
             (0.0, up * along / speed, along * along / speed),
@@ -313,17 +309,13 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     mistakes = [
         (
             (0.0, 50.0 * math.sin(elevation), level),
-            (
-                "You ignore the azimuth if an elevation is given, so the shot flies straight down "
-                "the range. Pass both angles to aim."
-            ),
+            "You ignore the azimuth if an elevation is given, so the shot flies straight down "
+            "the range. Pass both angles to aim.",
         ),
         (
             (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
-            (
-                "You ignore the elevation if an azimuth is given, so the shot keeps the angle of "
-                "its type. Pass both angles to aim."
-            ),
+            "You ignore the elevation if an azimuth is given, so the shot keeps the angle of "
+            "its type. Pass both angles to aim.",
         ),
     ]
     blame(got, mistakes)

@@ -76,19 +76,15 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
             *(
                 (
                     (kept, gone, (time - gone) / drag),
-                    (
-                        "You compute the drag rate k as 1 - damping. The equation uses k = "
-                        "-ln(damping), which is different unless the damping is near 1."
-                    ),
+                    "You compute the drag rate k as 1 - damping. The equation uses k = "
+                    "-ln(damping), which is different unless the damping is near 1.",
                 )
                 for kept, gone in powers
             ),
             (
                 (wanted[0], wanted[1], time * time / 2.0),
-                (
-                    "You compute fallen as t^2 / 2, which is right only without drag. With drag it "
-                    "is (t - gone) / k, where t is the time and k = -ln(damping)."
-                ),
+                "You compute fallen as t^2 / 2, which is right only without drag. With drag it "
+                "is (t - gone) / k, where t is the time and k = -ln(damping).",
             ),
             ((1.0, time, time * time / 2.0), undamped),
         ]
@@ -106,19 +102,15 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
             1.0,
             time,
             (1.0, time, time * time / 2.0),
-            (
-                "With a damping of 1, the drag rate is 0, and you cannot divide by it. In this "
-                "case return the factors without drag, which are 1, t and t^2 / 2 after a time t."
-            ),
+            "With a damping of 1, the drag rate is 0, and you cannot divide by it. In this "
+            "case return the factors without drag, which are 1, t and t^2 / 2 after a time t.",
         ),
         (
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            (
-                "A damping of 0 stops the motion at once, so all three factors are 0. Handle this "
-                "case before you compute the logarithm of the damping, because 0 has none."
-            ),
+            "A damping of 0 stops the motion at once, so all three factors are 0. Handle this "
+            "case before you compute the logarithm of the damping, because 0 has none.",
         ),
         (
             0.5,
@@ -244,8 +236,8 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
             "and return new vectors."
         )
     undamped = (
-        "You don't damp the initial velocity. Multiply it by the factor kept before you add "
-        "acceleration x gone."
+        "You don't damp the initial velocity. Multiply it by the factor kept before you add the "
+        "acceleration times gone."
     )
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))

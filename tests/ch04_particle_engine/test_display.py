@@ -124,10 +124,8 @@ def test_a_rocket_without_a_fuse_is_past_saving() -> None:
         ),
         (
             -0.5,
-            (
-                "The rocket with a negative age has no fuse left. Skip every rocket whose age is 0 "
-                "or less."
-            ),
+            "The rocket with a negative age has no fuse left. Skip every rocket whose age is 0 "
+            "or less.",
         ),
     ):
         about.cause = cause

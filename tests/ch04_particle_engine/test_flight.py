@@ -54,10 +54,8 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 0.0, 100.0),
             4.0,
             False,
-            (
-                "You treat a shot at y = 0 as spent, but it is only on the ground. A shot is spent "
-                "if it is below the ground (y < 0)."
-            ),
+            "You treat a shot at y = 0 as spent, but it is only on the ground. A shot is spent "
+            "if it is below the ground (y < 0).",
         ),
         (
             (0.0, -0.001, 100.0),
@@ -96,10 +94,8 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 1.5, 200.001),
             4.0,
             True,
-            (
-                "A shot past the end of the range is spent, whatever its height and its age. Check "
-                "its z too."
-            ),
+            "A shot past the end of the range is spent, whatever its height and its age. Check "
+            "its z too.",
         ),
         (
             (300.0, 300.0, -300.0),
@@ -155,10 +151,8 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     about.cause = cause_of(
         at.shots[1].age,
         mistakes,
-        (
-            "The age of a shot is the time since it was fired. Add the duration to it exactly once "
-            "in every update."
-        ),
+        "The age of a shot is the time since it was fired. Add the duration to it exactly once "
+        "in every update.",
     )
     expect_close(at.shots[1].age, h, then="[1].age")
 
@@ -204,29 +198,23 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
             "artillery",
             h,
             landed,
-            (
-                "Your update removes the shot in the wrong step. Remove it in the same update in "
-                "which it falls below y = 0, so call is_spent after integrate."
-            ),
+            "Your update removes the shot in the wrong step. Remove it in the same update in "
+            "which it falls below y = 0, so call is_spent after integrate.",
         ),
         (
             "laser",
             h,
             past,
-            (
-                "Your update removes the shot in the wrong step. Remove it in the same update in "
-                "which it passes z = 200 m, so call is_spent after integrate."
-            ),
+            "Your update removes the shot in the wrong step. Remove it in the same update in "
+            "which it passes z = 200 m, so call is_spent after integrate.",
         ),
         # 40 frames are exactly 5 s, and a shot of 5 s is not too old.
         (
             "fireball",
             1.0 / 8.0,
             41,
-            (
-                "Your update removes the shot in the wrong step. Remove it in the same update in "
-                "which its age passes 5 s, so add the duration before you call is_spent."
-            ),
+            "Your update removes the shot in the wrong step. Remove it in the same update in "
+            "which its age passes 5 s, so add the duration before you call is_spent.",
         ),
     ):
         about.cause = cause

@@ -71,10 +71,8 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
             ((0.8 * vx, -vy, 0.8 * vz), all_of_it),
             (
                 (vx, -0.5 * vy, vz),
-                (
-                    "You leave the velocity along X and Z unchanged, but a bounce must slow the "
-                    "grenade down. Multiply both components by SLIDE, which is 0.8."
-                ),
+                "You leave the velocity along X and Z unchanged, but a bounce must slow the "
+                "grenade down. Multiply both components by SLIDE, which is 0.8.",
             ),
             (
                 (0.8 * vx, 0.5 * vy, 0.8 * vz),
@@ -83,10 +81,8 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
             ),
             (
                 (vx, vy, vz),
-                (
-                    "The velocity did not change. A grenade that is below the ground and moves "
-                    "down must bounce, however slow it is."
-                ),
+                "The velocity did not change. A grenade that is below the ground and moves "
+                "down must bounce, however slow it is.",
             ),
         ]
         blame(xyz(p.velocity), mistakes)

@@ -66,25 +66,19 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         mistakes = [
             (
                 mass * factor,
-                (
-                    "You multiply the mass by the factor, which keeps the momentum the same. To "
-                    "keep the energy the same, multiply the mass by the square of the factor."
-                ),
+                "You multiply the mass by the factor, which keeps the momentum the same. To "
+                "keep the energy the same, multiply the mass by the square of the factor.",
             ),
             (
                 mass / factor**2,
-                (
-                    "You make the mass smaller, as in the book's footnote (E-19), but a slower "
-                    "shot needs a larger mass. Use the factor as the real speed divided by "
-                    "the speed in the game."
-                ),
+                "You make the mass smaller, as in the book's footnote (E-19), but a slower "
+                "shot needs a larger mass. Use the factor as the real speed divided by "
+                "the speed in the game.",
             ),
             (
                 mass,
-                (
-                    "You leave the mass unchanged, so the slower shot has too little energy. "
-                    "Multiply the mass by the square of the factor."
-                ),
+                "You leave the mass unchanged, so the slower shot has too little energy. "
+                "Multiply the mass by the square of the factor.",
             ),
         ]
         blame(slow, mistakes)

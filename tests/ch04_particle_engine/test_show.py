@@ -107,7 +107,7 @@ def why_no_payload() -> str:
             "below the ground at once. Light payloads after all fireworks have moved."
         )
     return (
-        "You remove a firework that hits the ground, but you do not light its payload. Light "
+        "You remove a firework that falls below the ground, but you do not light its payload. Light "
         "the payload, as you do when a fuse has burned down."
     )
 
@@ -118,8 +118,9 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         "a firework of type 1 at (1, 0.5, 2), which falls at 8 m/s and has 9 s of fuse left; its "
         "payload is 3 fireworks of type 2; show.update(0.0625)"
     )
-    about.call = f"{start}, which moves it to y = 0; show.update(0.001), which moves it below the "
-    about.call += "ground"
+    about.call = (
+        f"{start}, which moves it to y = 0; show.update(0.001), which moves it below the ground"
+    )
     about.cause = (
         "A firework below the ground (y < 0) has burned out, however much fuse is left. Remove "
         "it, and light all three fireworks of its payload."

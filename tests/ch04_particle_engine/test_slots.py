@@ -290,8 +290,10 @@ def test_births_that_mean_nothing_are_refused() -> None:
         ("a negative count", [(1, 2, None), (2, -3, None)]),
         ("a negative count", [(1, 2, None), (2, -1, None)]),
     ):
-        about.call = f"a show with rules for the types 1 to 4; show.light({births}), where the "
-        about.call += f"second birth has {bad}"
+        about.call = (
+            f"a show with rules for the types 1 to 4; show.light({births}), where the second birth "
+            f"has {bad}"
+        )
         expect_error(
             lambda births=births: a_show.light(births),
             ValueError,

@@ -41,10 +41,8 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     mistakes = [
         (
             (gained[0], 0.0, gained[2]),
-            (
-                "You replace the velocity of the block. Instead, add the shot's momentum divided "
-                "by the block's mass to the velocity that the block already has."
-            ),
+            "You replace the velocity of the block. Instead, add the shot's momentum divided "
+            "by the block's mass to the velocity that the block already has.",
         ),
         (
             tuple(before[i] + gained[i] for i in range(3)),
@@ -53,10 +51,8 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         ),
         (
             (before[0] + v[0], 1.5, before[2] + v[2]),
-            (
-                "You add the whole velocity of the shot. Add only its momentum divided by the mass "
-                "of the block."
-            ),
+            "You add the whole velocity of the shot. Add only its momentum divided by the mass "
+            "of the block.",
         ),
     ]
     blame(got, mistakes)

@@ -182,10 +182,8 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
             (1.1, 4.0, 1.0),
             (1.1, 4.0, 9.0),
             False,
-            (
-                "This path runs parallel to Z at x = 1.1, which is between the faces at x = 1 and "
-                "x = 3, so it hits the box. Use the distance from the center, which has no sign."
-            ),
+            "This path runs parallel to Z at x = 1.1, which is between the faces at x = 1 and "
+            "x = 3, so it hits the box. Use the distance from the center, which has no sign.",
         ),
         (
             (2.0, 1.5, 1.0),

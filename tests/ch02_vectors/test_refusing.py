@@ -100,5 +100,5 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
     wanted = ("duration", str(value))
     got = tuple(word for word in wanted if word in message)
     if got != wanted:
-        about.call = f"{about.call}, which is {message!r}; the required words that it contains"
+        about.call = f"{about.call}, which is {message!r}; which of the required words it contains"
     expect_exactly(got, wanted)

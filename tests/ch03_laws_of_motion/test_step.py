@@ -341,7 +341,7 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
         "velocity itself. The particle of chapter 5 overrides kick to add forces."
     )
     got = [duration for duration, _ in kicks]
-    expect_exactly(got, [h], then="the durations of all calls of kick")
+    expect_exactly(got, [h], then="the durations passed to kick")
     about.cause = (
         "The position must move before the kick. Call drift first and then kick, so that the "
         "position moves with the old velocity."

@@ -179,8 +179,10 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mistakes = [
         (
             (0.0, 0.0, speed),
-            "Without an elevation, your shot flies level. It must keep the angle of its type's "
-            "velocity to the ground.",
+            (
+                "Your shot flies level if no elevation is given. Give it the elevation that the "
+                "velocity of its type has."
+            ),
         ),
         (
             (0.0, up * along / speed, along * along / speed),
@@ -314,8 +316,10 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
         ),
         (
             (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
-            "You ignore the elevation if an azimuth is given, so the shot keeps the angle of "
-            "its type. Pass both angles to aim.",
+            (
+                "You ignore the elevation if an azimuth is given, so the shot keeps the elevation "
+                "of its type. Pass both angles to aim."
+            ),
         ),
     ]
     blame(got, mistakes)

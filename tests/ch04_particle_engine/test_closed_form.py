@@ -67,8 +67,8 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         )
         if damping == 0.9999:
             undamped = (
-                "You treat this damping as 1 because it is near 1. Decide by -ln(damping) x time "
-                "instead, because the time is long here."
+                "You treat this damping as 1 because it is near 1. Decide by the product "
+                "-ln(damping) x time instead, which is not small here."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]

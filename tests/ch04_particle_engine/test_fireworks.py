@@ -192,7 +192,7 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
     about.read = "the docstring of make_firework"
     once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
     differ = sum(a != b for a, b in zip(once, again, strict=True))
-    expect_exactly(differ, 0, then="; how many of the second fireworks differ from the first")
+    expect_exactly(differ, 0, then="; how many of these 5 fireworks differ from the first 5")
     about.call = (
         f"make_firework(rule, random) 5 times with random = Random({seed}); 5 times with "
         f"Random({seed + 1}); how many velocities are equal"

@@ -76,8 +76,10 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
         (
             {9: [1], 1: [2, 3], 2: [3], 3: [1], 4: [9], 5: []},
             [1, 2, 3],
-            "Types 1, 2 and 3 form a cycle. Types 4 and 9 only lead into it, and no type in the "
-            "cycle leads back to them, so leave them out.",
+            (
+                "Types 1, 2 and 3 form a cycle. Types 4 and 9 only lead into this cycle, which "
+                "does not lead back to them, so leave them out."
+            ),
         ),
         (
             {1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]},

@@ -71,9 +71,11 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
             ),
             (
                 mass / factor**2,
-                "You make the mass smaller, as in the book's footnote (E-19), but a slower "
-                "shot needs a larger mass. Use the factor as the real speed divided by "
-                "the speed in the game.",
+                (
+                    "You make the mass smaller, as in the book's footnote (E-19), but a slower "
+                    "shot needs a larger mass. The factor is the real speed divided by the speed "
+                    "in the game."
+                ),
             ),
             (
                 mass,
@@ -100,8 +102,8 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             f"at {500.0 / factor:.6g} m/s with this gravity, in m"
         )
         about.cause = (
-            "You reject a valid gravity, because it may be negative or 0. Check it with finite "
-            "from arguments.py."
+            "You reject a valid gravity: it may be negative or 0. Check it with finite from "
+            "arguments.py."
         )
         weak = scaling.slowed_gravity(gravity, factor)
         longer = (

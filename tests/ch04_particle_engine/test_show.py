@@ -107,8 +107,8 @@ def why_no_payload() -> str:
             "below the ground at once. Light payloads after all fireworks have moved."
         )
     return (
-        "You remove a firework that falls below the ground, but you do not light its payload. Light "
-        "the payload, as you do when a fuse has burned down."
+        "You remove a firework that falls below the ground, but you do not light its payload. "
+        "Light the payload, as you do when a fuse has burned down."
     )
 
 

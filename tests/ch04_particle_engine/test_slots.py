@@ -190,7 +190,9 @@ def test_births_have_their_own_parents(rng: Random) -> None:
     places = [lit[i].particle.position for i in (0, 1, 2)]
     got = [place.x for place in places[:2]] + [place.y for place in places]
     wanted = [x[0], x[0], x[1], x[1], 0.0]
-    expect_close(got, wanted, then="; x of the first two fireworks, and y of all three, in m")
+    expect_close(
+        got, wanted, then="; the x of the first two fireworks and the y of all three, in m"
+    )
     places[0].x = 99.0
     about.cause = (
         "You add the same firework to the list twice. Call make_firework once for each new "

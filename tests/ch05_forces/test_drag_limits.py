@@ -35,8 +35,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         about.call += "limit, second limit) in s"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
-            "The mass is missing. Drag slows a heavier particle down less, so the particle "
-            "tolerates a longer step. Multiply by the mass.": rate * mass,
+            "The mass is missing. A heavier particle tolerates a longer step, so multiply by "
+            "the mass.": rate * mass,
             "You divide by the mass. A heavier particle tolerates a longer step, so multiply "
             "by the mass instead.": rate * mass**2,
             "You use k1 + k2 without the speed. The quadratic drag depends on the speed, so "

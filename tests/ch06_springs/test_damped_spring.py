@@ -95,8 +95,10 @@ def test_the_three_cases_by_known_values() -> None:
             20.0,
             0.5,
             0.04042768199451279,
-            "The spring is critically damped, which the book leaves out (E-23). gamma is 0 "
-            "here, so replace sin(gamma t) / gamma by its limit, which is the time t.",
+            (
+                "The spring is critically damped, which the book leaves out (E-23). The frequency "
+                "gamma is 0 here, so replace sin(gamma t) / gamma by its limit, the time t."
+            ),
         ),
         (
             40.0,
@@ -176,7 +178,7 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         about.cause += "and let both x0 and v0 contribute."
         if isinstance(got, tuple) and abs(got[0] - x) < 1e-10:
             about.cause = f"The spring is {name}. Your position is right, but your velocity is not "
-            about.cause += "its derivative."
+            about.cause += "the derivative of it."
         blame(got, slips)
         # The roots' formula takes differences of numbers up to 10^4.
         expect_close(got, wanted, tolerance=1e-10)
@@ -316,9 +318,11 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh(gamma t) is too large for a float at a time this late. Multiply it by "
-            "e^(-half t) on paper, so that you need only e^(-(half - gamma) t) and e^(-(half "
-            "+ gamma) t).",
+            (
+                "At such a late time, cosh(gamma t) is too large for a float. Combine it with "
+                "e^(-half t) on paper, so that you need only e^(-(half - gamma) t) and e^(-(half "
+                "+ gamma) t)."
+            ),
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
@@ -351,8 +355,8 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     about.read = READ
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
-    about.cause = "Two durations in a row must lead to the same state as their sum at once. If "
-    about.cause += "yours don't, your velocity is not the derivative of your position."
+    about.cause = "One call for the whole time must give the same state as two calls in a row. If "
+    about.cause += "it doesn't, your velocity is not the derivative of your position."
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
         c = share * 2.0 * math.sqrt(k * m)

@@ -79,7 +79,7 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         expect_close(
             left,
             (0.0, 0.0),
-            then="; by how much x' and v' miss the two equations of the method",
+            then="; the errors of x' and v' in the two equations of the method",
             tolerance=1e-10,
         )
 

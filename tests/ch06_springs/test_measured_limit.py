@@ -34,8 +34,8 @@ def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
 def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125)", read=WIDER)
     seen = released()
-    name = "swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125); the integrator "
-    name += "was called"
+    name = "swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125); whether the "
+    name += "integrator was called"
     calls = (
         "You never called the integrator that was passed in. Let it make the steps, because no "
         "formula covers every integrator."
@@ -120,15 +120,19 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.5,
             False,
-            "The stiffness is only half the limit, so the oscillation dies out and the result "
-            "must be False. Is your comparison the wrong way around?",
+            (
+                "The stiffness is only half the limit, so the oscillation dies out and the result "
+                "must be False. Perhaps your comparison is the wrong way around."
+            ),
         ),
         (
             0.98,
             False,
-            "The stiffness is 2 % below the limit, so the oscillation dies out and the result "
-            "must be False. Compare the largest distances in late swings with those in early "
-            "ones, not single positions.",
+            (
+                "The stiffness is 2 % below the limit, so the oscillation dies out and the result "
+                "must be False. Compare the largest distances of late and early swings instead "
+                "of single positions."
+            ),
         ),
         (
             1.02,

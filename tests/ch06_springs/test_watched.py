@@ -82,7 +82,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         expect_close(
             got,
             wanted,
-            then="; (particle, step, speed, limit) of the error, or nan if none was raised",
+            then="; (particle, step, speed, limit) of the error, or nan if there was none",
         )
         about.cause = (
             "You raised the error too early or too late. Check the speeds right after each step, "
@@ -106,7 +106,7 @@ def test_a_speed_at_the_limit_is_not_over_it() -> None:
     _, error = watching(7.0, [[7.0]])
     expect_exactly(error, None)
     about.call = "watched(integrator, speed_limit=1.0) with a particle that moves at 2 m/s after "
-    about.call += "the first step; (particle, step) of the error, or nan if none was raised"
+    about.call += "the first step; (particle, step) of the error, or nan if there was none"
     about.cause = (
         "A limit of 1 m/s is valid, so watch the integrator as usual. Check the speeds after each "
         "step, whatever the limit is."
@@ -130,7 +130,7 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
         expect_close(
-            got, (1.0, 2.0), then="; (particle, step) of the error, or nan if none was raised"
+            got, (1.0, 2.0), then="; (particle, step) of the error, or nan if there was none"
         )
 
 
@@ -168,7 +168,7 @@ def test_two_watches_count_for_themselves() -> None:
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
-    expect_close(got, (0.0, 1.0), then="; (particle, step) of the error, or nan if none was raised")
+    expect_close(got, (0.0, 1.0), then="; (particle, step) of the error, or nan if there was none")
     about.call = (
         "watched(integrator, speed_limit=5.0) and then watched(integrator, speed_limit=9.0); a "
         "step of the second one, after which a particle moves at 7 m/s"

@@ -121,7 +121,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     about.read = FALL
     about.cause = "The speed must be u tanh(g t / u) and the distance (u^2 / g) ln cosh(g t / u). "
     about.cause += "Here u is the terminal speed, g the gravity and t the time."
-    about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=3.0) as (speed in m/s, "
+    about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=3.0); (speed in m/s, "
     about.call += "distance in m)"
     got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
@@ -259,7 +259,8 @@ def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
     about.cause = "A time of 0 is valid. At the start of the fall, the speed and the distance are "
     about.cause += "both 0."
-    about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=0.0) as (speed, distance)"
+    about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=0.0); (speed in m/s, "
+    about.call += "distance in m)"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
     expect_close(got, (0.0, 0.0))
     about.cause = "After a very short time t there is almost no drag yet. The speed is then g t "

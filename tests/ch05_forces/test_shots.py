@@ -277,7 +277,7 @@ def expect_hole(
     about.read = WAY
     about.call, got = way_of(start, end)
     expect_exactly(
-        got is not None, True, then=" is not None, which means that the path makes a hole"
+        got is not None, True, then="; whether the path makes a hole (the result is not None)"
     )
     distance, *hole = wanted
     x, y, points = hole
@@ -313,7 +313,7 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
     about.read = WAY
     about.call, got = way_of(start, end)
     expect_exactly(
-        got is not None, False, then=" is not None, which means that the path makes a hole"
+        got is not None, False, then="; whether the path makes a hole (the result is not None)"
     )
 
 

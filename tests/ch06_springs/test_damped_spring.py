@@ -147,7 +147,7 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         k, m, t = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, longest)
         c = share * 2.0 * math.sqrt(k * m)
         about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness={k}, damping={c:.6g}, "
-        about.call += f"mass={m}, time={t}) as (position in m, velocity in m/s)"
+        about.call += f"mass={m}, time={t}); (position in m, velocity in m/s)"
         got = damped_spring_state(x0, v0, k, c, m, t)
         wanted = by_roots(x0, v0, k, c, m, t)
         half, (x, v) = c / (2.0 * m), wanted
@@ -230,7 +230,7 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
             about.cause = cause
             c = critical * (1.0 + share)
             about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness={k}, damping={c!r}, "
-            about.call += f"mass={m}, time={t}) as (position in m, velocity in m/s)"
+            about.call += f"mass={m}, time={t}); (position in m, velocity in m/s)"
             got = damped_spring_state(x0, v0, k, c, m, t)
             expect_close(got, wanted, tolerance=tolerance)
     about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=4.0, damping=4 - 4e-9, mass=1.0, "

@@ -170,9 +170,8 @@ def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
     name = f"; number of evaluations of the forces (the error is {error:.1e})"
     expect_between(count, 0, FEW, then=name)
     about.cause = (
-        f"Your error is too large, although you evaluate the forces {count} times, of {FEW} that "
-        "are allowed. Make shorter steps where the particle is fast, or use a more accurate "
-        "method."
+        f"Your error is too large, with {count} evaluations of the forces (at most {FEW} are "
+        "allowed). Make shorter steps where the particle is fast, or use a more accurate method."
     )
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
     expect_between(

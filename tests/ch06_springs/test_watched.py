@@ -64,8 +64,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         slips = {
             "Your step number is one too small. The first step is number 1, so increase the "
             "counter before you check the speeds.": (fast, number - 1, size, limit),
-            "Your index of the particle is one too large. Particles are numbered from 0, like "
-            "the items of a list.": (fast + 1, number, size, limit),
+            "Your particle number is one too large. Particles are numbered from 0, like the "
+            "items of a list.": (fast + 1, number, size, limit),
             "Your error reports the last particle that is too fast. Go through the list from "
             "the start, and report the first one that you find.": (3, number, 2.0 * limit, limit),
             "You swapped the speed and the limit. SimulationDiverged takes the speed first and "
@@ -73,11 +73,11 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         }
         blame(got, slips)
         if error is None:
-            about.cause = f"No error was raised. {about.cause}"
+            about.cause = f"You raised no error. {about.cause}"
         elif got[1] > number:
             about.cause = (
-                "You raised the error in a later step. Check the speeds right after each step, "
-                "and let each watched integrator count its own steps from 1."
+                "The step number in your error is too large. Check the speeds right after each "
+                "step, and let each watched integrator count its own steps from 1."
             )
         expect_close(
             got,

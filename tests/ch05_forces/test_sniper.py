@@ -250,11 +250,18 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about.cause += "at the start of update."
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
-    expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
+    expect_unchanged(
+        "bullet.position",
+        xyz(bullet.position),
+        place,
+        call="range.update(1/60) after the bullet has landed",
+    )
     about.cause = "The wind has changed even though no bullet is in flight. If self.bullet is "
     about.cause += "None, update must change nothing."
     got = xyz(at.wind.velocity)
-    expect_unchanged("range.wind.velocity", got, wind, call="range.update(1/60)")
+    expect_unchanged(
+        "range.wind.velocity", got, wind, call="range.update(1/60) after the bullet has landed"
+    )
     about.cause = "The last shot has landed, so the next one can be fired. Set self.bullet to "
     about.cause += "None when a shot lands."
     expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")

@@ -95,10 +95,8 @@ def test_the_three_cases_by_known_values() -> None:
             20.0,
             0.5,
             0.04042768199451279,
-            (
-                "The spring is critically damped, which the book leaves out (E-23). The frequency "
-                "gamma is 0 here, so replace sin(gamma t) / gamma by its limit, the time t."
-            ),
+            "The spring is critically damped, which the book leaves out (E-23). The frequency "
+            "gamma is 0 here, so replace sin(gamma t) / gamma by its limit, the time t.",
         ),
         (
             40.0,
@@ -318,11 +316,9 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            (
-                "At such a late time, cosh(gamma t) is too large for a float. Combine it with "
-                "e^(-half t) on paper, so that you need only e^(-(half - gamma) t) and e^(-(half "
-                "+ gamma) t)."
-            ),
+            "At such a late time, cosh(gamma t) is too large for a float. Combine it with "
+            "e^(-half t) on paper, so that you need only e^(-(half - gamma) t) and e^(-(half "
+            "+ gamma) t).",
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),

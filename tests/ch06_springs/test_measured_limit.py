@@ -120,19 +120,15 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.5,
             False,
-            (
-                "The stiffness is only half the limit, so the oscillation dies out and the result "
-                "must be False. Perhaps your comparison is the wrong way around."
-            ),
+            "The stiffness is only half the limit, so the oscillation dies out and the result "
+            "must be False. Perhaps your comparison is the wrong way around.",
         ),
         (
             0.98,
             False,
-            (
-                "The stiffness is 2 % below the limit, so the oscillation dies out and the result "
-                "must be False. Compare the largest distances of late and early swings instead "
-                "of single positions."
-            ),
+            "The stiffness is 2 % below the limit, so the oscillation dies out and the result "
+            "must be False. Compare the largest distances of late and early swings instead "
+            "of single positions.",
         ),
         (
             1.02,

@@ -125,10 +125,8 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three steps",
             draw_body(rng),
             3,
-            (
-                "Your first step is right, but the next ones are not. Perhaps the forces of a step "
-                "still act in the next one, so clear the accumulators before the step ends."
-            ),
+            "Your first step is right, but the next ones are not. Perhaps the forces of a step "
+            "still act in the next one, so clear the accumulators before the step ends.",
         ),
         (
             "one step",

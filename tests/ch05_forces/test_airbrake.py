@@ -157,13 +157,12 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         p.integrate(h)
         got = xyz(p.velocity)
         slips = {
-            "Your brake reverses the motion, because its force is larger than what stops the "
-            "particle. Limit the force to -v m / h, where h is the duration of the step.": [
+            "Your brake reverses the motion, because its force is too large. Limit it to -v m "
+            "/ h, which stops the particle in a step of h seconds.": [
                 part * (1.0 - share) for part in v
             ],
-            "The velocity did not change. Even if -k v is more than a full stop takes, the "
-            "brake must add a force: -v m / h, which stops the particle in a step of h "
-            "seconds.": v,
+            "The velocity did not change, so your brake added no force. If the brake is this "
+            "strong, add -v m / h, which stops the particle in a step of h seconds.": v,
         }
         why = named(got, about.cause, slips)
         # What FULL, or rounding, leaves of 10 m/s.
@@ -210,9 +209,9 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     about.cause += "the step reverses the motion. Multiply this limit by FULL, which is slightly "
     about.cause += "below 1."
     tries = 400
-    about.call = f"{tries} particles with different speeds and masses, each braked for one step of "
-    about.call += "h seconds by an Airbrake whose k is above m / h; the smallest fraction of its "
-    about.call += "velocity that a particle keeps"
+    about.call = f"{tries} particles with different speeds and masses, each braked for one step; "
+    about.call += "the k of each Airbrake is above m / h, with the mass m and the duration h; the "
+    about.call += "smallest fraction of a velocity that is left"
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)

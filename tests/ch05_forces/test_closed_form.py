@@ -81,8 +81,8 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.read = TERMINAL
     weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
-    about.cause = "With k2 = 0 the terminal speed is weight / k1. Use the form 2 W / (k1 + "
-    about.cause += "sqrt(k1^2 + 4 k2 W)), where W is the weight, because it doesn't divide by k2."
+    about.cause = "With k2 = 0 the terminal speed is weight / k1, so don't divide by k2. Use the "
+    about.cause += "form 2 W / (k1 + sqrt(k1^2 + 4 k2 W)), where W is the weight."
     about.call = f"terminal_speed(weight={weight}, k1={k}, k2=0.0), in m/s"
     got = terminal_speed(weight, k, 0.0)
     expect_close(got, weight / k, tolerance=ROUNDED * got)
@@ -100,9 +100,9 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
     about.read = TERMINAL
     weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
-    about.cause = "Your result is slightly inaccurate, perhaps because -k1 + root subtracts two "
-    about.cause += "nearly equal numbers, where root is sqrt(k1^2 + 4 k2 W). Use the equivalent "
-    about.cause += "form 2 W / (k1 + root), where W is the weight."
+    about.cause = "Your result is slightly inaccurate, perhaps because you subtract k1 from a "
+    about.cause += "root that is nearly equal to it. Use 2 W / (k1 + sqrt(k1^2 + 4 k2 W)) "
+    about.cause += "instead, where W is the weight."
     for k2 in (1e-6, 1e-10, 1e-14):
         about.call = f"terminal_speed(weight={weight}, k1={k1}, k2={k2}), in m/s"
         got = terminal_speed(weight, k1, k2)
@@ -121,7 +121,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     about.read = FALL
     about.cause = "The speed must be u tanh(g t / u) and the distance (u^2 / g) ln cosh(g t / u). "
     about.cause += "Here u is the terminal speed, g the gravity and t the time."
-    about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=3.0) as (speed in m/s, "
+    about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=3.0); (speed in m/s, "
     about.call += "distance in m)"
     got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
@@ -132,7 +132,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         "You return the two results in the wrong order. Return the speed first and the "
         "distance second.": (x, v),
         "Your distance is u t, as if the body fell at the terminal speed u from the start. It "
-        "starts at rest, so use (u^2 / g) ln cosh(g t / u).": (v, u * 3.0),
+        "starts at rest, so use (u^2 / g) ln cosh(g t / u) for the distance.": (v, u * 3.0),
         "Your distance is g t^2 / 2, as in a free fall without drag. Use (u^2 / g) ln cosh(g t "
         "/ u), where u is the terminal speed.": (
             v,
@@ -188,8 +188,8 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
     about.read = FALL
     g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
-    about.cause = "Your distance is slightly inaccurate, because cosh x is nearly 1 for a small x "
-    about.cause += "= g t / u. Compute ln cosh x as math.log1p(2 sinh(x / 2)^2) instead."
+    about.cause = "Your distance is slightly inaccurate, because x = g t / u is small and cosh x "
+    about.cause += "is nearly 1. Compute ln cosh x as math.log1p(2 sinh(x / 2)^2) instead."
     for k2 in (1e-8, 1e-12, 1e-15):
         about.call = f"quadratic_fall(mass=2.0, gravity={g}, k2={k2}, time={time})"
         got = quadratic_fall(2.0, g, k2, time)
@@ -259,7 +259,8 @@ def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
     about.cause = "A time of 0 is valid. At the start of the fall, the speed and the distance are "
     about.cause += "both 0."
-    about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=0.0) as (speed, distance)"
+    about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=0.0); (speed in m/s, "
+    about.call += "distance in m)"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
     expect_close(got, (0.0, 0.0))
     about.cause = "After a very short time t there is almost no drag yet. The speed is then g t "

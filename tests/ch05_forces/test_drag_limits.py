@@ -31,12 +31,12 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         (0.0, k2, k2 * speed / mass),
         (k1, k2, (k1 + k2 * speed) / mass),
     ):
-        about.call = f"drag_limits(k1={one}, k2={two}, mass={mass}, speed={speed}) as (first "
-        about.call += "limit, second limit) in s"
+        about.call = f"drag_limits(k1={one}, k2={two}, mass={mass}, speed={speed}); (first limit, "
+        about.call += "second limit) in s"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
-            "The mass is missing. Drag slows a heavier particle down less, so the particle "
-            "tolerates a longer step. Multiply by the mass.": rate * mass,
+            "The mass is missing. A heavier particle tolerates a longer step, so multiply by "
+            "the mass.": rate * mass,
             "You divide by the mass. A heavier particle tolerates a longer step, so multiply "
             "by the mass instead.": rate * mass**2,
             "You use k1 + k2 without the speed. The quadratic drag depends on the speed, so "
@@ -66,12 +66,10 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     expect_close(
         got,
         (1e12, 2e12),
-        call="drag_limits(k1=1e-12, k2=0.0, mass=1.0, speed=1.0) as (first limit, "
-        "second limit) in s",
+        call="drag_limits(k1=1e-12, k2=0.0, mass=1.0, speed=1.0); (first limit, second limit) in s",
     )
     about(
-        f"drag_limits(k1={k1}, k2={k2}, mass={mass}, speed=0.0) as (first limit, second limit) "
-        "in s",
+        f"drag_limits(k1={k1}, k2={k2}, mass={mass}, speed=0.0); (first limit, second limit) in s",
         cause="Here the speed is 0, so only k1 counts. The limits are m / k1 and 2 m / "
         "k1, where m is the mass.",
     )
@@ -94,7 +92,7 @@ def test_without_drag_no_frame_is_too_long() -> None:
     expect_close(
         got,
         (1.0, 2.0),
-        call="drag_limits(k1=1.0, k2=0.5, mass=2.0, speed=2.0) as (first limit, second limit) in s",
+        call="drag_limits(k1=1.0, k2=0.5, mass=2.0, speed=2.0); (first limit, second limit) in s",
     )
 
 

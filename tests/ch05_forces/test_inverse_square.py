@@ -107,8 +107,8 @@ def test_at_the_center_there_is_no_finite_force() -> None:
 @pytest.mark.robust
 def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
     about.read = READ
-    about.cause = "Here r^2 or r^3 is too small or too large for a float, although the force is "
-    about.cause += "not. Compute (m / r) (mu / r) instead, and multiply it by a unit vector."
+    about.cause = "The force fits in a float here, but r^2 or r^3 does not. Compute (m / r) (mu / "
+    about.cause += "r) instead, and multiply it by a unit vector."
     for y, mu, force in (
         (1e-120, 2.0, -3e240),
         (1e-150, 2e-50, -3e250),

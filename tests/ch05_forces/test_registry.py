@@ -47,9 +47,7 @@ def expect_asked(
     told = []
     for name, *numbers in acts:
         if name == "add":
-            told.append(
-                f"pair of p[{numbers[0]}] and generator[{numbers[1]}] added to the registry"
-            )
+            told.append(f"the pair (p[{numbers[0]}], generator[{numbers[1]}]) is added")
         elif name == "remove":
             told.append(f"registry.remove(p[{numbers[0]}], generator[{numbers[1]}])")
         elif name == "free":
@@ -59,7 +57,7 @@ def expect_asked(
         else:
             told.append(f"registry.update_forces({numbers[0]})")
     about.call = "; ".join(told) + (
-        "; the calls of update_force as (number of the particle, number of the generator, duration)"
+        "; each call of update_force as (number of the particle, number of the generator, duration)"
     )
     if immovable:
         about.call = f"p{[*immovable]} is immovable; {about.call}"
@@ -139,9 +137,9 @@ def test_remove_takes_back_one_call_of_add() -> None:
         cause="The pair (p[0], generator[0]) was added three times, and every call of "
         "add registers another pair. All three must act until remove is called.",
     )
-    about.call = "pair of p[0] and generator[0] added to the registry three times; pair of p[1] "
-    about.call += "and generator[1] added once; registry.remove(p[0], generator[0]); "
-    about.call += "registry.update_forces(0.5); the calls of update_force as (number of the "
+    about.call = "the pair (p[0], generator[0]) is added three times; the pair (p[1], "
+    about.call += "generator[1]) is added once; registry.remove(p[0], generator[0]); "
+    about.call += "registry.update_forces(0.5); each call of update_force as (number of the "
     about.call += "particle, number of the generator, duration), sorted"
     got = sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)]))
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
@@ -153,9 +151,9 @@ def test_remove_takes_back_one_call_of_add() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
-    about.cause = "You removed the wrong pair or none, perhaps because you compare with ==, and "
-    about.cause += "two different generators can be equal. Use `is`, and require that both the "
-    about.cause += "particle and the generator match."
+    about.cause = "You removed the wrong pair or none, perhaps because you compare with ==. Two "
+    about.cause += "different generators can be equal, so compare with `is`, and check both the "
+    about.cause += "particle and the generator."
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
     for i, (_, particle, generator) in enumerate(pairs):
@@ -186,7 +184,7 @@ def test_clear_takes_back_everything() -> None:
 def test_immovable_particles_are_skipped() -> None:
     about.read = "the docstring of update_forces"
     about.cause = "No force can move the immovable particle p[1], so update_forces must skip its "
-    about.cause += "pairs. Keep these pairs, because the particle may become movable later."
+    about.cause += "pairs. Don't remove them, because the particle may become movable later."
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 1, 1), ("add", 2, 0), ("update", 0.5)]
     wanted = [(0, 0, 0.5), (2, 0, 0.5)]
     slips = {
@@ -227,12 +225,12 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
 @pytest.mark.exercise("B5.3")
 def test_a_generator_may_change_the_registry_meanwhile() -> None:
     about.read = "the docstring of update_forces"
-    about.cause = "During the update a generator added or removed pairs. Such changes must take "
+    about.cause = "A generator added or removed pairs during the update. Such a change must take "
     about.cause += "effect only in the next update, so loop over a copy of the list."
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
-        about.call = f"three pairs; during each update the first generator {CHANGES[what]}; "
-        about.call += "registry.update_forces(0.5) twice; number of generators called in each "
-        about.call += "update"
+        about.call = "a registry with three pairs; in each update the first generator "
+        about.call += f"{CHANGES[what]}; registry.update_forces(0.5) twice; number of generators "
+        about.call += "called in each update"
         got = asked_while_it_changes(what)
         expect_exactly(got, [3, second])
 

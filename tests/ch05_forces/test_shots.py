@@ -89,7 +89,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         }
         blame(got, slips)
         expect_close(got, wanted, then="; range.bullet.velocity, in m/s")
-        about.cause = "One attribute of the new bullet is wrong. Use MUZZLE, GRAVITY and "
+        about.cause = "This attribute of the new bullet is wrong. Use MUZZLE, GRAVITY and "
         about.cause += "BULLET_MASS from the top of the file, and a damping of 1."
         got = xyz(bullet.position)
         expect_close(got, (0, 1.5, 0), then="; range.bullet.position, in m")
@@ -202,9 +202,8 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
 @pytest.mark.exercise("P4.2b")
 def test_the_innermost_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
-    about.cause = "The points depend on the hole's distance from the center, and only the "
-    about.cause += "smallest ring around it counts. That is 10 points up to 0.1 m, 5 up to 0.25 m "
-    about.cause += "and 2 up to 0.5 m."
+    about.cause = "Only the smallest ring around the hole counts. A hole scores 10 points up to "
+    about.cause += "0.1 m from the center, 5 up to 0.25 m, 2 up to 0.5 m, and 0 beyond."
     use = "Compare the distance from the center, math.hypot(x, y), with the radii."
     for x, y, points, slip, gives in (
         (0.0, 0.3, 2, "You compared only x with the radii of the rings.", 10),
@@ -278,14 +277,14 @@ def expect_hole(
     about.read = WAY
     about.call, got = way_of(start, end)
     expect_exactly(
-        got is not None, True, then=" is not None, which means that the path makes a hole"
+        got is not None, True, then="; whether the path makes a hole (the result is not None)"
     )
     distance, *hole = wanted
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
     slips = {
-        "Your points are those of the ring, not multiplied by the target's factor. Multiply them, "
-        "because a hit on a farther target scores more.": (
+        "Your points are those of the ring, not multiplied by the target's factor. Multiply by "
+        "this factor, because a hit on a farther target scores more.": (
             *TARGETS[distance],
             x,
             y,
@@ -314,7 +313,7 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
     about.read = WAY
     about.call, got = way_of(start, end)
     expect_exactly(
-        got is not None, False, then=" is not None, which means that the path makes a hole"
+        got is not None, False, then="; whether the path makes a hole (the result is not None)"
     )
 
 

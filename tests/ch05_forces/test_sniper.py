@@ -110,13 +110,13 @@ def test_the_wind_carries_the_bullet_away() -> None:
     expect_close(
         got,
         wanted,
-        then="; x of the bullet in m at the end, with the wind and in still air",
+        then="; the last x of the bullet in m, with the wind and in still air",
         tolerance=1e-10,
     )
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
     about.cause = "Drag must slow the bullet down. Call update_forces with the duration before "
     about.cause += "each integration."
-    expect_close(blown[-1][2], z, then="; z of the bullet in m at the end", tolerance=1e-9)
+    expect_close(blown[-1][2], z, then="; the last z of the bullet in m", tolerance=1e-9)
 
 
 @pytest.mark.exercise("P4.2b")
@@ -153,7 +153,7 @@ def test_what_is_exactly_at_the_edge_flies_on() -> None:
     )
     about.call += "range.update(0.5), which moves the bullet to (20, 0, 210); range.bullet is None"
     about.cause = "The bullet is exactly on the edge of the range, so it is still in flight. A "
-    about.cause += "shot has landed only if y < 0 or z > 210, without an equals sign."
+    about.cause += "shot has landed only if y < 0 or z > 210, so use < and > instead of <= and >=."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
@@ -250,11 +250,18 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about.cause += "at the start of update."
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
-    expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
+    expect_unchanged(
+        "bullet.position",
+        xyz(bullet.position),
+        place,
+        call="range.update(1/60) after the bullet has landed",
+    )
     about.cause = "The wind has changed even though no bullet is in flight. If self.bullet is "
     about.cause += "None, update must change nothing."
     got = xyz(at.wind.velocity)
-    expect_unchanged("range.wind.velocity", got, wind, call="range.update(1/60)")
+    expect_unchanged(
+        "range.wind.velocity", got, wind, call="range.update(1/60) after the bullet has landed"
+    )
     about.cause = "The last shot has landed, so the next one can be fired. Set self.bullet to "
     about.cause += "None when a shot lands."
     expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")
@@ -266,7 +273,7 @@ def test_a_whole_round_is_ten_shots() -> None:
     near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)
     miss = (0.1, -0.1)
     aims = [near, miss, far, miss, far, miss] * 2
-    about.call = "range.shoot twelve times, every second one a miss, each followed by "
+    about.call = "twelve calls of range.shoot, of which every second one misses; after each call, "
     about.call += "range.update(1/60) until the shot has landed"
     about.cause = "A round has only ten shots, so the last two of these twelve must not be fired."
     came = play(aims, FRAME)

@@ -73,7 +73,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
             wanted[i] * h for i in range(3)
         ],
         "The position moved by v h + a h^2 / 2, where v is the old velocity. The book's step "
-        "leaves out the second term, so move the position by v h.": [
+        "leaves out a h^2 / 2, so move the position only by v h.": [
             (v[i] + wanted[i]) / 2.0 * h for i in range(3)
         ],
     }
@@ -134,8 +134,8 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
         "the end (E-16), so multiply the whole new velocity by d^h.": [
             v[i] * keep + gained[i] for i in range(3)
         ],
-        "You apply the damping before the force. Add f / m to the acceleration first, and "
-        "multiply by d^h at the end, where h is the duration.": [
+        "You apply the damping before the force. Let the force change the velocity first, and "
+        "then multiply by d^h, the damping to the power of the duration.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
         "The damping is missing. Multiply the new velocity by d^h, the damping to the power of "
@@ -221,7 +221,7 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
 def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     v, f = components(rng), components(rng)
     about.read = "the docstring of kick"
-    about.cause = "With a damping of 0, the factor d^h is 0 in every step. The particle must "
+    about.cause = "With a damping d of 0, the factor d^h is 0 in every step. The particle must "
     about.cause += "therefore stop, even if a force acts on it."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
     about.call += "p.integrate(0.5); p.velocity, in m/s"

@@ -62,8 +62,8 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
             "This is the drag in still air. Subtract the velocity of the wind from the "
             "velocity of the particle first.": still,
             (
-                "This is the force on a particle at rest. Subtract the velocity of the wind "
-                "from the velocity of the particle, instead of using the wind alone."
+                "This is the force on a particle at rest, because you use the wind alone. "
+                "Subtract the velocity of the wind from the velocity of the particle."
             ): [-part for part in blown],
             "You add the velocity w of the wind to the velocity v of the particle. Drag "
             "depends on the velocity relative to the air, so use v - w.": drag(
@@ -152,8 +152,8 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
         ):
             why = about.cause
             if abs(got) > 10.0:
-                why = "A component of the wind exceeds 10 m/s, perhaps because you add the new "
-                why += f"wind to the old one. {about.cause}"
+                why = "A component of the wind is larger than 10 m/s, perhaps because you add the "
+                why += f"new wind to the old one. {about.cause}"
             expect_between(
                 got, low, high, then=f"; the {what} {name} of all winds, in m/s", cause=why
             )
@@ -166,8 +166,9 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.cause += "other."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_between(same, 130, 270, then="; number of winds in which x and z have the same sign")
-    about.cause = "The x and z of some winds have the same size. Two random floats are almost "
-    about.cause += "never equal, so draw one for each of them, and don't round."
+    about.cause = "In some winds, x and z have the same absolute value. Draw a random float for "
+    about.cause += "each of them, and don't round it, because two such numbers are almost never "
+    about.cause += "equal."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then="; number of winds with |x| = |z|")
 

@@ -34,13 +34,13 @@ def rope(
         other = Particle(Vector3(*base), Vector3(1.0, -2.0, 3.0))
         p.velocity += Vector3(1.0, -2.0, 3.0)
         bungee = Bungee(other, k, rest, c)
-        end = f"q at {base} with velocity (1, -2, 3); Bungee(q"
+        end = f"the other end q at {base} with velocity (1, -2, 3); rope = Bungee(q"
     else:
         bungee = AnchoredBungee(Vector3(*base), k, rest, c)
-        end = f"AnchoredBungee(Vector3{base}"
-    about.call = f"p at {place} with a velocity of {velocity} relative to the other end; {end}, "
-    about.call += f"stiffness={k}, rest_length={rest}, damping={c}).update_force(p, 0.5); "
-    about.call += "p.force_accumulator, in N"
+        end = f"rope = AnchoredBungee(anchor=Vector3{base}"
+    about.call = f"p at {place}; the velocity of p relative to the other end of the rope is "
+    about.call += f"{velocity}; {end}, stiffness={k}, rest_length={rest}, damping={c}); "
+    about.call += "rope.update_force(p, 0.5); p.force_accumulator, in N"
     return about.call, bungee, p
 
 

@@ -29,9 +29,9 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     came = {}
     for share in (0.25, 0.75, 0.5, 0.01):
         y = surface + s - 2.0 * s * share
-        about.call = f"p at (3, {y}, 5); Buoyancy(max_depth={s}, volume={volume}, "
-        about.call += f"water_height={surface}, liquid_density={density}, "
-        about.call += f"gravity={g}).update_force(p, 0.5); p.force_accumulator, in N"
+        about.call = f"p at (3, {y}, 5); b = Buoyancy(max_depth={s}, volume={volume}, "
+        about.call += f"water_height={surface}, liquid_density={density}, gravity={g}); "
+        about.call += "b.update_force(p, 0.5); p.force_accumulator, in N"
         p = Particle(Vector3(3.0, y, 5.0), Vector3(2.0, 3.0, 4.0), mass=3.0)
         Buoyancy(s, volume, surface, density, g).update_force(p, 0.5)
         came[share] = about.call, xyz(p.force_accumulator)

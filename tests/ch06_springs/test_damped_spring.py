@@ -95,8 +95,8 @@ def test_the_three_cases_by_known_values() -> None:
             20.0,
             0.5,
             0.04042768199451279,
-            "The spring is critically damped, which the book leaves out (E-23). gamma is 0 "
-            "here, so replace sin(gamma t) / gamma by its limit, which is the time t.",
+            "The spring is critically damped, which the book leaves out (E-23). The frequency "
+            "gamma is 0 here, so replace sin(gamma t) / gamma by its limit, the time t.",
         ),
         (
             40.0,
@@ -145,7 +145,7 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         k, m, t = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, longest)
         c = share * 2.0 * math.sqrt(k * m)
         about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness={k}, damping={c:.6g}, "
-        about.call += f"mass={m}, time={t}) as (position in m, velocity in m/s)"
+        about.call += f"mass={m}, time={t}); (position in m, velocity in m/s)"
         got = damped_spring_state(x0, v0, k, c, m, t)
         wanted = by_roots(x0, v0, k, c, m, t)
         half, (x, v) = c / (2.0 * m), wanted
@@ -176,7 +176,7 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         about.cause += "and let both x0 and v0 contribute."
         if isinstance(got, tuple) and abs(got[0] - x) < 1e-10:
             about.cause = f"The spring is {name}. Your position is right, but your velocity is not "
-            about.cause += "its derivative."
+            about.cause += "the derivative of it."
         blame(got, slips)
         # The roots' formula takes differences of numbers up to 10^4.
         expect_close(got, wanted, tolerance=1e-10)
@@ -228,7 +228,7 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
             about.cause = cause
             c = critical * (1.0 + share)
             about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness={k}, damping={c!r}, "
-            about.call += f"mass={m}, time={t}) as (position in m, velocity in m/s)"
+            about.call += f"mass={m}, time={t}); (position in m, velocity in m/s)"
             got = damped_spring_state(x0, v0, k, c, m, t)
             expect_close(got, wanted, tolerance=tolerance)
     about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=4.0, damping=4 - 4e-9, mass=1.0, "
@@ -316,7 +316,7 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh(gamma t) is too large for a float at a time this late. Multiply it by "
+            "At such a late time, cosh(gamma t) is too large for a float. Combine it with "
             "e^(-half t) on paper, so that you need only e^(-(half - gamma) t) and e^(-(half "
             "+ gamma) t).",
         ),
@@ -351,8 +351,8 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     about.read = READ
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
-    about.cause = "Two durations in a row must lead to the same state as their sum at once. If "
-    about.cause += "yours don't, your velocity is not the derivative of your position."
+    about.cause = "One call for the whole time must give the same state as two calls in a row. If "
+    about.cause += "it doesn't, your velocity is not the derivative of your position."
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
         c = share * 2.0 * math.sqrt(k * m)

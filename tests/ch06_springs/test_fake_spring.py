@@ -53,7 +53,7 @@ def test_the_force_by_its_formula() -> None:
     sizes = {
         "You divide by h and then multiply by h again, because the book's listing says 1 / h * "
         "h (E-6). Divide by h * h instead.": wanted[0] / 3600.0,
-        "You use the force of a real spring, -k x, which is too strong for a step this long. "
+        "You use the force of a real spring, -k x, which is too strong for such a long step. "
         "Compute the force that takes p to T, the position that a real spring would reach.": -400.0,
         "Your force is twice as large as it should be, as if a step moved p by a h^2 / 2. "
         "Semi-implicit Euler moves it by a h^2, where a is the acceleration.": 2.0 * wanted[0],
@@ -79,7 +79,7 @@ def test_the_force_by_its_formula() -> None:
         "Your force ignores the velocity v, as if the particle were at rest. Subtract v / h as "
         "well, where h is the duration of the step.": wanted[1] + 120.0,
         "There is no force, although p moves along y. At the anchor the offset has no "
-        "direction, so compute the force for x, y and z separately, not for the distance.": 0.0,
+        "direction, so compute the force separately for x, y and z.": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-10)

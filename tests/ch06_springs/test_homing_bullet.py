@@ -95,7 +95,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     about.call += "HomingBullet(target=q, stiffness=2.0, look_ahead=3.0); b.update_force(p, 0.5)"
     about.cause = (
         "update_force must not change any position or velocity. add_scaled, += and *= work in "
-        "place, so use + and *, which create new vectors, or copy a vector first."
+        "place, so use + and *, which create new vectors."
     )
     p, q = Particle(Vector3(*here), Vector3(*v)), Particle(Vector3(*there), Vector3(*w))
     b = HomingBullet(q, 2.0, 3.0)

@@ -79,7 +79,7 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         expect_close(
             left,
             (0.0, 0.0),
-            then="; by how much x' and v' miss the two equations of the method",
+            then="; the errors of x' and v' in the two equations of the method",
             tolerance=1e-10,
         )
 
@@ -128,8 +128,8 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
     about.cause = causes[method]
     for k, steps in ((1e3, 5), (1e3, 1000), (1e6, 1000), (1e12, 1000)):
         about.call = f"{steps} steps of {method} with stiffness={k:g}, damping=0, mass=1 and "
-        about.call += f"duration=1/60, from x = 1 and v = {v}; the fraction of the energy that is "
-        about.call += "left"
+        about.call += f"duration=1/60, from x = 1 and v = {v}; the final energy divided by the "
+        about.call += "initial energy"
         x, new = implicit_steps(method, 1.0, v, k, 0.0, 1.0, 1.0 / 60.0, steps)
         left = (k * x * x + new * new) / (k + v * v)
         wanted = 1.0 if method == "trapezoidal" else (1.0 + k / 3600.0) ** -steps

@@ -34,8 +34,8 @@ def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
 def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125)", read=WIDER)
     seen = released()
-    name = "swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125); the integrator "
-    name += "was called"
+    name = "swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125); whether the "
+    name += "integrator was called"
     calls = (
         "You never called the integrator that was passed in. Let it make the steps, because no "
         "formula covers every integrator."
@@ -121,14 +121,14 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
             0.5,
             False,
             "The stiffness is only half the limit, so the oscillation dies out and the result "
-            "must be False. Is your comparison the wrong way around?",
+            "must be False. Perhaps your comparison is the wrong way around.",
         ),
         (
             0.98,
             False,
             "The stiffness is 2 % below the limit, so the oscillation dies out and the result "
-            "must be False. Compare the largest distances in late swings with those in early "
-            "ones, not single positions.",
+            "must be False. Compare the largest distances of late and early swings instead "
+            "of single positions.",
         ),
         (
             1.02,
@@ -153,8 +153,8 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
     ):
         about.cause = cause
         k = part * limit
-        about.call = f"swings_wider(integrator, stiffness={k:.6g}, damping={damping}, "
-        about.call += f"duration=1/60) with an integrator that is stable up to {limit:.6g} N/m"
+        about.call = f"the integrator is stable up to {limit:.6g} N/m; swings_wider(integrator, "
+        about.call += f"stiffness={k:.6g}, damping={damping}, duration=1/60)"
         got = wider(share, explicit, k, damping, h)
         expect_exactly(got, wanted)
 
@@ -169,12 +169,12 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     )
     for share in (0.1, 0.9, 0.98):
         k = share * 14_400.0
-        about.call = f"swings_wider(integrator, stiffness={k:.6g}, damping=1.0, duration=1/60) "
-        about.call += "with an integrator that is stable up to 14400 N/m"
+        about.call = "the integrator is stable up to 14400 N/m; swings_wider(integrator, "
+        about.call += f"stiffness={k:.6g}, damping=1.0, duration=1/60)"
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
-    about.call = "swings_wider(integrator, stiffness=14700, damping=1.0, duration=1/60) with an "
-    about.call += "integrator that is stable up to 14400 N/m"
+    about.call = "the integrator is stable up to 14400 N/m; swings_wider(integrator, "
+    about.call += "stiffness=14700, damping=1.0, duration=1/60)"
     about.cause = (
         "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows. The result "
         "must be True."
@@ -198,8 +198,8 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     h = 1.0 / 20.0
     if explicit:
         damping = 0.9  # with which it is stable up to about 1 N/m
-    about.call = f"largest_stable_stiffness(integrator, damping={damping}, duration={h!r}) in N/m, "
-    about.call += "with an integrator that the check provides"
+    about.call = "the check provides the integrator; largest_stable_stiffness(integrator, "
+    about.call += f"damping={damping}, duration={h!r}), in N/m"
     about.cause = (
         "Measure the limit with the integrator that is passed in, because no formula covers every "
         "integrator. Keep halving the interval between a stable and an unstable stiffness."
@@ -230,8 +230,8 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
 def test_the_ends_of_what_is_measured() -> None:
     about.read = LARGEST
     h = 1.0 / 60.0
-    about.call = "largest_stable_stiffness(integrator, damping=0.5, duration=1/60) with an "
-    about.call += "integrator that makes every swing wider"
+    about.call = "the integrator makes every swing wider; largest_stable_stiffness(integrator, "
+    about.call += "damping=0.5, duration=1/60)"
     about.cause = (
         "With this integrator every oscillation grows, so no spring is stable. Return 0 or a "
         "stiffness very close to 0."
@@ -243,8 +243,8 @@ def test_the_ends_of_what_is_measured() -> None:
         "The integrator is stable even at STIFFEST / h^2, where the search ends. Return that "
         "stiffness, and don't try a stiffer spring."
     )
-    about.call = "largest_stable_stiffness(integrator, damping=0.5, duration=0.8) with an "
-    about.call += "integrator that is stable up to 625 N/m"
+    about.call = "the integrator is stable up to 625 N/m; largest_stable_stiffness(integrator, "
+    about.call += "damping=0.5, duration=0.8)"
     most = 16.0 / 0.8**2
     got = measured(0.01, False, 0.5, 0.8)
     expect_close(got, most, tolerance=0.01 * most)

@@ -58,7 +58,7 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         pushes = {
             "Your force pulls p toward q, but it must push p away. Check the sign of the "
             "offset.": -push,
-            "There is no push at all. Perhaps your loop ends when it finds p itself in the "
+            "There is no push, perhaps because your loop ends when it finds p itself in the "
             "list. Skip only p, and continue with the next particle.": 0.0,
             "Your push has the size k at every distance. It must grow as the particles come "
             "closer, so multiply the stiffness k by (distance - l), where l is the distance "

@@ -81,12 +81,12 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     m, n = positive_number(rng, 1.0, 4.0), positive_number(rng, 1.0, 4.0)
     stiffness, along = positive_number(rng, 5.0, 20.0), direction(rng)
     v, a, middle = components(rng), components(rng), components(rng)
-    about.call = f"my_step, {FRAMES} times, with two particles of {m} and {n} kg on a spring of "
-    about.call += f"{stiffness} N/m"
+    about.call = f"my_step, {FRAMES} times, with two particles of {m} and {n} kg joined by a "
+    about.call += f"spring of {stiffness} N/m"
     about.cause = (
-        "Your error is larger than the 0.003 m of a method of order 2. Perhaps a particle does "
-        "not move with its own mass, velocity and acceleration, or you don't clear the forces "
-        "after using them."
+        "Your error is larger than 0.003 m, the error of a method of order 2. Perhaps a particle "
+        "does not move with its own mass, velocity and acceleration, or you don't clear the "
+        "forces after using them."
     )
 
     def ends(swung: float, t: float) -> list[Components]:
@@ -163,15 +163,15 @@ def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
         f"my_step, {FRAMES} times in one revolution on an orbit of eccentricity {ECCENTRICITY}"
     )
     about.cause = (
-        f"You may evaluate the forces only {FEW} times in all. Split the time step into fewer "
+        f"You may evaluate the forces at most {FEW} times in all. Split the time step into fewer "
         "parts, or use a method that needs fewer evaluations per step."
     )
     count, error = turn_of_an_orbit(rng)
-    name = f"; number of times that the forces were evaluated, for an error of {error:.1e}"
+    name = f"; number of evaluations of the forces (the error is {error:.1e})"
     expect_between(count, 0, FEW, then=name)
     about.cause = (
-        f"Your error is too large. You evaluate the forces {count} times, and {FEW} times are "
-        "allowed. Make shorter steps where the particle is fast, or use a more accurate method."
+        f"Your error is too large, with {count} evaluations of the forces (at most {FEW} are "
+        "allowed). Make shorter steps where the particle is fast, or use a more accurate method."
     )
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
     expect_between(

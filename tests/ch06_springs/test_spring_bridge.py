@@ -48,25 +48,25 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     hang = "hang_bridge(registry, planks, height={}, stiffness={}, damping={})".format(*numbers)
     about.call = f"{hang}; registry.update_forces(0.5)"
     about.cause = (
-        "In a new bridge no spring is stretched, so its rest length must be its current length. "
-        "For a hanger that is the height, and for a spring between two planks it is their "
-        "distance."
+        "In a new bridge no spring is stretched, so each rest length must equal the length at the "
+        "start. That is the height for a hanger, and the distance between two planks for the "
+        "spring that joins them."
     )
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     height, k, _ = numbers
     for i, force in enumerate(forces):
         slack = (
-            "Your hangers have a rest length of 0, so they pull the new bridge up. Use the height "
-            "as their rest length."
+            "Your hangers have a rest length of 0, so they pull the planks of a new bridge up. "
+            "Use the height as their rest length."
         )
         blame(force, [((0.0, k * height, 0.0), slack)])
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator, in N", tolerance=1e-12)
-    about.call = f"{hang} with a single plank; the check lowers it by 0.5 m; "
+    about.call = f"{hang} with a single plank; the check lowers this plank by 0.5 m; "
     about.call += "registry.update_forces(0.5)"
     about.cause = (
-        "The check lowers the plank by 0.5 m. Its hanger is then stretched by 0.5 m, so it "
-        "must pull the plank up with 0.5 m times the stiffness."
+        "The lowered plank stretches its hanger by 0.5 m. The hanger must therefore pull the "
+        "plank up with 0.5 m times the stiffness."
     )
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
@@ -191,8 +191,8 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         wanted = [-weight * share for share in shares]
         beside = max(shares) < 1.0
         slips = {
-            "You swapped the fractions s and 1 - s of the weight. The plank nearer to the "
-            "walker must carry more.": [
+            "You swapped the fractions s and 1 - s of the weight that the two planks carry. "
+            "The plank nearer to the walker must carry more.": [
                 -weight * (1.0 - share) if share else 0.0 for share in shares
             ],
             "You gave each of the two planks half of the weight. The nearer plank must carry "

@@ -65,8 +65,8 @@ def spring_slips(
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
         "Your damping uses the speed |v|, which is positive even while the spring gets "
-        "shorter. Use the component of v along the spring, the rate at which the length "
-        "changes.": along(-pull - c * math.hypot(*velocity)),
+        "shorter. Use the component of v along the spring, which is the rate at which the "
+        "length changes.": along(-pull - c * math.hypot(*velocity)),
         "Your damping uses the dot product of v and the whole offset, which grows with the "
         "length of the spring. Normalize the offset first.": along(-pull - c * rate * length),
     }

@@ -116,7 +116,7 @@ def test_the_ends_of_the_damping() -> None:
     ):
         about(f"max_stable_stiffness(damping={d}, duration=0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)
-        expect_exactly(f"{got:.15g}", f"{wanted:.15g}", then=" in N/m, as text")
+        expect_exactly(f"{got:.15g}", f"{wanted:.15g}", then=", in N/m")
     about.call = "max_stable_stiffness(damping=1 - 1e-12, duration=1e-3), in N/m"
     about.cause = (
         "If the damping d is close to 1, so is d^-h, and the difference d^-h - 1 loses most of "

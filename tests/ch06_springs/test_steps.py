@@ -22,12 +22,12 @@ EXERCISES = {
 }
 RULES = {
     "explicit_euler": (
-        "Explicit Euler first moves the particle with the old velocity, p' = p + v h. Then it "
-        "sets the new velocity v' = (v + a h) d^h, with the acceleration a at the start."
+        "First move the particle with the old velocity, p' = p + v h. Then set the new "
+        "velocity v' = (v + a h) d^h, where a is the acceleration at the start."
     ),
     "semi_implicit_euler": (
-        "Semi-implicit Euler first sets the new velocity v' = (v + a h) d^h. Then it moves the "
-        "particle with the new velocity, p' = p + v' h."
+        "First set the new velocity, v' = (v + a h) d^h. Then move the particle with this "
+        "velocity, p' = p + v' h."
     ),
     "leapfrog": (
         "Move for half the step, p1 = p + v h / 2, and evaluate the forces there. Then set v' "
@@ -125,9 +125,8 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three steps",
             draw_body(rng),
             3,
-            "Your single step is right, but several steps in a row are not. Perhaps the forces "
-            "of one step are still in the accumulators in the next, so clear them before the "
-            "step ends.",
+            "Your first step is right, but the next ones are not. Perhaps the forces of a step "
+            "still act in the next one, so clear the accumulators before the step ends.",
         ),
         (
             "one step",
@@ -139,13 +138,14 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     ):
         about.cause = cause
         p, v, a, mass, d, hand = body
-        pushed = f", and the check has added {hand} N to p" if any(hand) else ""
+        pushed = f"; the check adds {hand} N to p before the step" if any(hand) else ""
         about.call = call_of(
             method,
-            f"p at {p} with velocity {v}, acceleration {a}, mass {mass} and damping d = {d}; ",
+            f"p at {p} with velocity {v}; p has acceleration {a}, mass {mass} and damping d = "
+            f"{d}; ",
         )
-        about.call += f"apply_forces adds the force -{k} x - {c} v of a spring{pushed}; {what} of "
-        about.call += f"h = {h} s"
+        about.call += f"apply_forces adds the spring force -{k} x - {c} v, with position x and "
+        about.call += f"velocity v{pushed}; {what} of h = {h} s"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
         slips = slips_of(method, body, k, c, h, frames)
@@ -172,7 +172,9 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     one, two = components(rng), components(rng)
     v, w = components(rng), components(rng)
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
-    about.call = call_of(method, f"two particles of {mass} kg on a spring of {s} N/m, h = {h} s")
+    about.call = call_of(
+        method, f"two particles of {mass} kg joined by a spring of {s} N/m; h = {h} s"
+    )
     about.cause = "The force on each particle depends on the positions of both. Move all "
     about.cause += "particles before you evaluate the forces again, not one particle after the "
     about.cause += "other."
@@ -212,7 +214,7 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     bodies = [draw_body(rng, hand), draw_body(rng)]
     about.call = call_of(
         method,
-        f"{frames} steps of h = {h} s, before each of which {hand} N is added to particles[0]",
+        f"{frames} steps of h = {h} s; before each step, the check adds {hand} N to particles[0]",
     )
     about.cause = f"{method} needs {COUNTS[EVALUATIONS[method]]} of apply_forces in each step. "
     about.cause += "Each call evaluates the forces of all particles together."

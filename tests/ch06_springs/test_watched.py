@@ -64,8 +64,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         slips = {
             "Your step number is one too small. The first step is number 1, so increase the "
             "counter before you check the speeds.": (fast, number - 1, size, limit),
-            "Your index of the particle is one too large. Particles are numbered from 0, like "
-            "the items of a list.": (fast + 1, number, size, limit),
+            "Your particle number is one too large. Particles are numbered from 0, like the "
+            "items of a list.": (fast + 1, number, size, limit),
             "Your error reports the last particle that is too fast. Go through the list from "
             "the start, and report the first one that you find.": (3, number, 2.0 * limit, limit),
             "You swapped the speed and the limit. SimulationDiverged takes the speed first and "
@@ -73,16 +73,16 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         }
         blame(got, slips)
         if error is None:
-            about.cause = f"No error was raised. {about.cause}"
+            about.cause = f"You raised no error. {about.cause}"
         elif got[1] > number:
             about.cause = (
-                "You raised the error in a later step. Check the speeds right after each step, "
-                "and let each watched integrator count its own steps from 1."
+                "The step number in your error is too large. Check the speeds right after each "
+                "step, and let each watched integrator count its own steps from 1."
             )
         expect_close(
             got,
             wanted,
-            then="; (particle, step, speed, limit) of the error, or nan if none was raised",
+            then="; (particle, step, speed, limit) of the error, or nan if there was none",
         )
         about.cause = (
             "You raised the error too early or too late. Check the speeds right after each step, "
@@ -106,7 +106,7 @@ def test_a_speed_at_the_limit_is_not_over_it() -> None:
     _, error = watching(7.0, [[7.0]])
     expect_exactly(error, None)
     about.call = "watched(integrator, speed_limit=1.0) with a particle that moves at 2 m/s after "
-    about.call += "the first step; (particle, step) of the error, or nan if none was raised"
+    about.call += "the first step; (particle, step) of the error, or nan if there was none"
     about.cause = (
         "A limit of 1 m/s is valid, so watch the integrator as usual. Check the speeds after each "
         "step, whatever the limit is."
@@ -130,7 +130,7 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
         expect_close(
-            got, (1.0, 2.0), then="; (particle, step) of the error, or nan if none was raised"
+            got, (1.0, 2.0), then="; (particle, step) of the error, or nan if there was none"
         )
 
 
@@ -168,7 +168,7 @@ def test_two_watches_count_for_themselves() -> None:
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
-    expect_close(got, (0.0, 1.0), then="; (particle, step) of the error, or nan if none was raised")
+    expect_close(got, (0.0, 1.0), then="; (particle, step) of the error, or nan if there was none")
     about.call = (
         "watched(integrator, speed_limit=5.0) and then watched(integrator, speed_limit=9.0); a "
         "step of the second one, after which a particle moves at 7 m/s"

@@ -69,10 +69,10 @@ def wrong_steps(
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
         return {
-            "You move the position twice, once by v h and once by v' h. Move it only once, with "
-            "the new velocity v'.": (x + (v + new) * h, new),
-            "You move the position with the mean of v and v'. Semi-implicit Euler uses the new "
-            "velocity v' alone.": (x + 0.5 * (v + new) * h, new),
+            "You move the position twice, once with the old velocity and once with the new one. "
+            "Move it only once, with the new velocity.": (x + (v + new) * h, new),
+            "You move the position with the mean of the old and the new velocity. Semi-implicit "
+            "Euler uses only the new velocity.": (x + 0.5 * (v + new) * h, new),
             "You move the position with the undamped velocity. Apply the damping first, and "
             "then move the position.": (x + (v + first * h) * h, new),
         }
@@ -116,7 +116,7 @@ def wrong_steps(
                 half,
                 (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
-            "You evaluate b with the old velocity. Set the velocity to v + a h before you "
+            "Your second evaluation uses the old velocity. Set the velocity to v + a h before you "
             "evaluate the forces again.": (
                 half,
                 (v + 0.5 * (first + force(half, v)) * h) * keep,
@@ -130,9 +130,13 @@ def wrong_steps(
             ),
             "You give the first and the last rate double weight. The two in the middle must "
             "count double instead.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
-            "You evaluate the third rate at the end of the step. Evaluate it in the middle, with "
-            "the second rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)),
-            "You evaluate the last rate in the middle of the step. Evaluate it at the end, with "
-            "the third rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)),
+            "You evaluate the third rate at the end of the step. Evaluate it in the middle, "
+            "in the state that the second rate leads to.": mean_of(
+                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)
+            ),
+            "You evaluate the last rate in the middle of the step. Evaluate it at the end, "
+            "in the state that the third rate leads to.": mean_of(
+                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)
+            ),
         }
     return {}

@@ -101,7 +101,7 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     mistakes = [
         ((2.0, -1.0, 0.0), "You resolved the contact of a, but the contact of c closes faster. "
                            "Compare only the separating velocities: the depth, the restitution and "
-                           "an immovable end make no difference."),
+                           "an immovable particle make no difference."),
         ((-2.0, 1.0, 0.0), "You resolved the contact of b, which is the deepest, and b is the "
                            "fastest particle. Compare only the separating velocities, and resolve "
                            "the contact of c first, which has the lowest."),
@@ -196,8 +196,8 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
                        "penetration, although it is negative here."),
         (-0.5, 1.0, 0, "This contact is already separating at 0.5 m/s, so don't resolve it, "
                        "however deep it is."),
-        (0.0, 1.0, 0, "This contact is deep but not closing, so don't resolve its velocity. Unlike "
-                      "the book's listing, leave deep contacts to resolve_penetrations."),
+        (0.0, 1.0, 0, "This contact is deep but not closing. Unlike the book's listing, don't "
+                      "resolve its velocity, and leave it to resolve_penetrations."),
         (1e-13, 1.0, 0, "The closing speed of this contact is 1e-13 m/s, which is below "
                         "VELOCITY_TOLERANCE, so treat it as a rounding error and don't resolve "
                         "it."),
@@ -213,7 +213,7 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
         about.call += f"restitution=0.0, penetration={depth}); resolver.resolve_velocities([c], 9, "
         about.call += "0.5)"
         bodies = [(ZERO, v, 2.0)]
-        about.cause += " Compute the closing speed along the contact's normal."
+        about.cause += " Measure the closing speed along the contact's normal."
         used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
         expect_exactly(used, wanted, then="; the returned number", unit="resolutions")
         got = -dot(after[0][1], n)

@@ -116,8 +116,8 @@ def wrong_steps(
                 half,
                 (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
-            "You evaluate b with the old velocity. Set the velocity to v + a h before you "
-            "evaluate the forces again.": (
+            "You evaluate the second acceleration with the old velocity. Set the velocity to v + a "
+            "h before you evaluate the forces again.": (
                 half,
                 (v + 0.5 * (first + force(half, v)) * h) * keep,
             ),

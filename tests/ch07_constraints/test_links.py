@@ -117,10 +117,7 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     for max_length, cause in (
         (0.75 * length, to_the_end),
         (1023.0 / 1024.0 * length, to_the_end),
-        (
-            length,
-            "A cable at exactly its maximum length is taut. Return a contact of penetration 0.",
-        ),
+        (length, "A cable at its maximum length is taut. Return a contact with penetration 0."),
     ):
         about.cause = cause
         about.call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, "

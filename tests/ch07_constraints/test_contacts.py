@@ -235,8 +235,9 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
                   "normal by the duration."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
-        about.call = f"particle a (3 kg, damping 0.25) with velocity {v} and acceleration {pull}; "
-        about.call += f"Contact(a, None, normal=Vector3{n}, restitution={c}).velocity_after({h})"
+        about.call = f"particle a (3 kg, damping 0.25) with velocity {v}; its acceleration is "
+        about.call += f"{pull}; Contact(a, None, normal=Vector3{n}, "
+        about.call += f"restitution={c}).velocity_after({h})"
         a = Particle(None, Vector3(*v), Vector3(*pull), mass=3.0, damping=0.25)
         got = Contact(a, None, Vector3(*n), c).velocity_after(h)
         blame(got, mistakes)

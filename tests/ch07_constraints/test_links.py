@@ -111,8 +111,8 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     if not anchored:
         pair[0].mass = math.inf
         told_ends = told_ends.replace("a at", "a (immovable) at")
-    to_the_end = "The cable is longer than its maximum length, so it pulls its ends together. Use "
-    to_the_end += "the unit vector from a to the other end as the normal."
+    to_the_end = "The cable is taut and pulls its ends together, so use the unit vector from a to "
+    to_the_end += "the other end as the normal."
     before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),

@@ -145,8 +145,8 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
     names = {-1: "the ground", 0: "a", 1: "b", 2: "c", 3: "d", 4: "e", 5: "f"}
     between_two = {0: 0.5 * mb / (ma + mb), 1: -0.5 * ma / (ma + mb)}
     for end, moves in ((1, between_two), (-1, {0: 0.5})):
-        about.call = f"particle a of {ma} kg overlaps {names[end]} by 0.5 m, with the normal {n}, "
-        about.call += f"and takes part in other contacts; particle b has {mb} kg; "
+        about.call = f"particle a of {ma} kg overlaps {names[end]} by 0.5 m, with the normal {n}; "
+        about.call += f"particle b has {mb} kg; a and b take part in other contacts as well; "
         about.call += "resolver.resolve_penetrations(contacts, 1)"
         contacts = [others[0], (0, end, n, 0.0, 0.5), *others[1:]]
         about.cause = "The contact that you resolved has a penetration again. resolve_penetration "

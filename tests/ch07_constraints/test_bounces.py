@@ -86,7 +86,7 @@ def test_each_material_has_its_row(rng: Random) -> None:
     order += [("oak", b[1]), ("Clay", a[3])]
     heights = [1.0, 2.0, 0.5, 1.0, 4.0, 0.25, 2.0]
     drops = [(name, h, h * c * c) for (name, c), h in zip(order, heights, strict=True)]
-    about.call = f"table_of_drops({drops})"
+    about.call = f"drops = {drops}; table_of_drops(drops)"
     about.cause = "The rows are wrong. Return one row per material, in the order in which the "
     about.cause += "materials first appear in the list of drops."
     got = table_of_drops(drops)
@@ -187,13 +187,13 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
          "You treated the lower ball as being at rest. It has already bounced off the ground, so "
          "it rises at half the speed of the fall when the upper ball hits it."),
         (-0.7375 * v, "The masses are swapped. The upper ball takes the fraction lower_mass / "
-                      "total of the change in the relative velocity."),
+                      "(lower_mass + upper_mass) of the change in the relative velocity."),
         (2.3625 * v,
          "You returned the change in the upper ball's velocity. Before the collision "
          "the upper ball was falling at v = sqrt(2 g h), so subtract v."),
         (2.625 * v - v, "You gave the upper ball the whole change in the relative velocity. Its "
-                        "fraction is lower_mass / total, which is 0.9 here, and the lower ball "
-                        "takes the rest."),
+                        "fraction is lower_mass / (lower_mass + upper_mass), which is 0.9 here, "
+                        "and the lower ball takes the rest."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 1.3625 * v, unit="m/s")
@@ -365,6 +365,7 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
             error,
             call=f"force_for_frame({name}, contact_time=1.0, frame=2.0)",
             allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1.0, 2.0),
-            cause="The first argument is not a Vector3 with finite components, so it is no valid "
-            "force. Check it with finite_vector from arguments.py, which raises the error for you.",
+            cause="The first argument is not a Vector3 with finite components, so it is not a "
+            "valid force. Check it with finite_vector from arguments.py, which raises the error "
+            "for you.",
         )

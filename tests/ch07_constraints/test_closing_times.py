@@ -24,14 +24,12 @@ def test_when_a_gap_closes(rng: Random) -> None:
         (12.0, -4.0, 0.0, 3.0, "There is no acceleration, so the body crosses the gap at constant "
                                "speed. Return gap / -v, without dividing by the acceleration."),
         (5.0, 0.0, -10.0, 1.0, rest),
-        (15.0, 10.0, -10.0, 3.0, "The body first moves away and then falls back to the ground. "
-                                 "The equation has one negative and one positive solution, so "
-                                 "return the positive one."),
+        (15.0, 10.0, -10.0, 3.0, "The body first moves away and then falls back to the ground, so "
+                                 "return the positive solution of the equation."),
         (40.0, -10.0, -10.0, 2.0,
-         "The equation has a negative and a positive solution. The negative time is in the past, "
-         "so return the positive one."),
-        (6.0, -5.0, 2.0, 2.0, "The body slows down but still reaches the ground. The equation has "
-                              "two positive solutions, so return the smaller one."),
+         "The negative solution of the equation is in the past, so return the positive one."),
+        (6.0, -5.0, 2.0, 2.0, "The body slows down but still reaches the ground, so return the "
+                              "smaller of the two positive solutions."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
         (1e-6, -1e-6, 0.0, 1.0, "The body is slow, but it reaches the ground after 1 s. Don't "
                                 "treat its speed as 0."),
@@ -86,9 +84,8 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
                            "already closed. Return 0."),
         (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is moving into it, however slowly, "
                                "so the gap closes at once. Return 0."),
-        (2.0, -2.0, 1.0, math.inf, "The root is 0: the body turns around exactly at the ground. It "
-                                   "arrives with no speed, so there is no impact. Return "
-                                   "math.inf."),
+        (2.0, -2.0, 1.0, math.inf, "The root is 0, because the body turns around exactly at the "
+                                   "ground. It arrives with no speed, so return math.inf."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
         (x, 1.0, 0.0, math.inf, "The body is moving away, and no acceleration brings it back. "

@@ -53,11 +53,12 @@ def test_two_part_as_one_sees_the_other(rng: Random) -> None:
         over = sum((x - y) * z for x, y, z in zip(v, w, line, strict=True)) / math.hypot(*line)
         mistakes = [
             (-wanted, "The sign is wrong: your result is positive when the particles approach. "
-                      "Compute (va - vb) . n, which is negative in that case."),
+                      "Compute (va - vb) . n, where n is the contact's normal."),
             (dot(v, n), "You used only a's velocity, but b is moving too. Subtract the velocity of "
-                        "b before you multiply by the normal: compute (va - vb) . n."),
+                        "b before you multiply by the normal n, as in (va - vb) . n."),
             (dot(v, n) + dot(w, n), "You added the two velocities. How fast the particles separate "
-                                    "depends on their difference, so compute (va - vb) . n."),
+                                    "depends on their difference, so compute (va - vb) . n with "
+                                    "the contact's normal n."),
             (over, "You measured the velocity along the line between the two positions. Measure it "
                    "along the contact's normal instead."),
         ]  # fmt: skip
@@ -74,7 +75,8 @@ def test_the_world_does_not_move(rng: Random) -> None:
         about.call = f"particle a with velocity {v}; "
         about.call += f"Contact(a, None, normal=Vector3{n}).separating_velocity()"
         about.cause = "In a contact with the immovable world, self.other is None, so there is no "
-        about.cause += "second velocity to subtract. Return va . n."
+        about.cause += "second velocity to subtract. Return va . n, where n is the contact's "
+        about.cause += "normal."
         got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
         blame(
             got,
@@ -82,7 +84,7 @@ def test_the_world_does_not_move(rng: Random) -> None:
                 (
                     -dot(v, n),
                     "The sign is wrong: your result is positive when the particle approaches. "
-                    "Return va . n, which is negative in that case.",
+                    "Return va . n, where n is the contact's normal.",
                 )
             ],
         )
@@ -143,7 +145,8 @@ def test_what_closes_bounces(rng: Random) -> None:
             (
                 -wanted,
                 "The sign is wrong: a negative result means that the particles still approach "
-                "after the bounce. Return -c v_s, which is positive.",
+                "after the bounce. Return -c v_s, where c is the restitution and v_s the "
+                "separating velocity before the bounce.",
             ),
             (
                 -closing,
@@ -152,13 +155,13 @@ def test_what_closes_bounces(rng: Random) -> None:
             ),
             (
                 closing,
-                "You returned v_s, the separating velocity before the bounce. Return the one "
-                "after it, which is -c v_s.",
+                "You returned v_s, the separating velocity before the bounce. Return the one after "
+                "it, which is -c v_s with the restitution c.",
             ),
             (
                 wanted - closing,
                 "You returned the change in the separating velocity during the bounce. Return its "
-                "value after the bounce, which is -c v_s.",
+                "value after the bounce, which is minus the restitution times its value before.",
             ),
         ]
         if closing < -1e-3:  # below, all of these are near 0
@@ -210,7 +213,7 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
          "so nothing is left to bounce. Never return less than 0."),
         (5.0, c * (5.0 - G * h), "The closing speed is 5 m/s, and the acceleration added 0.1962 "
                                  "m/s of it in this time step. Only the rest should bounce, so "
-                                 "return c (-v_s + a . n h)."),
+                                 "subtract this part before you multiply by the restitution."),
     ):  # fmt: skip
         about.cause = cause
         size = math.hypot(*pull)
@@ -219,21 +222,22 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
                           "acceleration has added in this time step, or a resting body will "
                           "jitter."),
             (c * closing - G * h, "You subtracted the velocity that this time step has added only "
-                                  "after you multiplied by the restitution c. Subtract it first, "
-                                  "as in c (-v_s + a . n h)."),
+                                  "after you multiplied by the restitution. Subtract it before you "
+                                  "multiply."),
             (c * (closing + G * h),
-             "You added the velocity that this time step has built up to the closing speed, but "
-             "it must be left out. Here a . n is negative, so add a . n h to -v_s."),
+             "You made the closing speed larger by the velocity that this time step has built up. "
+             "Check the sign: make it smaller by this velocity instead."),
             (c * (closing - size * h),
-             "You used the magnitude of the acceleration, |a|. Only its component along the "
-             "normal, a . n, closes the contact."),
-            (0.0, "The contact doesn't bounce, although this time step added only 0.1962 m/s of "
-                  "its 5 m/s. Perhaps you forgot to multiply a . n by the duration h, as in c "
-                  "(-v_s + a . n h)."),
+             "You used the magnitude of the acceleration, |a|. Only its component along the normal "
+             "n, which is a . n, closes the contact."),
+            (0.0, "The contact closes at 5 m/s but doesn't bounce, although this time step added "
+                  "only 0.1962 m/s. Perhaps you forgot to multiply the acceleration along the "
+                  "normal by the duration."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
-        about.call = f"particle a (3 kg, damping 0.25) with velocity {v} and acceleration {pull}; "
-        about.call += f"Contact(a, None, normal=Vector3{n}, restitution={c}).velocity_after({h})"
+        about.call = f"particle a (3 kg, damping 0.25) with velocity {v}; its acceleration is "
+        about.call += f"{pull}; Contact(a, None, normal=Vector3{n}, "
+        about.call += f"restitution={c}).velocity_after({h})"
         a = Particle(None, Vector3(*v), Vector3(*pull), mass=3.0, damping=0.25)
         got = Contact(a, None, Vector3(*n), c).velocity_after(h)
         blame(got, mistakes)
@@ -253,8 +257,8 @@ def test_an_acceleration_that_parts_explains_nothing(rng: Random) -> None:
     pull, c = positive_number(rng), round(rng.uniform(0.3, 0.9), 3)
     about.call = f"particle a with velocity (0, -2, 0) and acceleration (3, {pull}, 3); Contact(a, "
     about.call += f"None, normal=Vector3(0, 1, 0), restitution={c}).velocity_after(0.25)"
-    about.cause = "The acceleration points away from the contact (a . n > 0), so it has added "
-    about.cause += "nothing to the closing speed. The whole 2 m/s should bounce."
+    about.cause = "The acceleration points away from the contact, so it has added nothing to the "
+    about.cause += "closing speed. The whole 2 m/s should bounce."
     a = Particle(velocity=Vector3(0.0, -2.0, 0.0), acceleration=Vector3(3.0, pull, 3.0))
     got = Contact(a, None, Vector3(*UP), c).velocity_after(0.25)
     expect_close(got, 2.0 * c, unit="m/s")
@@ -289,7 +293,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     about.call += f"0)); b.integrate({h}); b.velocity.y = 1; Contact(a, b, normal=Vector3(0, 1, "
     about.call += f"0), restitution={c}).velocity_after({h})"
     about.cause = "Forces on the other particle can close the contact too: b accelerates toward a. "
-    about.cause += "Use the last_acceleration of both particles, as in (aa - ab) . n."
+    about.cause += "Subtract the last_acceleration of b from that of a, and use this difference."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
     b.integrate(h)
@@ -321,10 +325,10 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     for pa, pb, mass_a, mass_b, wanted, cause in (
         (pull, pull, 1.0, 2.0, c * 3.0,
          "Both particles have the same acceleration, so it adds nothing to their closing speed. "
-         "Use the difference between the two accelerations, (aa - ab) . n."),
+         "Subtract the acceleration of b from that of a, and use this difference."),
         (0.0, other, 1.0, 2.0, c * (3.0 - other * h),
-         "Particle b accelerates toward a, which adds to the closing speed. Use the difference "
-         "between the two accelerations, (aa - ab) . n."),
+         "Particle b accelerates toward a, which adds to the closing speed. Subtract the "
+         "acceleration of b from that of a, and use this difference."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),
         (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h),
          "Particle b is immovable, so it doesn't accelerate. Use the whole acceleration of a."),

@@ -34,7 +34,7 @@ INDICES = "; the indices of the particles in all of these contacts"
 def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
-    lowest = "The lowest point of the sphere, at y - radius, is below the height of the ground. "
+    lowest = "The lowest point of the particle, at y - radius, is below the height of the ground. "
     lowest += "Return a contact, whatever the velocity of the particle is."
     for radius in (0.0, 0.25):
         about.call = f"GroundPlane([p], height={height}, radius={radius}, "
@@ -44,12 +44,12 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             (
                 0.125,
                 [],
-                "The sphere is above the ground and doesn't touch it, so there is no contact.",
+                "The particle is above the ground and doesn't touch it, so there is no contact.",
             ),
             (
                 1e-6,
                 [],
-                "The sphere is 1e-6 m above the ground and doesn't touch it, so there is no "
+                "The particle is 1e-6 m above the ground and doesn't touch it, so there is no "
                 "contact.",
             ),
             (-0.5, [0.5], lowest),
@@ -57,14 +57,14 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             (
                 0.0,
                 [0.0],
-                "The sphere just touches the ground. Return a contact with a penetration of 0, so "
-                "that a body at rest keeps its contact.",
+                "The particle just touches the ground. Return a contact with a penetration of 0, "
+                "so that a body at rest keeps its contact.",
             ),
             (
                 -80.0,
                 [80.0],
-                "The sphere is 80 m below the height of the ground, but everything below this "
-                "height is ground. Return a contact, however deep the sphere is.",
+                "The particle is 80 m below the height of the ground. Everything below this height "
+                "is ground, however deep it is, so return a contact.",
             ),
         ):
             about.cause = cause
@@ -79,13 +79,13 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 shown = f"{name}; the penetration of the contact"
                 mistakes = [
                     (wanted - radius, "You left out the radius, so you measured how deep the "
-                                      "center of the sphere is. Use its lowest point, which is at "
-                                      "y - radius."),
+                                      "center of the particle is. Use its lowest point, which is "
+                                      "at y - radius."),
                     (wanted - 2.0 * radius, "Your radius has the wrong sign, so you used the "
-                                            "highest point of the sphere. Use its lowest point, "
+                                            "highest point of the particle. Use its lowest point, "
                                             "which is at y - radius."),
                     (-wanted, "The penetration has the wrong sign. It must be positive when the "
-                              "sphere is inside the ground, so compute height + radius - y."),
+                              "particle is inside the ground, so compute height + radius - y."),
                     (wanted - height,
                      "You computed the depth as if the ground were at a height of 0. Use the "
                      "detector's height: compute height + radius - y."),
@@ -95,8 +95,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 why = "The contact is between the wrong two bodies. Create it with the particle p, "
                 why += "and pass None as its other, because the ground is not a particle."
                 expect_particles((a, b), (0, -1), ["p"], call=name, cause=why)
-                why = "Your normal points down, so the contact pushes the sphere farther into the "
-                why += "ground. Use the normal (0, 1, 0), which points out of the ground."
+                why = "Your normal points down, so the contact pushes the particle farther into "
+                why += "the ground. Use the normal (0, 1, 0), which points out of the ground."
                 why = cause_of(normal, [((0, -1, 0), why)], "Use (0, 1, 0) as the normal.")
                 shown = f"{name}; the normal of the contact"
                 expect_close(normal, UP, call=shown, cause=why)
@@ -122,8 +122,7 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     about.cause = "The particles and the list have changed since the first call, and particle 1 is "
     about.cause += "immovable now. Read the list again on every call, and skip immovable particles."
     expect_exactly(second, [0, 2, 3, 4, 5, 6], then=INDICES)
-    about.call += "; ground.height = -2; ground.radius = 0.5; ground.contacts(); the indices of "
-    about.call += "the particles in the contacts"
+    about.call += "; ground.height = -2; ground.radius = 0.5; ground.contacts()"
     about.cause = "The height of the ground has changed, so no particle touches it now. Read "
     about.cause += "height and radius again on every call, and store nothing that depends on them."
     expect_exactly(third, [], then=INDICES)
@@ -154,22 +153,22 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
             0.75,
             1.500001,
             None,
-            "The centers are more than two radii apart, so the spheres don't touch. Return no "
+            "The centers are more than two radii apart, so the particles don't touch. Return no "
             "contact.",
         ),
         (
             0.75,
             1.25,
             0.25,
-            "The centers are 1.25 m apart, which is less than two radii (1.5 m), "
-            f"so the spheres touch. {cells}",
+            "They touch, because their centers are 1.25 m apart, which is less than two radii "
+            f"(1.5 m). {cells}",
         ),
         (
             4.0,
             0.5,
             7.5,
-            "The centers are 0.5 m apart, which is less than two radii (8 m), so the "
-            f"spheres touch. {cells}",
+            "They touch, because their centers are 0.5 m apart, which is less than two radii (8 "
+            f"m). {cells}",
         ),
     ):
         about.cause = cause
@@ -181,23 +180,23 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         expect_pairs(got, [] if wanted is None else [(0, 1, n, c, wanted)], 2 * radius)
     about.call = "particle a at (-2, 0, 0); particle b at (-1, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=0.75).contacts()"
-    about.cause = "The centers are 1 m apart, which is less than two radii (1.5 m), so the spheres "
-    about.cause += f"touch. {cells}"
+    about.cause = "They touch, because their centers are 1 m apart, which is less than two radii "
+    about.cause += f"(1.5 m). {cells}"
     pair = [Particle(Vector3(-2.0)), Particle(Vector3(-1.0))]
     got = told(ParticlePairs(pair, 0.75).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.5)], 1.5)
     about.call = "particle a at (3, 0, 0); particle b at (5, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=1.0).contacts()"
-    about.cause = "The centers are exactly two radii apart, so the spheres just touch. Return a "
+    about.cause = "The centers are exactly two radii apart, so the particles just touch. Return a "
     about.cause += "contact with a penetration of 0."
     pair = [Particle(Vector3(3.0)), Particle(Vector3(5.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = "particle a at (-1e-17, 0, 0); particle b at (2, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=1.0).contacts()"
-    about.cause = "Apart from rounding, the centers are two radii apart, so the spheres touch. If "
-    about.cause += "you use cells, make them a little larger than two radii, so that touching "
-    about.cause += "spheres are in neighboring cells."
+    about.cause = "Apart from rounding, the centers are two radii apart, so the particles touch. "
+    about.cause += "If you use cells, make them a little larger than two radii, so that touching "
+    about.cause += "particles are in neighboring cells."
     pair = [Particle(Vector3(-1e-17)), Particle(Vector3(2.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
@@ -222,12 +221,12 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         about.cause += "its particles or cells. Return each pair only once."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
         one, other = missing[0]
-        missed = f"You returned no contact between particles {one} and {other}. "
+        missed = f"You returned no contact between particles {one} and {other} of the list. "
         about.cause = missed + about.cause
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
         one, other = extra[0]
-        unwanted = f"You returned a contact between particles {one} and {other}, but "
+        unwanted = f"You returned a contact between particles {one} and {other} of the list, but "
         about.cause = f"{unwanted}there should be none. {about.cause}"
     else:
         about.cause = "You found the right pairs but returned them in the wrong order. Sort them "
@@ -249,8 +248,8 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
              "You subtracted squared lengths. Compute the penetration as two radii minus the "
              "distance itself."),
             (-right[4], "The penetration has the wrong sign. It must be positive for overlapping "
-                        "spheres, so subtract the distance from two radii."),
-            (0.5 * size - apart, "You used only one radius, but the centers of touching spheres "
+                        "particles, so subtract the distance from two radii."),
+            (0.5 * size - apart, "You used only one radius, but the centers of touching particles "
                                  "are two radii apart. Subtract the distance from two radii."),
             (apart,
              "You used the distance between the centers as the penetration. Subtract this distance "
@@ -274,7 +273,7 @@ def test_every_pair_is_found_once(rng: Random) -> None:
         walls = {3, 4, 5, 6}
         about.call = f"{count} particles in a cube with an edge of {2 * size:g} m, where particles "
         about.call += f"3 to 6 are immovable; ParticlePairs(particles, radius={radius}).contacts()"
-        about.cause = "Every pair of touching spheres needs a contact, unless both are immovable, "
+        about.cause = "Every two particles that touch need a contact, unless both are immovable, "
         about.cause += "as particles 3 to 6 are here."
         particles = [
             Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
@@ -293,16 +292,16 @@ def test_every_pair_is_found_once(rng: Random) -> None:
 @pytest.mark.exercise("B7.9")
 def test_not_every_pair_is_looked_at() -> None:
     about.read = PAIRS
-    about.call = "400 spheres in a cube with an edge of 40 m; ParticlePairs(spheres, "
-    about.call += "radius=0.5).contacts(); how often the call reads a component of a position"
+    about.call = "400 particles in a cube with an edge of 40 m; ParticlePairs(particles, "
+    about.call += "radius=0.5).contacts(); how often it reads the x, y or z of a position"
     about.cause = "You compare too many pairs, perhaps all 79,800. Put the particles in a grid, or "
     about.cause += "sort them along an axis, and compare only those that are near each other."
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_between(asked, 0, 100_000, unit="times")
     about.call = about.call.rpartition(";")[0]
-    about.cause = "A pair of touching spheres has no contact. Perhaps these spheres are in "
-    about.cause += "neighboring cells that your search doesn't compare."
+    about.cause = "Two particles that touch have no contact. Perhaps they are in neighboring cells "
+    about.cause += "that your search doesn't compare."
     expect_exactly(found, wanted, unit="contacts")
 
 
@@ -312,7 +311,7 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     radius = positive_number(rng, 0.5, 1.5)
     about.call = "four particles in a row, three radii apart; pairs = ParticlePairs(particles, "
     about.call += f"radius={radius}); pairs.contacts()"
-    about.cause = "The spheres are more than two radii apart, so they don't touch. Return no "
+    about.cause = "The particles are more than two radii apart, so they don't touch. Return no "
     about.cause += "contact."
     first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [], then=INDICES)
@@ -331,8 +330,8 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
 def test_a_grid_has_no_seams(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.3, 0.9)
-    about.cause = "Two neighbors in the row have no contact. Search a sphere's own cell and all 26 "
-    about.cause += "cells around it, and compute cells with math.floor, because int rounds "
+    about.cause = "Two neighbors in the row have no contact. Search a particle's own cell and all "
+    about.cause += "26 cells around it, and compute cells with math.floor, because int rounds "
     about.cause += "negative coordinates toward 0."
     for way in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 1, 1), (-1, 1, 1)):
         length = math.hypot(*way)

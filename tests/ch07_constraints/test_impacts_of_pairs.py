@@ -47,8 +47,8 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         about.call = f"particle a at {p} with velocity {v}; particle b at {q} with velocity {w}; "
         about.call += f"both with acceleration {down}; ParticlePairs([a, b], radius={radius}, "
         about.call += f"restitution={c}).next_impact(10)"
-        about.cause = "The spheres touch when their centers are two radii apart. Solve |d + u t| = "
-        about.cause += "2 radius for t, where d = pa - pb and u = va - vb, and take the smaller "
+        about.cause = "The particles touch when their centers are two radii apart. Solve |d + u t| "
+        about.cause += "= 2 radius for t, where d = pa - pb and u = va - vb, and take the smaller "
         about.cause += "solution."
         pair = [
             Particle(Vector3(*p), Vector3(*v), Vector3(*down)),
@@ -57,18 +57,18 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         impact = expect_impact(ParticlePairs(pair, radius, c).next_impact(10.0))
         if p == far:
             mistakes = [
-                (5.2, "You returned the second solution of the equation, when the spheres have "
+                (5.2, "You returned the second solution of the equation, when the particles have "
                       "passed through each other. Return the first solution, when they begin to "
                       "touch."),
                 (3.6 - math.sqrt(4.29) / 3.0,
-                 "You used only one radius. The spheres touch when their centers are two radii "
-                 "apart, because each sphere has this radius."),
+                 "You used only one radius. The particles touch when their centers are two radii "
+                 "apart, because each particle has this radius."),
                 (3.6, "You returned the time when the centers are closest to each other. The "
-                      "spheres touch earlier, when their centers are two radii apart."),
+                      "particles touch earlier, when their centers are two radii apart."),
                 (3.0, "You used only the velocity of a, but b is moving too. Use the relative "
                       "velocity va - vb."),
-                (6.0, "You added the two velocities, but the distance changes with their "
-                      "difference. Use the relative velocity va - vb."),
+                (6.0, "You added the two velocities. How fast the distance changes depends on "
+                      "their difference, so use va - vb."),
             ]  # fmt: skip
             blame(impact[0], mistakes)
         # Positions of up to 90 m, rounded, at closing speeds of about 1 m/s; grazing loses more.
@@ -94,38 +94,40 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         about.cause += "without changing any position or velocity."
         one, other = pair
         now = (*xyz(one.position), *xyz(one.velocity), *xyz(other.position), *xyz(other.velocity))
-        expect_unchanged("positions and velocities of a and b", now, (*p, *v, *q, *w))
+        expect_unchanged(
+            "the tuple of the positions and velocities of a and b", now, (*p, *v, *q, *w)
+        )
 
 
 @pytest.mark.exercise("B7.11")
 def test_spheres_that_touch_or_never_meet() -> None:
     about.read = PAIRS
-    meet = "The centers are 5 m apart, and the spheres touch when their distance is 2 m. At 3 m/s "
-    meet += "the impact is after 1 s, so return this time."
+    meet = "The centers are 5 m apart, and the particles touch when their distance is 2 m. At 3 "
+    meet += "m/s the impact is after 1 s, so return this time."
     for x, y, speed, wanted, cause in (
         (2.0, 0.0, -3.0, 0.0, (
-            "The spheres are touching and approaching each other, so the time is 0."
+            "The particles are touching and approaching each other, so the time is 0."
         )),
         (1.5, 0.0, -3.0, 0.0, (
-            "The spheres overlap and are approaching each other, so the time is 0."
+            "The particles overlap and are approaching each other, so the time is 0."
         )),
-        (1.5, 0.0, 3.0, None, "The spheres overlap but are already moving apart, so there is no "
+        (1.5, 0.0, 3.0, None, "The particles overlap but are already moving apart, so there is no "
                               "impact. Return None."),
-        (5.0, 0.0, 3.0, None, "The spheres are moving apart, so they never meet. Return None."),
-        (5.0, 0.0, 0.0, None, "The spheres have the same velocity, so they never meet. Return None "
-                              "before you divide by the relative speed."),
-        (5.0, 2.5, -3.0, None, "The spheres miss each other, so the number under the root is "
+        (5.0, 0.0, 3.0, None, "The particles are moving apart, so they never meet. Return None."),
+        (5.0, 0.0, 0.0, None, "The particles have the same velocity, so they never meet. Return "
+                              "None before you divide by the relative speed."),
+        (5.0, 2.5, -3.0, None, "The particles miss each other, so the number under the root is "
                                "negative. Return None before you take the root."),
-        (5.0, 2.000001, -3.0, None, "The spheres miss each other by 1e-6 m, so there is no impact. "
-        "Return None."),
+        (5.0, 2.000001, -3.0, None, "The particles miss each other by 1e-6 m, so there is no "
+        "impact. Return None."),
         (5.0, 0.0, -3.0, 1.0, meet),
         (-5.0, 0.0, 3.0, 1.0, meet),
-        (5.0, 0.0, -0.125, None, "The spheres meet after 24 s, but the duration is only 10 s. "
+        (5.0, 0.0, -0.125, None, "The particles meet after 24 s, but the duration is only 10 s. "
                                  "Return None."),
-        (2.0, 0.0, -1e-9, 0.0, "The spheres are touching and approaching each other, however "
+        (2.0, 0.0, -1e-9, 0.0, "The particles are touching and approaching each other, however "
                                "slowly, so the time is 0."),
-        (32.0, 0.0, -3.0, 10.0, "The spheres meet exactly at the end of the duration, which still "
-                                "counts as an impact. Return it."),
+        (32.0, 0.0, -3.0, 10.0, "The particles meet exactly at the end of the duration, which "
+                                "still counts as an impact. Return it."),
         (2.0, 0.0, -1e-13, None, "The closing speed of 1e-13 m/s is below VELOCITY_TOLERANCE, so "
                                  "treat it as a rounding error. Return None."),
         (0.0, 0.0, 3.0, None, "Both centers are at the same position, so their distance can only "
@@ -143,7 +145,7 @@ def test_spheres_that_touch_or_never_meet() -> None:
             expect_that(impact is not None, seen, right)
             expect_close(impact[0], wanted, then=TIME, unit="s")
             about.cause = "The penetration of the contact should be 0, because it describes the "
-            about.cause += "moment of the impact, when the spheres just touch."
+            about.cause += "moment of the impact, when the particles just touch."
             got = impact[1].penetration
             expect_close(got, 0.0, then="; the penetration of the contact", unit="m")
     about.call = "particle a; ParticlePairs([a], radius=1.0).next_impact(10.0)"
@@ -172,7 +174,7 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     about.call = f"six spheres at x = {places} with velocities of {speeds} m/s along x; pairs = "
     about.call += "ParticlePairs(spheres, radius=1.0); pairs.next_impact(9.0)"
     about.cause = "You missed the earliest impact, which is between spheres 1 and 4. Compute the "
-    about.cause += "time of the impact for every pair of particles, and return the earliest impact."
+    about.cause += "time of the impact for every pair of spheres, and return the earliest impact."
     particles = [Particle(Vector3(x), Vector3(v)) for x, v in zip(places, speeds, strict=True)]
     pairs = ParticlePairs(particles, 1.0)
     impact = expect_impact(pairs.next_impact(9.0))
@@ -180,12 +182,12 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     names = [f"sphere {i}" for i in range(6)]
     expect_particles((a, b), (1, 4), names)
     expect_close(impact[0], 0.25 / speed, then=TIME, unit="s")
-    about.cause = "The normal is wrong. Use the unit vector from the second particle of the pair "
-    about.cause += "to the first."
+    about.cause = "The normal is wrong. Use the unit vector from the second sphere of the pair to "
+    about.cause += "the first."
     expect_close(normal, (-1.0, 0.0, 0.0), then=NORMAL)
     about.call += "; spheres 1 and 4 made immovable; pairs.next_impact(9.0)"
     about.cause = "Spheres 1 and 4 are immovable now, so they never meet. Treat the velocity of an "
-    about.cause += "immovable particle as zero."
+    about.cause += "immovable sphere as zero."
     particles[1].mass = particles[4].mass = math.inf
     impact = expect_impact(pairs.next_impact(9.0))
     ((a, b, *_),) = told([impact[1]], particles)

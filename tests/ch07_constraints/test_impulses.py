@@ -77,7 +77,8 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
             (-impulse / ma, "Your impulse has the wrong sign: it pushes a toward b. Push a away "
                             "from b, along +n."),
             (unlike / ma, "You computed the impulse as if the separating velocity had been 0 "
-                          "before. It changes from v_s to -c v_s, so the change is -c v_s - v_s."),
+                          "before. It changes from v_s to -c v_s, where c is the restitution, so "
+                          "the change is -c v_s - v_s."),
             (impulse, f"{momentum}, and add n g / ma."),
         ]  # fmt: skip
         seen = cause_of(got, along(v, n, mistakes), about.cause)
@@ -120,9 +121,9 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         closing = dot(w, n) - dot(v, n)
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
         name = f"{about.call}; the kinetic energy that was lost"
-        about.cause = "The separating velocity after the bounce is wrong. It must be -c v_s, and "
-        about.cause += "then the bounce loses the energy mu (1 - c^2) v_s^2 / 2, with mu = ma mb / "
-        about.cause += "(ma + mb) (E-7)."
+        about.cause = "The separating velocity after the bounce is wrong, so the bounce loses the "
+        about.cause += "wrong amount of energy (E-7). It must be minus the restitution times the "
+        about.cause += "separating velocity before the bounce."
         expect_close(lost, wanted, call=name, tolerance=1e-10, unit="J")
 
 

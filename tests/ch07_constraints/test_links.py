@@ -97,7 +97,7 @@ def places(pair: list[Any]) -> Components:
 def expect_ends(pair: list[Any], before: Components) -> None:
     about.cause = "contacts() has moved an end of the link, perhaps with -=, which works in place. "
     about.cause += "Subtract the positions with - instead, which creates a new vector."
-    expect_unchanged("the pair of positions", places(pair), before)
+    expect_unchanged("the tuple of both positions", places(pair), before)
 
 
 @pytest.mark.exercise("B7.7")
@@ -111,13 +111,13 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     if not anchored:
         pair[0].mass = math.inf
         told_ends = told_ends.replace("a at", "a (immovable) at")
-    to_the_end = "The cable is longer than its maximum length, so it pulls its ends together. Use "
-    to_the_end += "the unit vector from a to the other end as the normal."
+    to_the_end = "The cable is taut and pulls its ends together, so use the unit vector from a to "
+    to_the_end += "the other end as the normal."
     before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),
         (1023.0 / 1024.0 * length, to_the_end),
-        (length, "A cable at exactly its maximum length is taut. Return a contact of depth 0."),
+        (length, "A cable at its maximum length is taut. Return a contact with penetration 0."),
     ):
         about.cause = cause
         about.call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, "
@@ -205,7 +205,7 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
             1.25 * length,
             [(0, other, back, 0.0, 0.25 * length)],
             "The rod is compressed, so it pushes. Return a contact whose normal points away from "
-            "the other end, with a positive penetration.",
+            "the other end and whose penetration is positive.",
         ),
         (
             1023.0 / 1024.0 * length,
@@ -259,7 +259,7 @@ def test_a_pendulum_swings_in_its_period() -> None:
     about.read = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
     for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
         angle = math.radians(degrees)
-        about.call = "a bob of 1 kg on rod = AnchoredRod(bob, Vector3(0, 0, 0), length=1.0), "
+        about.call = "rod = AnchoredRod(bob, Vector3(0, 0, 0), length=1.0); the bob of 1 kg is "
         about.call += f"released at {degrees:g} degrees from the vertical, with gravity of 10 "
         about.call += "m/s^2; semi-implicit steps of 1/1000 s, each followed by contact.resolve "
         about.call += "for rod.contacts()"
@@ -285,9 +285,10 @@ def test_a_pendulum_swings_in_its_period() -> None:
 def test_a_string_bears_three_times_the_weight() -> None:
     about.read = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
     mass = 2.0
-    about.call = "a bob of 2 kg on rod = AnchoredRod(bob, Vector3(0, 0, 0), length=1.0), released "
-    about.call += "at 90 degrees from the vertical, with gravity of 10 m/s^2; semi-implicit steps "
-    about.call += "of 1/2000 s, each followed by contact.resolve for rod.contacts()"
+    about.call = "rod = AnchoredRod(bob, Vector3(0, 0, 0), length=1.0); the bob of 2 kg is "
+    about.call += "released at 90 degrees from the vertical, with gravity of 10 m/s^2; "
+    about.call += "semi-implicit steps of 1/2000 s, each followed by contact.resolve for "
+    about.call += "rod.contacts()"
     about.cause = "The rod pulls with the wrong force. At the bottom it carries the weight m g and "
     about.cause += "keeps the bob on its circle, which takes another 2 m g, so the pull should be "
     about.cause += "3 m g."
@@ -317,7 +318,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
                                         "Return a contact with a penetration of 0."),
         (1.5, 2.0, [(0, 1, back, c, 0.5 * length)],
          "The distance is below min_length, so the link pushes. Return a contact whose normal "
-         "points away from b. Its penetration is min_length minus the distance."),
+         "points away from b and whose penetration is min_length minus the distance."),
         (1.0, 2.0, [(0, 1, back, c, 0.0)],
          "The distance is exactly min_length, so the link has reached its lower limit. Return a "
          "contact with a penetration of 0."),

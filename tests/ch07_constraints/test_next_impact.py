@@ -56,8 +56,8 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     mistakes = [
         (max(times), "You returned the last impact of the four spheres. Return the earliest impact "
                      "instead."),
-        (times[0], "You returned the impact of the first particle in the list. Compute the times "
-                   "for all particles and return the earliest impact."),
+        (times[0], "You returned the impact of the first sphere in the list. Compute the times for "
+                   "all spheres, and return the earliest impact."),
         (whole, "You left out the radius, so you returned the time when the center reaches the "
                 "ground. Use the lowest point of the sphere, which is at y - radius."),
     ]  # fmt: skip
@@ -71,7 +71,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     about.cause += "its other, the normal (0, 1, 0), the detector's restitution and a penetration "
     about.cause += "of 0."
     for part, cause in (
-        (0, "The contact belongs to the wrong particle. Use the particle that reaches the ground "
+        (0, "The contact belongs to the wrong sphere. Use the sphere that reaches the ground "
             "first."),
         (1, "The ground is not a particle, so pass None as the contact's other."),
         (3, "The normal of the contact is wrong. Use (0, 1, 0), which points out of the ground."),
@@ -92,8 +92,8 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     about.cause = "The first impact happens only after the end of the duration, so there is none "
     about.cause += "to report. Return None."
     expect_none(ground.next_impact(0.999 * first), then=f"; ground.next_impact({0.999 * first})")
-    about.cause = "The first impact is exactly at the end of the duration, and it still counts. "
-    about.cause += "Compare its time with the duration by <= instead of <."
+    about.cause = "The first impact is exactly at the end of the duration, which still counts. "
+    about.cause += "Compare its time with the duration by <=, not by <."
     got = ground.next_impact(float(time))
     name = f"; ground.next_impact({time!r})"
     missed = "None, as if there were no impact"
@@ -109,7 +109,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     seen = (impact[0], impact[1].restitution)
     name = "; the time in s and the restitution of the impact"
     expect_close(seen, (later, 0.5), then=name)
-    about.cause = "next_impact has changed a particle. It should only predict the impact, without "
+    about.cause = "next_impact has changed a sphere. It should only predict the impact, without "
     about.cause += "changing any position or velocity."
     for i, particle in enumerate(particles):
         now = (*xyz(particle.position), *xyz(particle.velocity))

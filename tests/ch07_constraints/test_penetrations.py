@@ -87,13 +87,12 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         first_move = "a is at the right position, but moves[0] is not the displacement of a. "
         first_move += "Return the vector by which you moved a."
         expect_close(got, move, then="; moves[0]", cause=first_move, tolerance=1e-15, unit="m")
-        about.cause = "Particle b moves along -n, by the part of the depth by which a doesn't "
-        about.cause += "move. Return this displacement as the second move, or zero if b doesn't "
-        about.cause += "move."
+        about.cause = "Particle b moves by the rest of the depth, against the normal. Return this "
+        about.cause += "displacement as the second move, or zero if b doesn't move."
         got = xyz(moves[1])
         turned = tuple(-part for part in back)
         why = "The move of b has the wrong sign: it points toward a. The normal points from b to "
-        why += "a, so move b along -n."
+        why += "a, so move b against it."
         seen = cause_of(got, [(turned, why)], about.cause)
         expect_close(got, back, then="; moves[1]", cause=seen, tolerance=1e-15, unit="m")
         if b is not None:
@@ -172,8 +171,8 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     about.call = f"particle a at {p}; c = Contact(a, None, normal=Vector3{n}, restitution=0.5, "
     about.call += "penetration=1.0); moves = c.resolve_penetration(); moves[0].x += 1; moves[1].x "
     about.call += "+= 1"
-    separate = "A change of the vectors that you return also changes the contact's normal or a "
-    separate += "particle's position. Return two new vectors instead of these objects themselves."
+    separate = "When the returned vectors are changed, the contact's normal or a particle's "
+    separate += "position changes too. Return two new vectors instead of these objects."
     about.cause = separate
     a = Particle(Vector3(*p))
     c = Contact(a, None, Vector3(*n), 0.5, 1.0)

@@ -91,8 +91,8 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     ]
     contacts = [(0, -1, UP, 1.0, 0.5), (1, -1, UP, 1.0, 0.75), (2, 3, UP, 0.0, -0.25)]
     about.call = "particles a and b of 100 kg hit the ground with velocities (0, -2, 0) and "
-    about.call += f"({side}, -1, {side}) and a restitution of 1; particle c of 1 kg is at rest, "
-    about.call += "and an immovable particle comes up from below with velocity (0, 3, 0); "
+    about.call += f"({side}, -1, {side}) and a restitution of 1; particle c of 1 kg is at rest; an "
+    about.call += "immovable particle hits it from below with velocity (0, 3, 0); "
     about.call += "resolver.resolve_velocities(contacts, 1, 0.5) for these three contacts"
     about.cause = "Resolve the contact of c, which closes fastest, at 3 m/s. Include the velocity "
     about.cause += "of contact.other in the closing speed, even if that particle is immovable."
@@ -101,7 +101,7 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     mistakes = [
         ((2.0, -1.0, 0.0), "You resolved the contact of a, but the contact of c closes faster. "
                            "Compare only the separating velocities: the depth, the restitution and "
-                           "an immovable end make no difference."),
+                           "an immovable particle make no difference."),
         ((-2.0, 1.0, 0.0), "You resolved the contact of b, which is the deepest, and b is the "
                            "fastest particle. Compare only the separating velocities, and resolve "
                            "the contact of c first, which has the lowest."),
@@ -187,20 +187,18 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "The closing speed of this contact is 1e-13 m/s, which is below "
-                        "VELOCITY_TOLERANCE, so treat it as a rounding error and don't resolve "
-                        "it."),
+        (1e-13, 0.0, 0, "This contact closes at 1e-13 m/s, which is below VELOCITY_TOLERANCE, so "
+                        "treat it as a rounding error and don't resolve the contact."),
         (1e-11, 0.0, 1, "This contact closes at 1e-11 m/s, which is slow but faster than "
                         "VELOCITY_TOLERANCE, so resolve it."),
         (0.5, -1.0, 1, "This contact closes at 0.5 m/s, so resolve it. Don't check the "
                        "penetration, although it is negative here."),
         (-0.5, 1.0, 0, "This contact is already separating at 0.5 m/s, so don't resolve it, "
                        "however deep it is."),
-        (0.0, 1.0, 0, "This contact is deep but not closing, so don't resolve its velocity. Unlike "
-                      "the book's listing, leave deep contacts to resolve_penetrations."),
-        (1e-13, 1.0, 0, "The closing speed of this contact is 1e-13 m/s, which is below "
-                        "VELOCITY_TOLERANCE, so treat it as a rounding error and don't resolve "
-                        "it."),
+        (0.0, 1.0, 0, "This contact is deep but not closing. Unlike the book's listing, don't "
+                      "resolve its velocity, and leave it to resolve_penetrations."),
+        (1e-13, 1.0, 0, "This contact closes at 1e-13 m/s, which is below VELOCITY_TOLERANCE, so "
+                        "treat it as a rounding error and don't resolve the contact."),
         (1e-11, 1.0, 1, "This contact closes at 1e-11 m/s, which is slow but faster than "
                         "VELOCITY_TOLERANCE, so resolve it."),
     ):  # fmt: skip
@@ -213,7 +211,7 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
         about.call += f"restitution=0.0, penetration={depth}); resolver.resolve_velocities([c], 9, "
         about.call += "0.5)"
         bodies = [(ZERO, v, 2.0)]
-        about.cause += " Compute the closing speed along the contact's normal."
+        about.cause += " Measure the closing speed along the contact's normal."
         used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
         expect_exactly(used, wanted, then="; the returned number", unit="resolutions")
         got = -dot(after[0][1], n)

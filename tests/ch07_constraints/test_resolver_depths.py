@@ -49,7 +49,7 @@ def test_what_is_deepest_is_first() -> None:
             (
                 (-0.25, 1.25, 2.0),
                 "You resolved the left pair first, but the right pair is deeper. Always choose the "
-                "contact with the largest penetration.",
+                "deepest contact.",
             )
         ]
         if isinstance(used, int) and used > limit:
@@ -67,13 +67,13 @@ def test_what_is_deepest_is_first() -> None:
                            "moved toward the left ball. Check the sign of your update."),
             ((0.875, -0.75),
              "You updated the resolved contact twice. resolve_penetration has already set its "
-             "penetration to 0, so skip this contact in your loop."),
+             "depth to 0, so skip this contact in your loop."),
             ((0.0, 0.0), "The depth of the right contact is still 0, although the middle ball, its "
                          "contact.other, has moved toward the right ball. Also update contacts for "
                          "contact.other."),
-            ((0.0, -0.4375), "The update for contact.other has the wrong sign. Its move along the "
-                             "normal brings it closer to contact.particle, so add the distance "
-                             "that contact.other moved to the depth."),
+            ((0.0, -0.4375), "The update for contact.other has the wrong sign. When contact.other "
+                             "moves along the normal, it comes closer to contact.particle, so the "
+                             "depth must grow by this distance."),
         ]  # fmt: skip
         blame(got_depths, mistakes)
         expect_close(
@@ -145,8 +145,8 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
     names = {-1: "the ground", 0: "a", 1: "b", 2: "c", 3: "d", 4: "e", 5: "f"}
     between_two = {0: 0.5 * mb / (ma + mb), 1: -0.5 * ma / (ma + mb)}
     for end, moves in ((1, between_two), (-1, {0: 0.5})):
-        about.call = f"particle a of {ma} kg overlaps {names[end]} by 0.5 m, with the normal {n}, "
-        about.call += f"and takes part in other contacts; particle b has {mb} kg; "
+        about.call = f"particle a of {ma} kg overlaps {names[end]} by 0.5 m, with the normal {n}; "
+        about.call += f"particle b has {mb} kg; a and b take part in other contacts as well; "
         about.call += "resolver.resolve_penetrations(contacts, 1)"
         contacts = [others[0], (0, end, n, 0.0, 0.5), *others[1:]]
         about.cause = "The contact that you resolved has a penetration again. resolve_penetration "
@@ -156,12 +156,12 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
         expect_close(depths[1], 0.0, then="; the penetration of the first contact", unit="m")
         for (p, q, m, _, _), got in zip(others, [depths[0], *depths[2:]], strict=True):
             wanted = -5.0 - (moves.get(p, 0.0) - moves.get(q, 0.0)) * dot(n, m)
-            about.cause = "From the depth of each other contact, subtract the distance that "
-            about.cause += "contact.particle moved along its normal, and add the distance that "
-            about.cause += "contact.other moved. Compare particles with `is`, and skip "
-            about.cause += "contact.other if it is None."
-            name = f"; the penetration, which was -5 m, of another contact, between {names[p]} and "
-            name += f"{names[q]}"
+            about.cause = "From the penetration of every other contact, subtract how far "
+            about.cause += "contact.particle has moved along its normal, and add how far "
+            about.cause += "contact.other has. Compare particles with `is`, and skip contact.other "
+            about.cause += "if it is None."
+            name = f"; the penetration of another contact, between {names[p]} and {names[q]}, "
+            name += "which was -5 m before"
             expect_close(got, wanted, then=name, tolerance=1e-14, unit="m")
 
 

@@ -135,8 +135,8 @@ def test_rest_is_told_with_its_time() -> None:
     about.call = "a ball falls 2 m to the ground with gravity of 10 m/s^2 and bounces with a "
     about.call += "restitution of 0.5; calls of time_division_step([ball], ground, 1/60) until "
     about.call += "TooManyImpacts is raised; "
-    about.cause = "The bounces get lower and lower, and the ball comes to rest after 1.9 s. From "
-    about.cause += "then on there is no end of impacts, so raise TooManyImpacts."
+    about.cause = "The bounces get lower and lower, until the ball comes to rest after 1.9 s. From "
+    about.cause += "then on the impacts never end, so raise TooManyImpacts."
     seen, _, _, ended = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 200)
     expect_that(ended is not None, "no error in 200 steps", "TooManyImpacts")
     impacts, time = ended or (0, 0.0)
@@ -176,15 +176,16 @@ def test_rest_is_told_with_its_time() -> None:
         impacts, time = ended or (0, 0.0)
         times = [1.0, 2.0, 2.5, 2.75]
         expect_exactly(impacts, most, then="; error.impacts")
-        about.cause = "The impacts should be at 1, 2, 2.5 and 2.75 s. If you damp the velocity at "
-        about.cause += "each impact, they come too early, so apply the damping once, at the end."
+        about.cause = "The impacts should be at 1, 2, 2.5 and 2.75 s, but they come too early if "
+        about.cause += "you damp the velocity at each impact. Apply the damping once, at the end "
+        about.cause += "of the step."
         expect_close(time, times[most], then="; error.time", tolerance=1e-12, unit="s")
         place, velocity = seen[0][0]
         speed = -10.0 * 0.5**most
         about.cause = "Before you raise TooManyImpacts, move the particles to the time of the next "
         about.cause += "impact. Don't resolve that impact, and don't apply the damping."
-        early = "You left the particles where the last allowed impact happened. Move them to the "
-        early += "time of the next impact before you raise the error."
+        early = "You left the ball at the time of the last allowed impact. Move all particles to "
+        early += "the time of the next impact before you raise the error."
         blame((place[1], velocity[1]), [((0.0, -speed), early)])
         name = "; after the error, the height in m and the velocity along y in m/s"
         expect_close((place[1], velocity[1]), (0.0, speed), then=name, tolerance=1e-12)
@@ -234,7 +235,7 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
     # After the first impact: 3 kg at 0.5, 1 kg at 1.5 m/s, which meets the right one at 2.5 m/s.
     wanted_times = (1.0, late / 2.5)
     got = tuple(time for _, _, time in found[:2])
-    name = "the first two impact times, each from the previous impact"
+    name = "the time of the first impact, and the time from then to the second one"
     expect_close(got, wanted_times, then=name, tolerance=1e-13, unit="s")
     name = "the indices of the two spheres in the first two impacts"
     pairs = [number for a, b, _ in found[:2] for number in (a, b)]
@@ -251,7 +252,7 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
     about.cause += "next_impact again after each impact."
     gaps = [right[0][0] - left[0][0] - 2.0 for left, right in pairwise(seen[0])]
     got = min(0.0, *gaps)
-    expect_close(got, 0.0, then="the final gap if it is negative", tolerance=1e-13, unit="m")
+    expect_close(got, 0.0, then="the smallest final gap, at most 0", tolerance=1e-13, unit="m")
 
 
 def bounced(high: float, a: float, h: float) -> tuple[float, float]:
@@ -291,7 +292,7 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     blame(bouncing[0], [
         ((3.0 * h, bounced(high, own[1], h)[0], 0.0),
          "You used only the constant acceleration, but the force accelerates the particle too. "
-         "Add f / m, before and after the impact."),
+         "Add the force divided by the mass, both before and after the impact."),
     ])  # fmt: skip
     expect_close(bouncing[0], wanted, then="p.position", tolerance=1e-13, unit="m")
     about.cause = "Apply the damping once for the whole step: multiply the velocity by damping ** "

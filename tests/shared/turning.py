@@ -172,7 +172,7 @@ def named(
     ]
     if len(wrong) not in (1, 2):
         return cause
-    return f"Your matrix is right except {' and '.join(wrong)}. {cause}"
+    return f"Your matrix is right except for {' and '.join(wrong)}. {cause}"
 
 
 def same_sign(got: Any, wanted: Sequence[float]) -> Any:

@@ -51,8 +51,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     about.call = "links_of(make_rows()) for 6 rows, whose 12 ends have the numbers 0 to 11; all "
     about.call += f"ends are moved apart; {what}"
     about.cause = {
-        "rod": "Join the two ends of each of the six rows with a Rod of length WIDTH, so six rods in "
-        "all.",
+        "rod": "Join the two ends of each row with a Rod of length WIDTH. Six rows need six rods.",
         "cable": "Join each end of a row to the end of the next row on the same side, with a Cable "
         "of length CABLE_LENGTH. Six rows need ten cables.",
         "support": "Each end of each row hangs from its own anchor. Join all twelve ends to their "
@@ -74,7 +73,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     wrong += [f"{pair} are joined twice" for i, pair in enumerate(ends) if pair in ends[:i]]
     wrong += [f"{pair} are joined but should not be" for pair in ends if pair not in right]
     why = f"Ends {wrong[0]}. {about.cause}" if wrong else about.cause
-    expect_exactly(ends, right, then=": the two ends of each, by their numbers (-1 stands for an anchor)", cause=why)
+    expect_exactly(ends, right, then=": the ends of each (-1 stands for an anchor)", cause=why)
     lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
     about.cause = f"Your {'cable' if which != 'rod' else 'rod'} joins the right ends, but its "
     about.cause += f"length is wrong. It should be {lengths[which]}."

@@ -178,7 +178,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
         ((-40.0, 30.0, 0.0), "Your force grows with the distance from the hub. Divide the "
                              "direction by its length before you multiply it by the force."),
         ((6.0, 8.0, 24.0), "Your force acts along the spoke and along Z, so it can't turn the "
-                           "wheel. Use (-y, x, 0), which is at a right angle to the spoke."),
+                           "wheel. If the spoke is (x, y, z), use the direction (-y, x, 0)."),
         ((-40.0 / 13.0, 30.0 / 13.0, 0.0), "You divided the direction by a length that includes z. "
                                            "The wheel rotates in the X-Y plane, so divide by "
                                            "sqrt(x^2 + y^2)."),
@@ -308,8 +308,8 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
     way = direction(rng)
     a, b, c = (positive_number(rng, 1.0, 3.0) for _ in range(3))
     for name, rods, wanted in (
-        ("5 % too long, and exact", [(a, 1.05 * a), (b, b)], 0.05),
-        ("7 % too short, and 2 % too long", [(a, 0.93 * a), (b, 1.02 * b)], 0.07),
+        ("5 % too long and exactly right", [(a, 1.05 * a), (b, b)], 0.05),
+        ("7 % too short and 2 % too long", [(a, 0.93 * a), (b, 1.02 * b)], 0.07),
         ("1 %, 4 % and 2 % too long", [(a, 1.01 * a), (b, 1.04 * b), (c, 1.02 * c)], 0.04),
     ):
         about.call = (

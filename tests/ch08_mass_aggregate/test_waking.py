@@ -194,7 +194,7 @@ def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
 def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool) -> None:
     about.read = f"{WAKE}wake_touched, and run_physics"
     speed = positive_number(rng, 4.0, 9.0)
-    about.call = f"particles 0, 1 and 2 sleep side by side; particle 3 moves toward them at "
+    about.call = "particles 0, 1 and 2 sleep side by side; particle 3 moves toward them at "
     about.call += f"{speed} m/s; steps that call wake_touched()"
     about.cause = (
         "Particles 0, 1 and 2 are at rest and touch only each other, so they should fall asleep. "
@@ -273,8 +273,8 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
             about.cause = "Not all five particles fall asleep, although all are at rest. Check "
             about.cause += "fall_asleep before you work on wake."
             expect_sleepers(was, [0, 1, 2, 3, 4], then="; which particles are asleep before that")
-            about.cause = "The wrong particles wake. Wake the neighbors, their neighbors and so on, but "
-            about.cause += "no other particle. Neighbors are particles that touched in the "
+            about.cause = "The wrong particles wake. Wake neighbors, their neighbors and so on, "
+            about.cause += "but no other particle. Neighbors are particles that touched in the "
             about.cause += "last sleep_frames steps."
             expect_sleepers(now, [4], then="; which particles are asleep afterward")
     about.call = (

@@ -119,8 +119,8 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
     about(
-        f"rules = Rules(6); for each row in {events}, rules.landed(row), or rules.fell() if row is "
-        "-1",
+        f"rules = Rules(6); for each row in {events}, a landing on that row, or rules.fell() if it "
+        "is -1",
         read=RULES,
     )
     about.cause = (

@@ -92,9 +92,9 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
                      "fall costs no points."),
     ]  # fmt: skip
     blame(won[0], mistakes)
-    expect_exactly(won[0], score, then="; the score after the last row", unit="points")
+    expect_exactly(won[0], score, then="; the score once all rows are visited", unit="points")
     name = f"rules = Rules({rows}); landings on the rows {events}, where -1 is a fall; "
-    name += "rules.won and rules.over after the last row is visited"
+    name += "rules.won and rules.over once all rows are visited"
     over = (
         "Your over misses one of the two ways in which the game can end. Check both: every row has "
         "been visited, or no lives are left."

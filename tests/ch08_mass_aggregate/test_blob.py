@@ -113,7 +113,7 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         shown = ", ".join(f"{one:.6g}" for one in lengths[: i + 1])
         name = f"{about.call}; the distance of the ends, from call to call: {shown} m"
         about.cause = causes[what]
-        expect_exactly(seen[i][2], holds, call=f"{name}: bond.holds")
+        expect_exactly(seen[i][2], holds, call=f"{name}; bond.holds after the last")
         force = pull(length, k, rest, limit, share) if holds else 0.0
         expect_forces(name, seen[i], force, way)
 

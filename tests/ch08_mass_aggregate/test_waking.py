@@ -268,7 +268,7 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
             about.call = f"particles 0 to 4 touch in the pairs {pairs} until the step before they "
-            about.call += f"fall asleep; particle {first} gets a velocity; step calls wake()"
+            about.call += f"fall asleep; particle {first} gets a velocity; one step calls wake()"
             was, now = group_woken(pairs, first)
             about.cause = "Not all five particles fall asleep, although all are at rest. Check "
             about.cause += "fall_asleep before you work on wake."

@@ -177,8 +177,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     small = tuple(1e-7 * number for number in drawn)
     ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
     listing = (
-        "You read entry 15, as in the book's listing, which reads entry 15 (E-13). A Matrix4 has "
-        "only the entries 0 to 11."
+        "A Matrix4 has only the entries 0 to 11, but the book's listing also reads entry 15 "
+        "(E-13). Don't copy the listing."
     )
     tiny = (
         "A matrix isn't singular just because its numbers are small. Call Matrix3.inverse on the "

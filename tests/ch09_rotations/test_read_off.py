@@ -176,7 +176,7 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
         about.call = f"m = {written(twelve)}, which is not a rotation; easy_inverse(m), row by row"
         about.cause = (
             "You probably use a general inverse, which divides by the determinant. Use the "
-            "transpose, although this matrix is not a rotation."
+            "transpose, even though it is not the inverse of this matrix."
         )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)

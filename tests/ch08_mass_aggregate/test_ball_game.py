@@ -60,13 +60,13 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     order = rng.sample(range(rows), rows)
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
     about(
-        f"rules = Rules({rows}); for each number in {events}, rules.fell() if it is -1, otherwise "
-        "rules.landed(number)",
+        f"rules = Rules({rows}); for each row in {events}, rules.landed(row), or rules.fell() if "
+        "row is -1",
         read=RULES,
     )
     about.cause = (
-        "Every row from 0 to rows - 1 is valid and scores POINTS. The last row to be visited also "
-        "wins the game, so add BONUS, which is 50, for each life that is left."
+        "Every row from 0 to rows - 1 is valid and scores POINTS. The row that is visited last "
+        "also wins the game, so add BONUS, which is 50, for each life that is left."
     )
     seen = ruled(rows, events)
     won = seen[rows + falls - 1]
@@ -87,17 +87,17 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
                       "lives that are left."),
         (points + 150, "You add the bonus for all three lives, although one of them is lost. "
                        "Multiply BONUS by the number of lives that are left."),
-        (score - 10, "Your score is 10 points too low. Perhaps your game is won one row too early, "
-                     "or the last row earns the bonus but not its own POINTS, or a fall costs "
-                     "points."),
+        (score - 10, "Your score is 10 points too low. Check that the last row earns its POINTS as "
+                     "well as the bonus, that the game isn't won one row too early, and that a "
+                     "fall costs no points."),
     ]  # fmt: skip
     blame(won[0], mistakes)
-    expect_exactly(won[0], score, then="; the score when all rows are visited", unit="points")
-    name = f"rules = Rules({rows}) after landings on the rows {events}, where -1 is a fall; "
-    name += "rules.won and rules.over when all rows are visited"
+    expect_exactly(won[0], score, then="; the score once all rows are visited", unit="points")
+    name = f"rules = Rules({rows}); landings on the rows {events}, where -1 is a fall; "
+    name += "rules.won and rules.over once all rows are visited"
     over = (
-        "Your over misses one of the two ways in which the game can end: the player has visited "
-        "every row, or has no lives left. Check both."
+        "Your over misses one of the two ways in which the game can end. Check both: every row has "
+        "been visited, or no lives are left."
     )
     expect_exactly(list(won[3:]), [True, True], call=name, cause=over)
     before = seen[rows + falls - 2]
@@ -119,13 +119,13 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
     about(
-        f"rules = Rules(6); for each number in {events}, rules.fell() if it is -1, otherwise a "
-        "landing on that row",
+        f"rules = Rules(6); for each row in {events}, a landing on that row, or rules.fell() if it "
+        "is -1",
         read=RULES,
     )
     about.cause = (
-        "A fall costs exactly one life. When the last one is gone, the game is over, so later "
-        "falls leave lives at 0."
+        "A fall costs exactly one life. The game is over when no lives are left, so later falls "
+        "leave lives at 0."
     )
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
@@ -145,7 +145,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
             "Your game counts a landing after it is over. Return from landed at once if self.over "
             "is true."
         )
-    expect_exactly(got, [10, a], then="; the score and then the visited rows at the end")
+    expect_exactly(got, [10, a], then="; the score, followed by the visited rows, at the end")
 
 
 @pytest.mark.exercise("P8.1a")
@@ -154,7 +154,7 @@ def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
     about.read = RULES
     rows = rng.randint(3, 6)
     about.cause = (
-        "There is no row with this number, because rows are numbered from 0 to rows - 1. Raise "
+        "There is no row with this number. Rows are numbered from 0 to rows - 1, so raise "
         "ValueError for any other number."
     )
     for row in (rows, -1):
@@ -232,8 +232,8 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     frame, mass = round(rng.uniform(0.005, 0.03), 4), positive_number(rng)
     damped = 0.6**frame
     about.call = (
-        f"a game with game.direction = {direction} and a ball of {mass} kg at ({x}, 9, 0) m with "
-        f"velocity ({speed}, 0, 0) m/s; three calls of game.step({frame}); the velocity of the "
+        f"a game with game.direction = {direction}; its ball of {mass} kg is at ({x}, 9, 0) m and "
+        f"moves at ({speed}, 0, 0) m/s; three calls of game.step({frame}); the velocity of the "
         "ball"
     )
     about.cause = (
@@ -268,7 +268,7 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
         about.call = (
             f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; "
             "game.step(1/60), in which the ball lands; its velocity along Y in m/s, the score, and "
-            "the visited rows"
+            "then each visited row"
         )
         about.cause = (
             "After run_physics, check landings.row. If it is not None, call self.rules.landed(row) "
@@ -288,8 +288,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             )
         elif row == 0:
             about.cause = (
-                "The ball lands on row 0, but you ignore that landing. Python treats 0 as false, "
-                "so `if row` skips the first row. Write `if row is not None` instead."
+                "The ball lands on row 0, but you ignore that landing, because `if row` is false "
+                "for row 0. Write `if row is not None` instead."
             )
         expect_close(got, (6.0, 10.0, float(row)), tolerance=1e-12)
     about.call = (
@@ -321,7 +321,7 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     about.read = STEP
     x = round(rng.uniform(8.0, 9.0), 3)
     about.call = (
-        f"a game in which the ball is at ({x}, 0.6, 0) m, beside the bridge, and falls at 9 m/s; "
+        f"a game; the ball is beside the bridge, at ({x}, 0.6, 0) m, and falls at 9 m/s; "
         "game.step(1/60)"
     )
     about.cause = (
@@ -341,7 +341,7 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)
     # The cables, too short at first, have pulled the row inward by 0.13 m in that step.
     expect_close(
-        got, place, then="; position and velocity of the ball, in m and m/s", tolerance=0.2
+        got, place, then="; the position (m) and then the velocity (m/s) of the ball", tolerance=0.2
     )
     about.cause = (
         "The ball has fallen if its lowest point is at most TOUCH, which is 1e-6 m, above the "
@@ -356,12 +356,12 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         seen = played(1, FRAME, 0, (x, 0.5 + above, 0.0), (0.0, 9.81 * FRAME, 0.0))[-1]
         expect_exactly(seen["lives"], lives, unit="lives")
     about.call = (
-        f"a game with one life left, in which the ball is at ({x}, 0.6, 0) m and falls at 9 m/s; "
+        f"a game with one life left; the ball is at ({x}, 0.6, 0) m and falls at 9 m/s; "
         "three calls of game.step(1/60)"
     )
     about.cause = (
-        "The last life is gone, so the game is over. Don't put the ball back after this fall, and "
-        "return from step at once if self.rules.over is true."
+        "No lives are left, so the game is over. Don't put the ball back after this fall, and in "
+        "later steps return at once if self.rules.over is true."
     )
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
     expect_exactly(seen[-1]["lives"], 0, then="; the lives that are left", unit="lives")

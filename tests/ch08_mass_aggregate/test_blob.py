@@ -65,8 +65,7 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
         read=BOND,
     )
     about.cause = (
-        "A bond that holds acts like a spring on both ends. The spring self._to_b acts on a, and "
-        "self._to_a acts on b."
+        "If the bond holds, let the spring self._to_b act on a, and the spring self._to_a act on b."
     )
     for length, seen in zip(
         lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
@@ -87,10 +86,10 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         read=BOND,
     )
     causes = {
-        "breaks": "The bond is longer than break_length, so it breaks, whichever end update_force "
-        "is called for. Decide that first, so that the bond doesn't pull in the same call.",
+        "breaks": "The bond is longer than break_length, so it breaks. Test this first, whichever "
+        "end update_force is called for, so that the bond doesn't pull in this call.",
         "broken": "Your broken bond holds again too early, while its ends are more than "
-        "rest_length apart. It stays broken until they are rest_length apart or less.",
+        "rest_length apart. Keep it broken until they are rest_length apart or less.",
         "heals": "The ends of the broken bond are less than rest_length apart, so the bond heals. "
         "Let it hold again and add its force in this same call.",
         "holds": "The bond has healed, so it holds until it is longer than break_length again.",
@@ -112,9 +111,9 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         if what == "holds" and i == 0:
             continue  # rounding may have made it slightly longer
         shown = ", ".join(f"{one:.6g}" for one in lengths[: i + 1])
-        name = f"{about.call}; the ends are put {shown} m apart, one after the other"
+        name = f"{about.call}; the distance of the ends, from call to call: {shown} m"
         about.cause = causes[what]
-        expect_exactly(seen[i][2], holds, call=f"{name}: bond.holds")
+        expect_exactly(seen[i][2], holds, call=f"{name}; bond.holds after the last")
         force = pull(length, k, rest, limit, share) if holds else 0.0
         expect_forces(name, seen[i], force, way)
 
@@ -127,8 +126,8 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
     lengths = [most, most + 1e-6, rest + 1e-6, rest]
     about.call = (
         f"bond = Bond(a, b, stiffness=30, rest_length={rest}, limit={rest}, share=0.5, "
-        f"break_length={most}); the ends are {lengths} m apart, one after the other: bond.holds "
-        "each time"
+        f"break_length={most}); the distance of the ends, from call to call: {lengths} m; "
+        "bond.holds after each call"
     )
     about.cause = (
         "A bond of exactly break_length still holds, and a longer one breaks. A broken bond holds "
@@ -216,7 +215,7 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     )
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
-    about.call = f"a particle of {m} kg at {p} m and one of {n} kg at {q} m; spread of both"
+    about.call = f"a particle of {m} kg at {p} m; another of {n} kg at {q} m; spread of both"
     about.cause = (
         "Weight each squared distance from the center of mass by the particle's mass. For two "
         "particles the result is sqrt(m n) / (m + n) times the distance between them."

@@ -49,14 +49,13 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
     about.call = "links_of(make_rows()) for 6 rows, whose 12 ends have the numbers 0 to 11; all "
-    about.call += f"ends are moved apart; the {what}"
+    about.call += f"ends are moved apart; {what}"
     about.cause = {
-        "rod": "Join the two ends of each row with a Rod of length WIDTH. With six rows that makes "
-        "six rods.",
+        "rod": "Join the two ends of each row with a Rod of length WIDTH. Six rows need six rods.",
         "cable": "Join each end of a row to the end of the next row on the same side, with a Cable "
-        "of length CABLE_LENGTH. With six rows that makes ten cables.",
-        "support": "Each end of each row hangs from its own anchor. Join it to anchor_of(end) with "
-        "an AnchoredCable of length support_length(row number). That makes twelve cables.",
+        "of length CABLE_LENGTH. Six rows need ten cables.",
+        "support": "Each end of each row hangs from its own anchor. Join all twelve ends to their "
+        "anchor_of(end), each with an AnchoredCable of length support_length(row number).",
     }[which]
 
     def picked(links: Any) -> list[Any]:
@@ -74,7 +73,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     wrong += [f"{pair} are joined twice" for i, pair in enumerate(ends) if pair in ends[:i]]
     wrong += [f"{pair} are joined but should not be" for pair in ends if pair not in right]
     why = f"Ends {wrong[0]}. {about.cause}" if wrong else about.cause
-    expect_exactly(ends, right, then=" as pairs of ends (-1 is an anchor)", cause=why)
+    expect_exactly(ends, right, then=": the ends of each (-1 stands for an anchor)", cause=why)
     lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
     about.cause = f"Your {'cable' if which != 'rod' else 'rod'} joins the right ends, but its "
     about.cause += f"length is wrong. It should be {lengths[which]}."
@@ -83,7 +82,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
         expect_close(
             depth,
             right,
-            then=f": how far the link of ends {(i, j)} is overstretched",
+            then=f": how much too long the link between ends {(i, j)} is",
             unit="m",
             tolerance=1e-12,
         )
@@ -119,10 +118,10 @@ def test_nothing_else_holds_them() -> None:
     expect_exactly(count, 0, unit="contacts")
     places = [(1.5 * x, 1.0, 1.5 * z) for x, _, z in START]
     about.call = "links_of(make_rows()); all planks are pulled apart; the number of contacts, and "
-    about.call += "their different restitutions"
-    about.cause = "Every link is overstretched here, so each one should have a contact with a "
-    about.cause += "restitution of 0. That makes 28 contacts: 6 for the rods, 10 for the cables "
-    about.cause += "and 12 for the anchored cables."
+    about.call += "then each restitution that occurs"
+    about.cause = "Every link is too long here, so each one should have a contact with a "
+    about.cause += "restitution of 0. These are 6 contacts for the rods, 10 for the cables and 12 "
+    about.cause += "for the anchored cables."
     found = bridge_links(places)
     got = (len(found), *{c for _, _, _, c, _ in found})
     expect_close(got, (28, 0.0), tolerance=0.0)
@@ -162,7 +161,7 @@ def middles(rows: list[tuple[Components, Components]]) -> list[tuple[float, floa
 
 def nearest_of(points: list[tuple[float, float]], x: float) -> str:
     """Return what is called: nearest() of a deck through these midpoints, with the ball at x."""
-    deck_and_ball = f"rows of a deck with midpoints (x, y) at {points} m; a ball at x = {x:.6g} m"
+    deck_and_ball = f"a deck; the midpoints (x, y) of its rows: {points} m; a ball at x = {x:.6g} m"
     return f"{deck_and_ball}; deck.nearest(), which is (row, height)"
 
 
@@ -186,16 +185,16 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
                 ((row, points[int(row)][1]),
-                 "You return the height of the nearest row itself. Between two rows the deck "
-                 "slopes, so interpolate between the midpoints on either side of the ball."),
+                 "You return the height of the nearest row itself. The deck slopes between two "
+                 "rows, so interpolate between the midpoints on either side of the ball."),
                 ((float(i), height),
                  "The height is right, but you return the row before the ball. Return the row "
                  "whose midpoint is closer to the ball along X."),
                 ((float(i + 1), height),
                  "The height is right, but you return the row after the ball. Return the row whose "
                  "midpoint is closer to the ball along X."),
-                ((row, near), "You interpolate between one end of each row. The two ends of a row "
-                              "can be at different heights, so use the midpoints of the rows."),
+                ((row, near), "You interpolate between one end of each row. A row can tilt, so its "
+                              "ends differ in height: use the midpoints of the rows."),
             ]  # fmt: skip
             wanted = (row, height)
             blame(got, mistakes)
@@ -275,7 +274,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         "deck below it. Return None from nearest() and no contacts from contacts()."
     )
     for at in (first - 1.001, last + 1.001):
-        about.call = f"a deck whose rows have their midpoints (x, y) at {points} m; a ball at "
+        about.call = f"a deck; the midpoints (x, y) of its rows: {points} m; a ball at "
         about.call += f"({at:.6g}, 1, 0) m"
         got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
         nearest = -1.0 if got["nearest"] is None else got["nearest"]
@@ -295,10 +294,10 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     for depth in (0.3, 0.01, 0.0):
         center = height + radius - depth
         about.call = (
-            f"a deck with restitution {c} whose rows have their midpoints (x, y) at "
-            f"{middles(rows)} m; a ball of radius {radius} m at ({at:g}, {center:.6g}, 0); "
-            "deck.contacts(), where particle 0 is the ball, and 3 and 4 are the ends of the "
-            "nearest row"
+            f"a deck with restitution {c}; the midpoints (x, y) of its rows: {middles(rows)} m; "
+            f"a ball of radius {radius} m at ({at:g}, {center:.6g}, 0); "
+            "particle 0 is the ball, and particles 3 and 4 are the ends of the nearest row; "
+            "deck.contacts()"
         )
         about.cause = (
             "The ball rests on the nearest row, so return one contact for each end of that row. In "
@@ -390,7 +389,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                                                           "back up."),
     ):  # fmt: skip
         about(
-            f"a deck whose rows have their midpoints (x, y) at {middles(rows)} m; a ball of radius "
+            f"a deck; the midpoints (x, y) of its rows: {middles(rows)} m; a ball of radius "
             f"{radius} m {where} the deck; ",
             cause=cause,
         )

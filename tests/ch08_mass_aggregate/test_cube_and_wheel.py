@@ -38,8 +38,8 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         (
             2,
             1,
-            "Two particles need one rod, but the formula 3 n - 6 gives 0. It doesn't hold here, "
-            "because a rigid body of two particles has only five ways to move. Handle this case "
+            "Two particles need one rod, but the formula 3 n - 6 gives 0, because a rigid body of "
+            "two particles has only five ways to move instead of six. Handle this case "
             "separately.",
         ),
         (1, 0, "A single particle has no distance to keep, so it needs no rod."),
@@ -49,9 +49,9 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         got = fewest_rods(count)
         if count == 8:
             mistakes = [
-                (24, "You return 24, which counts all degrees of freedom of the eight corners. A "
-                     "rigid body keeps six of them, because it can move along three axes and "
-                     "rotate about them. Subtract 6."),
+                (24, "You return 24, which counts all degrees of freedom of the eight corners. "
+                     "Subtract 6, because a rigid body can still move along three axes and "
+                     "rotate about them."),
                 (13, "You return 2 n - 3, which holds for particles in a plane. In space, use 3 n "
                      "- 6."),
                 (21, "You return 3 n - 3. A rigid body can move in three directions and also "
@@ -96,12 +96,12 @@ def test_the_cube_is_rigid() -> None:
         for rod in rods
         if len(rod) != 2 or not all(type(i) is int and 0 <= i < 8 for i in rod) or rod[0] == rod[1]
     ]
-    expect_exactly(wrong, [], then=": the rods that are not such a pair of corners")
+    expect_exactly(wrong, [], then=": the rods that are not a pair of corners from 0 to 7")
     left = motions(CORNERS, rods, HELD)
     different = len({tuple(sorted(rod)) for rod in rods})
     about.cause = (
         f"Your {different} different rods prevent only {18 - len(left)} of the 18 motions that "
-        "deform a cube. Add rods until no such motion is left."
+        "deform a cube. Place rods so that no such motion is left."
     )
     if left:
         about.cause += f" For example, this one is still possible: {told(left[0], 'corner')}."
@@ -135,8 +135,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         read=WHEEL,
     )
     about.cause = (
-        "The wheel needs two kinds of rods. Join the hub to each particle of the rim, each "
-        "particle of the rim to the next one, and the last to the first."
+        "Join the hub to each particle of the rim, each particle of the rim to the next one, and "
+        "the last one to the first."
     )
     rods = sorted(wheel_rods(hub, rim))
     wanted = [(0, i + 1) for i in range(count)] + [(i, i + 1) for i in range(1, count)]
@@ -173,13 +173,13 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     mistakes = [
         ((6.0, 8.0, 0.0), "Your force acts along the spoke, so it can't turn the wheel. Rotate (x, "
                           "y), the spoke, by a right angle to get (-y, x)."),
-        ((8.0, -6.0, 0.0), "Your force drives the wheel clockwise, because (y, -x) points "
-                           "backward. Use (-y, x) instead."),
-        ((-40.0, 30.0, 0.0), "Your force grows with the distance from the hub. Divide (-y, x) by "
-                             "the length of the spoke before you multiply it by the force."),
+        ((8.0, -6.0, 0.0), "Your force drives the wheel clockwise. If the spoke is (x, y), "
+                           "use (-y, x) instead of (y, -x)."),
+        ((-40.0, 30.0, 0.0), "Your force grows with the distance from the hub. Divide the "
+                             "direction by its length before you multiply it by the force."),
         ((6.0, 8.0, 24.0), "Your force acts along the spoke and along Z, so it can't turn the "
-                           "wheel. Use (-y, x, 0), which is at a right angle to the spoke."),
-        ((-40.0 / 13.0, 30.0 / 13.0, 0.0), "You divided the direction by a length that includes Z. "
+                           "wheel. If the spoke is (x, y, z), use the direction (-y, x, 0)."),
+        ((-40.0 / 13.0, 30.0 / 13.0, 0.0), "You divided the direction by a length that includes z. "
                                            "The wheel rotates in the X-Y plane, so divide by "
                                            "sqrt(x^2 + y^2)."),
         ((-60.0 / math.sqrt(52.0), 40.0 / math.sqrt(52.0), 0.0),
@@ -231,12 +231,12 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         for x, y, _ in rim
     ]
     about.call = (
-        f"a rim that rotates at {rate} rad/s about a hub, which itself moves at {drift} m/s; "
+        f"a hub that moves at {drift} m/s; a rim that rotates about it at {rate} rad/s; "
         "spin(hub, rim)"
     )
     about(
         cause="The hub moves, and the rim moves with it. Use positions and velocities relative to "
-        "the hub, so that only the rotation remains.",
+        "the hub, which leaves only the rotation.",
         read=SPIN,
     )
     got = spun((hub, drift), list(zip(rim, moving, masses, strict=True)))
@@ -268,8 +268,8 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     mistakes = [
         (1.2, "You leave the masses out of both sums, so all particles count the same. Multiply "
               "each term by the particle's mass."),
-        (1.5, "You return the mean of the particles' own rates. Heavier and more distant particles "
-              "should count more, so divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + "
+        (1.5, "You return the mean of the particles' own rates, but heavy and distant particles "
+              "should count more. Divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + "
               "y^2)."),
         (2.0, "You didn't square the distance from the hub in the moment of inertia. It is the sum "
               "of m (x^2 + y^2), which is 13 here."),
@@ -308,12 +308,12 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
     way = direction(rng)
     a, b, c = (positive_number(rng, 1.0, 3.0) for _ in range(3))
     for name, rods, wanted in (
-        ("5 % too long, and exact", [(a, 1.05 * a), (b, b)], 0.05),
-        ("7 % too short, and 2 % too long", [(a, 0.93 * a), (b, 1.02 * b)], 0.07),
+        ("5 % too long and exactly right", [(a, 1.05 * a), (b, b)], 0.05),
+        ("7 % too short and 2 % too long", [(a, 0.93 * a), (b, 1.02 * b)], 0.07),
         ("1 %, 4 % and 2 % too long", [(a, 1.01 * a), (b, 1.04 * b), (c, 1.02 * c)], 0.04),
     ):
         about.call = (
-            f"rods of {[length for length, _ in rods]} m, whose ends have moved until the rods are "
+            f"rods that should have the lengths {[length for length, _ in rods]} m and now are "
             f"{name}; deformation(rods)"
         )
         about.cause = (

@@ -85,7 +85,7 @@ def test_rounding_makes_no_step_late(rate: int) -> None:
     got = [row[0] for row in done["rows"]]
     expect_exactly(got, [1] * 100)
     about.call = (
-        f"a FixedStep clock with steps of 1/{rate} s; clock.advance by 0.5 s, 0.5 s and then 1 s: "
+        f"a FixedStep clock with steps of 1/{rate} s; clock.advance with 0.5, 0.5 and 1 s: "
         "the number of steps in each call"
     )
     done = advanced(1.0 / rate, [0.5, 0.5, 1.0])
@@ -110,10 +110,10 @@ def test_rounding_makes_no_step_late(rate: int) -> None:
 def test_a_share_of_a_step_is_due(duration: float) -> None:
     about.read = READ
     for lack, steps, cause in (
-        (1e-7, 0, "More than SHARE of the step is missing, so the step is not due yet. SHARE is a "
-                  "fraction of a step, not a time in seconds, so multiply it by the duration."),
-        (1e-10, 1, "Less than SHARE of the step is missing, so the step is due. SHARE is a "
-                   "fraction of a step, not a time in seconds, so multiply it by the duration."),
+        (1e-7, 0, "More than SHARE of the step is missing, so the step is not due yet. Multiply "
+                  "SHARE by the duration, because it is a fraction of a step, not a time."),
+        (1e-10, 1, "Less than SHARE of the step is missing, so the step is due. Multiply SHARE "
+                   "by the duration, because it is a fraction of a step, not a time."),
     ):  # fmt: skip
         elapsed = duration * (1.0 - lack)
         about(
@@ -218,7 +218,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
             tolerance=1e-9 * duration,
         )
     about.call = f"a FixedStep clock with steps of {STEP} s and without max_steps; clock.advance "
-    about.call += "by the time of 5000 steps"
+    about.call += "with the time of 5000 steps"
     about.cause = (
         "max_steps is None here, so there is no limit. Take every step that is due and drop "
         "nothing."
@@ -233,19 +233,18 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     about.read = READ
     good = rng.randint(1, 4)
     about.call = (
-        f"a FixedStep clock with steps of {STEP} s, of which number {good + 1} raises an error; "
-        "clock.advance by the time of 6 steps, and then by 0"
+        f"a FixedStep clock with steps of {STEP} s; step number {good + 1} raises an error; "
+        "clock.advance is called with the time of 6 steps, and then with 0"
     )
     about.cause = (
-        "A step that raises an error doesn't count, so its time stays in self.left and the next "
-        "call tries it again. Subtract the duration only after self.step has returned, and let the "
-        "error through."
+        "A step that raises an error is still due, so its time must stay in self.left. Subtract "
+        "the duration only after self.step has returned, and let the error through."
     )
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
     expect_exactly(
         done["rows"][0][0],
         -1,
-        then=": what the first call returns (-1 if the error passes through)",
+        then=": what the first call returns (-1 means that the error comes through)",
     )
     got = done["rows"][0][1]
     expect_close(

@@ -49,11 +49,11 @@ def test_a_platform_can_only_tilt() -> None:
         if math.hypot(*rest) > 1e-9:
             i, j = changed(PLACES, rest)
             about.cause = f"Your {len(joined)} rods still allow a motion that changes the distance "
-            about.cause += f"between particles {i} and {j}, so the platform can bend. Add a rod "
-            about.cause += "between these two particles."
+            about.cause += f"between particles {i} and {j}, so the platform can bend. Join these "
+            about.cause += "two particles with a rod."
             pairs = ", ".join(f"{i}-{j}" for i, j in sorted(joined))
             about.call = f"rods_of(six particles at PLACES), which joins the particles {pairs}; "
-            about.call += "the number of possible motions besides the tilt"
+            about.call += "the number of motions that are possible besides the tilt"
             expect_exactly(len(left) - 1, 0, unit="motions")
     about.cause = "Your rods lock the platform. Remove those that keep it from tilting about its "
     about.cause += "pivot."
@@ -353,8 +353,8 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         # plane: 0, 1 and 2 are no line.
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
         about.cause = (
-            "After free_pivot() the two particles of the pivot can move, so they need a rod "
-            "between them. Keep all the other rods, and add the new one to both lists."
+            "After free_pivot() the two particles of the pivot can move, so add a rod between "
+            "them to both lists, and keep all the other rods."
         )
         if left:
             about.cause += f" Your rods still allow this motion: {told(left[0], 'particle')}."

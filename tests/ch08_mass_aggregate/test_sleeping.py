@@ -22,9 +22,9 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
     about.read = FALL
     frames = rng.randint(3, 8)
     about.call = (
-        "three particles, 0 to 2, of 1 kg with speeds of 0.9, 1.1 and 0 m/s, which don't touch; a "
-        f"SleepingWorld with sleep_energy=0.5 and sleep_frames={frames}; the sleeping particles "
-        "after each step"
+        "particles 0, 1 and 2, of 1 kg, have speeds of 0.9, 1.1 and 0 m/s and don't touch; a "
+        f"SleepingWorld with sleep_energy=0.5 and sleep_frames={frames}; which particles are "
+        "asleep after each step"
     )
     about.cause = (
         "A particle is slow if v^2 / 2 is at most sleep_energy. Put it to sleep once it has been "
@@ -49,12 +49,12 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
         )
     expect_sleepers_of_steps(seen, wanted)
     about.call = (
-        "particles 0, 1 and 2 of 0.5, 1 and 2 kg, which all move at 1 m/s; a SleepingWorld with "
-        "sleep_energy=0.5 and sleep_frames=5; the sleeping particles after 5 steps"
+        "particles 0, 1 and 2, of 0.5, 1 and 2 kg, all move at 1 m/s; a SleepingWorld with "
+        "sleep_energy=0.5 and sleep_frames=5; which particles are asleep after 5 steps"
     )
     about.cause = (
-        "All three particles are slow, because v^2 / 2 is exactly sleep_energy. It is an energy "
-        "per kilogram, so compare it with v^2 / 2 without the mass, and accept equality."
+        "All three particles are slow, because v^2 / 2 is exactly sleep_energy. Compare v^2 / 2, "
+        "without the mass, with sleep_energy, and count equality as slow."
     )
     seen = left_alone([1.0] * 3, 5, masses=[0.5, 1.0, 2.0])
     expect_sleepers(seen[-1], [0, 1, 2])
@@ -65,11 +65,11 @@ def test_slow_frames_count_in_a_row(rng: Random) -> None:
     slow = rng.randint(1, 4)
     about.call = (
         f"particle 0 is at rest for {slow} steps, fast for one step, and then at rest again; a "
-        "SleepingWorld with sleep_frames=5; the sleeping particles after each step"
+        "SleepingWorld with sleep_frames=5; which particles are asleep after each step"
     )
     about(
-        cause="You still count the slow steps before the fast one. When a step is fast, reset the "
-        "count to 0.",
+        cause="You still count the slow steps before the fast one. After a fast step, set the "
+        "count back to 0.",
         read=FALL,
     )
     wanted = [[]] * (slow + 1 + 4) + [[0]]
@@ -91,8 +91,8 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     )
     for last in (rng.randint(1, 4), rng.randint(6, 12)):
         about.call = (
-            f"particle 0 is slow and touches particle 1, which is fast, in steps 1 to {last}; a "
-            "SleepingWorld with sleep_frames=5; the sleeping particles after each step"
+            f"slow particle 0 touches fast particle 1 in each step up to step {last}; a "
+            "SleepingWorld with sleep_frames=5; which particles are asleep after each step"
         )
         wanted = [[]] * (last + 4) + [[0]] * 3
         seen, why = parted(last, last + 7), about.cause
@@ -110,9 +110,9 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     last = rng.randint(1, 2)
     fast = last + rng.randint(1, 4)
     about.call = (
-        f"particle 0 touches the fast particle 1 in steps 1 to {last}, and is itself slow except "
-        f"in step {fast}; a SleepingWorld with sleep_frames=5; the sleeping particles after each "
-        "step"
+        f"particle 0 touches fast particle 1 in each step up to step {last}; particle 0 itself is "
+        f"fast only in step {fast}; a SleepingWorld with sleep_frames=5; which particles are "
+        "asleep after each step"
     )
     wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
     if not any(seen):
@@ -128,7 +128,7 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     expect_sleepers_of_steps(seen, wanted)
     about.call = (
         "particles 0 and 1 are slow and touch all the time, but particle 1 becomes immovable after "
-        "4 steps; a SleepingWorld with sleep_frames=5; the sleeping particles after 12 steps"
+        "4 steps; a SleepingWorld with sleep_frames=5; which particles are asleep after 12 steps"
     )
     about.cause = (
         "A particle can become immovable while the world is running. In fall_asleep, skip every "
@@ -161,8 +161,8 @@ def test_what_touches_the_restless_stays_awake() -> None:
                                                         "0, so it keeps particle 0 awake too. "
                                                         "Neither of them should fall asleep."),
         ("0 and 1, 1 and 2, 2 and 3", [0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4],
-         "Particle 3 is fast, so it keeps 2 awake, which keeps 1 awake, which keeps 0 awake. Keep "
-         "going through the pairs until you find no more particles that have to stay awake."),
+         "Particle 3 is fast. It keeps 2 awake, 2 keeps 1 awake, and 1 keeps 0 awake. Go through "
+         "the pairs again until you find no more particles that have to stay awake."),
         ("3 and 2, 2 and 1, 1 and 0", [2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [],
          "Particle 0 is fast, and through the chain of contacts it keeps all the others awake. The "
          "order of the contacts should make no difference."),
@@ -180,8 +180,8 @@ def test_what_touches_the_restless_stays_awake() -> None:
     ):  # fmt: skip
         about.cause = cause
         about.call = (
-            f"particles 0, 1 and so on with speeds of {speeds} m/s and contacts between {what}; a "
-            "SleepingWorld with sleep_frames=5; the sleeping particles after each of 8 steps"
+            f"particles 0, 1 and so on with speeds of {speeds} m/s; contacts between {what}; a "
+            "SleepingWorld with sleep_frames=5; which particles are asleep after each of 8 steps"
         )
         seen = left_alone(speeds, 8, pairs, masses)
         expect_sleepers_of_steps(seen, [[]] * 4 + [wanted] * 4)
@@ -192,7 +192,7 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     about.read = f"{WAKE}wake, and the class"
     mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)
     about.call = (
-        f"a particle of {mass} kg that moves slowly, at {speed} m/s; a SleepingWorld with "
+        f"a particle of {mass} kg that moves at a slow {speed} m/s; a SleepingWorld with "
         "sleep_frames=3; 3 steps"
     )
     about.cause = (
@@ -215,13 +215,13 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     )
     got = done["inverse mass awake"]
     expect_close(got, 1.0 / mass, then="; particle.inverse_mass")
-    expect_sleepers(done["asleep"], [], then="; the sleeping particles")
+    expect_sleepers(done["asleep"], [], then="; which particles are asleep")
     about.cause = (
-        "Your particle falls asleep again too early or too late. When wake wakes it, reset its "
-        "count of slow steps to 0."
+        "Your particle falls asleep again too early or too late. In wake, set its count of slow "
+        "steps back to 0."
     )
     got = done["frames to sleep again"]
-    expect_exactly(got, 3, then="; the further steps until it sleeps again", unit="steps")
+    expect_exactly(got, 3, then="; how many more steps it takes to fall asleep again", unit="steps")
     about.call = (
         "a particle that is awake and has been slow for 2 steps; a SleepingWorld with "
         "sleep_frames=3; world.wake(particle)"
@@ -230,4 +230,4 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
         "wake should reset the count of slow steps to 0, even if the particle is already awake."
     )
     got = done["frames from then on"]
-    expect_exactly(got, 3, then="; the further steps until it sleeps", unit="steps")
+    expect_exactly(got, 3, then="; how many more steps it takes to fall asleep", unit="steps")

@@ -46,7 +46,7 @@ def named_design(design: Sequence[float]) -> str:
 def test_a_beam_is_rigid(rng: Random) -> None:
     design = draw_design(rng)
     about(
-        f"Trebuchet({named_design(design)}).beam(); the number of ways in which the beam can bend",
+        f"Trebuchet({named_design(design)}).beam(); the number of ways the beam can bend",
         read=BEAM,
     )
     about.cause = (
@@ -60,12 +60,12 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     # Held are the pivot, the plane and the fall of the counterweight. A rigid beam cannot move.
     left = motions(places, joined, (0, 1, 2, 4, 5, 8))
     about.cause = (
-        "The beam has to be rigid. Join the pivot, the counterweight and the tip with three rods, "
-        "because a triangle can't bend."
+        "The beam has to be rigid, so join the pivot, the counterweight and the tip to a triangle "
+        "with three rods."
     )
     if left:
         about.cause += (
-            " Your rods still allow this motion (0 is the pivot, 1 the counterweight, 2 the tip): "
+            " Your rods still allow this motion (2 is the tip, 1 the counterweight, 0 the pivot): "
             f"{told(left[0], 'particle')}."
         )
     expect_exactly(len(left), 0, unit="ways")
@@ -78,8 +78,8 @@ def test_a_beam_is_rigid(rng: Random) -> None:
             "two ends."
         )
         straight = (
-            "Your rod is short_arm + long_arm long, which is right for a straight beam. This beam "
-            "is bent at the pivot, so use the current distance between the ends of the rod."
+            "The length of your rod is short_arm + long_arm, but this beam is bent at the pivot. "
+            "Use the current distance between the two ends of the rod."
         )
         blame(length, [(design[1] + design[2], straight)])
         wanted = math.dist(places[i], places[j])
@@ -92,8 +92,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     angle = design[4]
     speed, height = positive_number(rng, 5.0, 30.0), positive_number(rng, 0.01, 3.0)
     about(
-        f"a trebuchet with a release angle of {angle} degrees; trebuchet.lets_go() with a "
-        "projectile that flies ",
+        f"a trebuchet with a release angle of {angle} degrees; trebuchet.lets_go(); the "
+        "projectile flies ",
         read=LETS_GO,
     )
 
@@ -102,8 +102,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         return above, (speed * math.cos(radians), speed * math.sin(radians), 0.0)
 
     steep = (
-        "The projectile still flies too steeply, so the sling should not let go yet. release_angle "
-        "is in degrees but math.atan2 returns radians, so convert one of them before you compare."
+        "The projectile still flies too steeply, so the sling should not let go yet. Convert the "
+        "angle from math.atan2, which is in radians, or release_angle, which is in degrees."
     )
     lower = (
         "The projectile flies at the release angle or lower, so the sling should let go. Compare "
@@ -112,8 +112,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     about.cause = lower
     if not lets_go(design, [flight(angle - 0.1)])[0]:
         steep = (
-            "Your sling lets go above the release angle, so your comparison is the wrong way "
-            "around. Let go when the projectile flies at the release angle or lower."
+            "Your sling lets go above the release angle, so you compare the wrong way around. Let "
+            "go when the projectile flies at the release angle or lower."
         )
     forward = (
         "The projectile doesn't fly forward, so the sling should not let go. Check that v.x > 0."
@@ -144,11 +144,11 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         expect_exactly(
             lets_go(design, [how])[0],
             wanted,
-            then=f"{what}: height {how[0]} m above the pivot, velocity ({vx:.6g}, {vy:.6g}, 0) m/s",
+            then=f"{what}, {how[0]} m above the pivot, at ({vx:.6g}, {vy:.6g}, 0) m/s",
         )
     about.call = (
-        f"a trebuchet with a release angle of 0; trebuchet.lets_go() with a projectile {height} m "
-        f"above the pivot that flies at ({speed}, 0, 0) m/s"
+        f"a trebuchet with a release angle of 0; trebuchet.lets_go(); the projectile is {height} m "
+        f"above the pivot and flies at ({speed}, 0, 0) m/s"
     )
     got = lets_go((*design[:4], 0.0), [(height, (speed, 0.0, 0.0))])[0]
     expect_exactly(
@@ -165,9 +165,9 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     weight = positive_number(rng, 100.0, 300.0)
     design = (weight, 1.5, 3.0, 1.0, 30.0)
     about.call = (
-        f"Trebuchet({named_design(design)}).throw(); in the first step the sling lets go of the "
-        "projectile at (2, 8, 0) m with velocity (30, 10, 0) m/s, and the counterweight has sunk "
-        "by 4 m"
+        f"Trebuchet({named_design(design)}).throw(); in the first step, the sling lets go of the "
+        "projectile at (2, 8, 0) m with velocity (30, 10, 0) m/s; the counterweight has sunk by 4 "
+        "m"
     )
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
     about.cause = (
@@ -191,15 +191,15 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
         seen,
     )
     expect_exactly(
-        frames, 1, then="; the time of all steps, in units of STEP (1/250 s)", cause=seen
+        frames, 1, then="; the total time of its steps, as a multiple of STEP (1/250 s)", cause=seen
     )
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
         (wanted - 2.0, "You measure the range from the point of release, but it should start at x "
                        "= 0. Add the projectile's x at the release."),
         (2.0 + 30.0 * 20.0 / G,
-         "You return the range of a throw that starts on the ground. The projectile is released 8 "
-         "m above the ground, so it flies for longer."),
+         "You return the range of a throw that starts on the ground, but the projectile is "
+         "released 8 m above it. It flies for longer, so use the formula with y."),
         (600.0 / G,
          "You return the range of a throw that starts on the ground below the pivot. The "
          "projectile is released at (2, 8), so both coordinates count."),
@@ -220,8 +220,7 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
         ((gained - 2500.0) / lost, "You leave out the projectile's kinetic energy. Add m v^2 / 2 "
                                    "to the energy gained."),
         (gained / (4.0 * 5.0 * G), "You compute the lost energy with the projectile's mass. Use "
-                                   "the mass of the counterweight, because it is the counterweight "
-                                   "that falls."),
+                                   "the mass of the counterweight, because that is what falls."),
         (1.0 / wanted, "Your fraction is upside down. Divide the energy that the projectile gained "
                        "by the energy that the counterweight lost."),
         (100.0 * wanted, "Your share is a percentage. Return a fraction, where 1 means that the "
@@ -282,8 +281,8 @@ def test_a_throw_agrees_with_lagrange(
 def test_what_never_lets_go_is_no_throw() -> None:
     about.read = THROW
     design = (100.0, 1.5, 3.0, 3.75, 30.0)  # the projectile starts 0.22 m up
-    about.call = f"Trebuchet({named_design(design)}).throw(), in which nothing ever moves; the "
-    about.call += "range in m, and the share"
+    about.call = f"Trebuchet({named_design(design)}).throw(); nothing ever moves; the "
+    about.call += "range in m, and the share of the energy"
     about.cause = (
         "Your throw returns a range although the sling never lets go. Stop after TIME_LIMIT and "
         "return Throw(0.0, 0.0)."
@@ -298,8 +297,8 @@ def test_what_never_lets_go_is_no_throw() -> None:
     expect_close(got[2], 1000.0, then="; the number of steps", unit="steps", tolerance=1.0)
     heavy = (1.0, 1.5, 3.0, 3.9, 30.0)  # the projectile starts 0.07 m up
     about.call = (
-        f"Trebuchet({named_design(heavy)}).throw(), in which the projectile sinks into the ground; "
-        "the range in m, and the share"
+        f"Trebuchet({named_design(heavy)}).throw(); the projectile sinks into the ground; "
+        "the range in m, and the share of the energy"
     )
     about.cause = (
         "The projectile hits the ground while it is still in the sling, so the throw is over. Stop "
@@ -310,8 +309,8 @@ def test_what_never_lets_go_is_no_throw() -> None:
     # It is there after 0.13 s.
     expect_that(got[2] < 100, f"a throw of {got[2]} steps", "a throw of fewer than 100 steps")
     about.call = (
-        f"Trebuchet({named_design(design)}).throw(), in which the projectile is on the ground "
-        "after one step; the range in m, the share, and the number of steps"
+        f"Trebuchet({named_design(design)}).throw(); the projectile is on the ground after one "
+        "step; the range in m, the share of the energy, and the number of steps"
     )
     about.cause = (
         "The projectile hits the ground while it is still in the sling. Check its height after "

@@ -57,8 +57,8 @@ def test_what_is_moved_by_hand_wakes(
         about.cause += "only if its velocity, position, mass or force differs from the values "
         about.cause += "stored in its Sleep."
     before, got, now, fast = woken_by_hand(how)
-    expect_sleepers(before, [0], then="; the sleeping particles before that")
-    expect_sleepers(got, sleeps, then="; the sleeping particles afterward")
+    expect_sleepers(before, [0], then="; which particles are asleep before that")
+    expect_sleepers(got, sleeps, then="; which particles are asleep afterward")
     about.cause = (
         "Your particle has the wrong mass after the step. When it wakes, give it back the mass "
         "that it had before it fell asleep, unless it has been given a new one in the meantime."
@@ -82,11 +82,11 @@ def test_whatever_is_moved_a_little_wakes(how: str) -> None:
             "fall_asleep first."
         )
         before, after = woken_by_little(how, axis, by)
-        expect_sleepers(before, [0, 1, 2], then="; the sleeping particles before that")
+        expect_sleepers(before, [0, 1, 2], then="; which particles are asleep before that")
         about.cause = f"Your particles 1 and 2 should wake, because any change in the {new} wakes "
         about.cause += "a particle. Compare all three components, and remember that a change can "
         about.cause += "be negative."
-        expect_sleepers(after, [0], then="; the sleeping particles afterward")
+        expect_sleepers(after, [0], then="; which particles are asleep afterward")
 
 
 @pytest.mark.exercise("G8.1")
@@ -101,12 +101,12 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
     ):
         about.call = "particle 0, of 2 kg, sleeps while two forces of 3 and 2 N/kg push it against "
         about.call += f"a wall; the second force changes by {change} N/kg along X and Y; "
-        about.call += "wake_pushed()"
+        about.call += "10 steps, in one of which run_physics calls wake_pushed()"
         about.cause = "The forces are still the same, so the particle should not wake. Compare the "
         about.cause += "sum of all its forces with the stored value, and evaluate the forces while "
         about.cause += "the particle has its own mass."
         done = pushed(*change)
-        expect_sleepers(done["before"], [0], then="; the sleeping particles before that")
+        expect_sleepers(done["before"], [0], then="; which particles are asleep before that")
         about.cause = "The forces that you evaluated for the comparison are still in the "
         about.cause += "accumulator. If the particle stays asleep, clear the accumulator and set "
         about.cause += "inverse_mass back to 0."
@@ -155,16 +155,16 @@ def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> N
     how = "a generator that is added pushes it" if late else "it is pushed"
     about.call = (
         f"particle 0, of 2 kg, sleeps while it is pushed against a wall by {old} N/kg; then {how} "
-        f"by {new} N/kg; wake_pushed()"
+        f"by {new} N/kg; steps that call wake_pushed()"
     )
     about.cause = "The wall holds the particle, so it is at rest. Let it fall asleep before the "
     about.cause += "force changes."
     seen = woken_by_force(old, new, 10, late)
-    expect_sleepers(seen[0], [0], then="; the sleeping particles before that")
+    expect_sleepers(seen[0], [0], then="; which particles are asleep before that")
     about.cause = "The force has changed, so the particle should wake within 10 steps. Call "
     about.cause += "wake_pushed in every LOOK_EVERY-th step, and evaluate the forces there while "
     about.cause += "the particle has its own mass."
-    expect_sleepers(seen[-1], [], then="; the sleeping particles after 10 steps")
+    expect_sleepers(seen[-1], [], then="; which particles are asleep after 10 steps")
 
 
 @pytest.mark.exercise("G8.1")
@@ -184,8 +184,8 @@ def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
             about.cause = "The force is the same as before, so the particle should not wake. After "
             about.cause += f"you have called the generators, set inverse_mass back to 0. {compare}"
         seen = woken_by_force(push, new, 25)
-        then = f"; then by {new:.6g} N/kg for 25 steps; wake_pushed(); the steps in which it is "
-        then += "awake"
+        then = f"; then by {new:.6g} N/kg for 25 steps, which call wake_pushed(); the numbers of "
+        then += "the steps after which it is awake"
         expect_exactly([i for i, one in enumerate(seen) if one != [0]], [], then=then)
 
 
@@ -194,33 +194,33 @@ def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
 def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool) -> None:
     about.read = f"{WAKE}wake_touched, and run_physics"
     speed = positive_number(rng, 4.0, 9.0)
-    about.call = f"balls 0, 1 and 2 sleep side by side, and ball 3 rolls toward them at {speed} "
-    about.call += "m/s; wake_touched()"
+    about.call = "particles 0, 1 and 2 sleep side by side; particle 3 moves toward them at "
+    about.call += f"{speed} m/s; steps that call wake_touched()"
     about.cause = (
-        "Balls 0, 1 and 2 are at rest and touch only each other, so they should fall asleep. Check "
-        "fall_asleep first."
+        "Particles 0, 1 and 2 are at rest and touch only each other, so they should fall asleep. "
+        "Check fall_asleep first."
     )
     done = woken_by_contact(speed, 40, first)
-    expect_sleepers(done["before"], [0, 1, 2], then="; the sleeping particles before that")
+    expect_sleepers(done["before"], [0, 1, 2], then="; which particles are asleep before that")
     about.cause = (
-        "Ball 3 is still far away and touches nothing, so no ball should wake yet. Wake a ball "
-        "only when it is touched."
+        "Particle 3 is still far away, so no particle should wake yet. Wake a particle only when "
+        "another one touches it."
     )
-    expect_sleepers(done["seen"][0], [0, 1, 2], then="; the sleeping balls after one step")
+    expect_sleepers(done["seen"][0], [0, 1, 2], then="; which particles are asleep after one step")
     hit = next((i for i, now in enumerate(done["seen"]) if now != [0, 1, 2]), -1)
-    about.cause = "Your contact wakes only some of the balls. A ball that wakes can touch the next "
-    about.cause += "one, so go through the contacts again until no more balls wake in this step."
+    about.cause = "Only some of the particles wake. One that wakes can touch the next one, so go "
+    about.cause += "through the contacts again until no more particles wake in this step."
     if hit < 0:
-        about.cause = "No ball wakes, although a moving ball touches a sleeping one. If one "
-        about.cause += "particle of a contact can move and the other is asleep, wake the sleeper, "
-        about.cause += "whichever of the two it is."
-    expect_sleepers(done["seen"][hit], [], then="; the sleeping balls after the step of the hit")
-    about.cause = "Momentum is lost, because a sleeping ball acts like a wall. Give all balls that "
-    about.cause += "wake their masses back before you resolve the contacts."
+        about.cause = "No particle wakes, although particle 3 hits a sleeping one. If one particle "
+        about.cause += "of a contact can move and the other is asleep, wake the sleeper, whichever "
+        about.cause += "of the two it is."
+    expect_sleepers(done["seen"][hit], [], then="; which particles are asleep after the hit")
+    about.cause = "Momentum is lost, because a sleeping particle acts like a wall. Wake all the "
+    about.cause += "particles, and so give their masses back, before you resolve the contacts."
     expect_close(
         done["momenta"][hit],
         speed,
-        then="; the momentum along X after the step of the hit",
+        then="; the total momentum along X after the step in which particle 3 hits another",
         tolerance=1e-9,
     )
 
@@ -229,8 +229,8 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
 def test_what_lies_still_wakes_what_it_touches() -> None:
     about.read = f"{WAKE}wake_touched"
     for order in ((0, 1), (1, 0)):
-        about.call = "particle 0 sleeps; particle 1 is at rest but awake; they touch in a contact "
-        about.call += f"of {order}; wake_touched(); the sleeping particles before and after a step"
+        about.call = f"particle 0 sleeps; particle 1 is at rest but awake; a contact of {order}; "
+        about.call += "wake_touched(); who is asleep before it (step 1) and after it (step 2)"
         about.cause = "Your particle 0 should wake, because particle 1 can move, even though it is "
         about.cause += "at rest. The sleeper can be either particle of a contact, so check both."
         expect_sleepers_of_steps(touched_gently(order), [[0], []])
@@ -240,13 +240,13 @@ def test_what_lies_still_wakes_what_it_touches() -> None:
 def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
     about.read = RUN
     speed = positive_number(rng, 4.0, 9.0)
-    about.call = f"ball 0 sleeps on the ground, and another ball falls on it at {speed} m/s; "
-    about.call += "run_physics(); the vertical velocity (m/s) and the height (m) of ball 0 after "
-    about.call += "the step in which it wakes"
-    about.cause = "Ball 0 is pushed into the ground. While it sleeps, it has no contact with the "
-    about.cause += "ground, so find the contacts again after a particle has woken."
+    about.call = f"particle 0 sleeps on the ground; another one falls on it at {speed} m/s; "
+    about.call += "run_physics(), in which particle 0 wakes; its vertical velocity (m/s) and "
+    about.call += "height (m) after this step"
+    about.cause = "Particle 0 is pushed into the ground. It has no contact with the ground while "
+    about.cause += "it sleeps, so find the contacts again after it has woken."
     before, *got = dropped_on(speed)
-    expect_sleepers(before, [0], then="; the sleeping particles before that")
+    expect_sleepers(before, [0], then="; which particles are asleep before that")
     # Two hundred iterations leave some 1e-9 m/s.
     expect_close(got, (0.0, 0.5), tolerance=1e-6)
 
@@ -254,43 +254,43 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
 @pytest.mark.exercise("G8.1")
 def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
-    about.call = "ball 1 sleeps on ball 0; ball 0 is moved away by hand; wake(), 6 steps"
+    about.call = "particle 1 sleeps on particle 0, which is moved away; 6 steps that call wake()"
     about.cause = (
-        "Both balls are at rest, but they have not both fallen asleep. Check fall_asleep first."
+        "Both particles are at rest, but not both have fallen asleep. Check fall_asleep first."
     )
     before, after, speed = support_gone(6)
-    expect_sleepers(before, [0, 1], then="; the sleeping particles before that")
-    about.cause = "Ball 0 wakes when it is moved, so ball 1 should wake with it and fall. In "
+    expect_sleepers(before, [0, 1], then="; which particles are asleep before that")
+    about.cause = "Particle 0 wakes when it is moved, so particle 1 should wake too, and fall. In "
     about.cause += "fall_asleep, store a particle's neighbors in its Sleep, and let wake continue "
     about.cause += "with them."
-    expect_that(1 not in after, "ball 1 still sleeps", "ball 1 is awake")
+    expect_that(1 not in after, "particle 1 still sleeps", "particle 1 is awake")
     expect_close(speed, -1.0, then="; its vertical velocity", unit="m/s", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
-            about.call = f"five particles, 0 to 4, with contacts of {pairs}, except in the step in "
-            about.call += f"which they fall asleep; particle {first} gets a velocity; wake()"
+            about.call = f"particles 0 to 4 touch in the pairs {pairs} until the step before they "
+            about.call += f"fall asleep; particle {first} gets a velocity; one step calls wake()"
             was, now = group_woken(pairs, first)
             about.cause = "Not all five particles fall asleep, although all are at rest. Check "
             about.cause += "fall_asleep before you work on wake."
-            expect_sleepers(was, [0, 1, 2, 3, 4], then="; the sleeping particles before that")
-            about.cause = "The wrong particles wake. Wake the whole group, including neighbors of "
-            about.cause += "neighbors, but no other particle. Neighbors are particles that touched "
-            about.cause += "in the last sleep_frames steps."
-            expect_sleepers(now, [4], then="; the sleeping particles afterward")
+            expect_sleepers(was, [0, 1, 2, 3, 4], then="; which particles are asleep before that")
+            about.cause = "The wrong particles wake. Wake neighbors, their neighbors and so on, "
+            about.cause += "but no other particle. Neighbors are particles that touched in the "
+            about.cause += "last sleep_frames steps."
+            expect_sleepers(now, [4], then="; which particles are asleep afterward")
     about.call = (
         "particles 0, 1 and 2 sleep in a row, joined by two springs; particle 2 gets a velocity of "
-        "6 m/s; wake()"
+        "6 m/s; steps that call wake()"
     )
     about.cause = (
         "All three particles are at rest, but they have not all fallen asleep. Check fall_asleep "
         "first."
     )
     seen, places = on_a_spring(20)
-    expect_sleepers(seen[0], [0, 1, 2], then="; the sleeping particles before that")
-    about.cause = "Some particles are still asleep. Particles that share a generator form a group, "
-    about.cause += "so all three should wake together. joined(self.registry) returns which "
-    about.cause += "particles share a generator."
-    expect_sleepers(seen[1], [], then="; the sleeping particles after one step")
+    expect_sleepers(seen[0], [0, 1, 2], then="; which particles are asleep before that")
+    about.cause = "Some particles are still asleep. Particles that share a generator should wake "
+    about.cause += "together. Call joined(self.registry), which returns the particles that share "
+    about.cause += "a generator."
+    expect_sleepers(seen[1], [], then="; which particles are asleep after one step")
     about.cause = "Your center of mass doesn't move at 2 m/s, probably because one particle is "
     about.cause += "still asleep while the others move. Wake all three in the same step."
     drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
@@ -312,20 +312,20 @@ def awake_in(seen: list[list[int]]) -> list[int]:
 @pytest.mark.exercise("G8.1")
 def test_what_hangs_still_sleeps_on() -> None:
     about.read = f"{WAKE}wake_pushed"
-    about.call = "particle 0 hangs from a spring and is almost at rest; wake_pushed()"
+    about.call = "particle 0 hangs from a spring and is almost at rest; 40 steps with wake_pushed()"
     about.cause = "Gravity and the spring force cancel, so a + f / m is almost 0, and any change "
     about.cause += "is large compared with it. Compare the change with |a| + |f / m| instead."
-    steps = "; the steps from 5 to 40 in which particle 0 is awake"
+    steps = "; the numbers of the steps from 5 to 40 after which particle 0 is awake"
     expect_exactly(awake_in(hung(40, 40, 0.0)), [], then=steps)
     about.call += "; from step 20 on, an extra force of 0.15 N/kg pushes it"
     about.cause = "Here |a| + |f / m| is 20 m/s^2, so a change of up to 0.2 m/s^2 (SAME times this "
-    about.cause += "sum) wakes nothing. The push of 0.15 N/kg is weaker than that, so the particle "
-    about.cause += "should stay asleep."
+    about.cause += "sum) wakes nothing. The force of 0.15 N/kg is a smaller change, so the "
+    about.cause += "particle should stay asleep."
     expect_exactly(awake_in(hung(40, 20, 0.15)), [], then=steps)
     about.call = "particle 0 hangs from a spring and is almost at rest; from step 20 on, an extra "
-    about.call += "force of 0.5 N/kg pushes it; wake_pushed()"
+    about.call += "force of 0.5 N/kg pushes it; 10 steps that call wake_pushed()"
     about.cause = "Here |a| + |f / m| is 20 m/s^2, so a change of more than 0.2 m/s^2 (SAME times "
-    about.cause += "this sum) wakes the particle. The push of 0.5 N/kg is stronger than that, so "
+    about.cause += "this sum) wakes the particle. The force of 0.5 N/kg is a larger change, so "
     about.cause += "the particle should wake."
     wakes = [] in hung(31, 20, 0.5)[20:]
     expect_that(wakes, "the particle sleeps for 10 steps", "it wakes within 10 steps")
@@ -343,14 +343,14 @@ def test_what_sleeps_costs_no_work(rng: Random) -> None:
     )
     asked, given, sleepers = work_asleep(count, awake, 20)
     wanted = [*range(awake, count)]
-    expect_sleepers(sleepers, wanted, then="; the sleeping particles")
-    about.cause = "You pass sleeping particles to the integrator, which costs time and has no "
+    expect_sleepers(sleepers, wanted, then="; which particles are asleep")
+    about.cause = "You pass sleeping particles to the integrator, which takes time and has no "
     about.cause += "effect. Pass only those that are awake."
     expect_exactly(
         given, 20 * awake, then="; the number of particles passed to the integrator in all steps"
     )
-    about.cause = "You call update_force too often or not often enough. Call it once per step for "
-    about.cause += "a particle that is awake, and only in every tenth step for a sleeping one."
+    about.cause = "You call update_force too often or not often enough. Call it in every step for "
+    about.cause += "a particle that is awake, but only in every tenth step for a sleeping one."
     expect_exactly(
         asked,
         20 * awake + 2 * (count - awake),
@@ -363,7 +363,7 @@ def test_what_sleeps_costs_no_work(rng: Random) -> None:
 def test_sleep_changes_no_rest() -> None:
     about.read = RUN
     about.call = "two balls bounce for 6 s until they rest, by run_physics(); the final position "
-    about.call += "of a ball, which should be as in a world without sleep"
+    about.call += "of a ball, which should be the same as in a world without sleep"
     about.cause = "You put a ball to sleep while it still moves, so it stops too early. Put only "
     about.cause += "particles to sleep that have come to rest."
     places, awake, sleepers = both_ways(360)
@@ -372,7 +372,7 @@ def test_sleep_changes_no_rest() -> None:
         expect_close(got, wanted, unit="m", tolerance=0.25)
         expect_close(got[1], 0.0, then="; its height above the ground", unit="m", tolerance=1e-6)
     about.cause = "After six seconds both balls are at rest. Check that both fall asleep."
-    expect_exactly(sleepers, 2, then="; the sleeping balls", unit="balls")
+    expect_exactly(sleepers, 2, then="; how many balls are asleep", unit="balls")
 
 
 @pytest.mark.exercise("G8.1")

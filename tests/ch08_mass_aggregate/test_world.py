@@ -74,10 +74,10 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
         got = energy_of(some)
         # Rounding of terms of some hundreds of J.
         expect_close(got, wanted, unit="J", tolerance=1e-10)
-    about.call = f"a particle with position, velocity, acceleration and mass {bodies[0]}, on which "
-    about.call += "a force acts; mechanical_energy([particle])"
+    about.call = f"a particle; its position, velocity, acceleration and mass: {bodies[0]}; a force "
+    about.call += "acts on it; mechanical_energy([particle])"
     about.cause = "Your result depends on the force that acts on the particle. Forces don't "
-    about.cause += "contribute to this energy, so use only particle.acceleration, not "
+    about.cause += "contribute to this energy, so use particle.acceleration, but not "
     about.cause += "last_acceleration or force_accumulator."
     got = energy_of(bodies[:1], components(rng))
     expect_close(got, parts[0], unit="J", tolerance=1e-10)
@@ -153,7 +153,7 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     expect_exactly(
         runs,
         [0.0, low - 1.0, high - 1.0],
-        then="; the penetration at each of the 3 floors, in m, in this order",
+        then="; the penetrations at the 3 floors that are touched, in m, in order",
         cause=order,
     )
     expect_close(got, wanted)
@@ -174,8 +174,8 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
     about.cause = "Call self.integrator(self.particles, self.registry.update_forces, duration). "
     about.cause += "Forces that were added after start_frame must still be there, so don't clear "
     about.cause += "them in run_physics."
-    about.call = f"two particles in a world with integrator={integrator}; for each, the registry "
-    about.call += f"has a force of -{k} N/m times its position; world.start_frame(); "
+    about.call = f"two particles in a world with integrator={integrator}; the registry pulls each "
+    about.call += f"one with a force of -{k} N/m times its position; world.start_frame(); "
     about.call += f"add_force(Vector3{hand}) for both; world.run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
     for i, (p, v, a, m) in enumerate(bodies):
@@ -330,7 +330,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.call = "three particles at a height of 1 m, above a floor at 0.5 m; "
     about.call += f"world.run_physics({h})"
     about.cause = "You call the resolver although there are no contacts. Call it only if there are "
-    about.cause += "some, because that saves time."
+    about.cause += "some, to save time."
     done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
     expect_exactly(count, 0, then=": the number of calls of the resolver", unit="calls")

@@ -44,10 +44,10 @@ DRIFT = "the docstring of first_order_drift, and E-31"
 @pytest.mark.exercise("B9.18")
 def test_a_point_of_what_turns() -> None:
     about.read = POINT
-    about.call = "velocity_of_point(q, p, p', w) with q = Vector3(1, 0, 0), p and p' = "
-    about.call += "Vector3(), and w = Vector3(0, 0, 2)"
-    about.cause = "Compute w x (q - p), because a rotation about Z is counter-clockwise and moves "
-    about.cause += "a point on the X axis along +Y."
+    about.call = "q = Vector3(1, 0, 0); p = p' = Vector3(); w = Vector3(0, 0, 2); "
+    about.call += "velocity_of_point(q, p, p', w)"
+    about.cause = "Compute w x (q - p). A rotation about Z is counter-clockwise, so it moves a "
+    about.cause += "point on the X axis along +Y."
     args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
     got = xyz(velocity_of_point(*args))
     slips = {
@@ -67,10 +67,10 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     about.read = POINT
     point, place, v, w = (components(rng) for _ in range(4))
     given = [Vector3(*a) for a in (point, place, v, w)]
-    about.call = f"velocity_of_point(q, p, p', w) with q = Vector3{short(point)}, p = "
-    about.call += f"Vector3{short(place)}, p' = Vector3{short(v)} and w = Vector3{short(w)}"
-    about.cause = "The point moves with the object and also rotates about the object's position p. "
-    about.cause += "Its velocity is w x (q - p) + p'."
+    about.call = f"q = Vector3{short(point)}; p = Vector3{short(place)}; p' = Vector3{short(v)}; "
+    about.call += f"w = Vector3{short(w)}; velocity_of_point(q, p, p', w)"
+    about.cause = "The point moves with the object and also rotates about the object's position p, "
+    about.cause += "so its velocity is w x (q - p) + p'."
     got = xyz(velocity_of_point(*given))
     # The vector part of (0, w) times (0, arm) is their cross product.
     turning, about_world = (
@@ -134,7 +134,7 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
         "You rotate by the mean of the old and the new w.": hamilton(
             quad(mean, h * math.hypot(*mean)), q
         ),
-        "You make a normalized step of Eq. 9.5, which is accurate to first order only. Rotate by "
+        "You make a normalized step of Eq. 9.5, which is only accurate to first order. Rotate by "
         "w' h with rotate_by instead.": tuple(
             component / math.hypot(*longer) for component in longer
         ),
@@ -208,7 +208,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
     about(
         cause="Rounding changes the length of a quaternion a little in each step. Normalize q at "
-        "the end of the step, so that the errors don't accumulate.",
+        "the end of the step, so that the changes don't add up.",
         read=STEP,
     )
     for off in (1.001, 1.0 + 5e-7):
@@ -328,7 +328,7 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
 def lag_slips(right: float, turn: float) -> dict[str, float]:
     """Return the missing angles that likely mistakes give, out of a whole turn."""
     return {
-        "half of the angle, which is the angle between the quaternions": 0.5 * right,
+        "half of the angle, because a quaternion contains half-angles": 0.5 * right,
         "the angle of all steps together instead of the missing angle": turn - right,
         "Your angle has the wrong sign.": -right,
         "the angle in degrees": math.degrees(right),
@@ -345,7 +345,7 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
     expect_close(length, 1.0856, then="; the length of q", cause=why, tolerance=5e-5)
     about.cause = "A step should rotate by w h, but it rotates by only 2 atan(w h / 2). Return the "
-    about.cause += "difference of all steps together."
+    about.cause += "sum of these differences over all steps."
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
     why = named(lag, about.cause, lag_slips(wanted, math.tau))
     expect_close(lag, wanted, then="; the missing angle in radians", cause=why, tolerance=TIGHT)
@@ -367,7 +367,7 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
         why = named(length, about.cause, length_slips(speed, duration, steps_))
         expect_close(length, wanted, then="; the length of q", cause=why, tolerance=near)
         about.cause = "Return the intended angle, w times the duration, minus the angle of all "
-        about.cause += "steps together. It is negative for a negative speed."
+        about.cause += "steps together. This is negative for a negative speed."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))
         expect_close(lag, missing, then="; the missing angle", cause=why, tolerance=1e-10)
 
@@ -385,7 +385,7 @@ def test_what_does_not_turn_does_not_drift() -> None:
 def test_a_drift_of_nothing_is_refused() -> None:
     about.read = DRIFT
     expect_finite_numbers(
-        "first_order_drift(speed, duration, 3) with ",
+        "first_order_drift(speed, duration, 3) with (speed, duration) = ",
         lambda speed, duration: first_order_drift(speed, duration, 3),
         (1, 1),
         ((1, 0.0), (1, -1.0)),

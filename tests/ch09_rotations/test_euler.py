@@ -76,8 +76,8 @@ def test_one_turn_after_another(rng: Random) -> None:
     x, y, z = draw_angles(rng)
     far = math.copysign(math.pi - abs(y), y)
     about.cause = (
-        "Rotate about the world's X axis first, then about Y, and then about Z. A later rotation "
-        "belongs on the left of the product."
+        "Rotate about the world's X axis first, then about Y and then about Z, and put each later "
+        "rotation on the left of the product."
     )
     for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z), (x, far, z)):
         about.call = f"euler_to_quaternion{short(angles)}"
@@ -111,14 +111,14 @@ def test_what_the_rates_make(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y:.6g}, {z}), row by row"
         about.cause = (
-            "The columns of the map are the three axes of rotation: X rotated by y and then z, Y "
-            "rotated by z, and Z itself."
+            "The columns of the map are the three axes of rotation: X after the rotations by y and "
+            "z, Y after the rotation by z, and Z itself."
         )
         got = entries(rate_map(x, y, z))
         slips = {
-            "the identity, as if the rates were the angular velocity": IDENTITY,
+            "the identity, but the rates are not the angular velocity": IDENTITY,
             "the transpose, which has the axes as rows": transposed(wanted),
-            "the map to axes of the object instead of the world": map_to_own(x, y, z),
+            "the map for the axes of the object instead of the world": map_to_own(x, y, z),
             "the map with its columns in reverse order": [
                 wanted[3 * row + column] for row in range(3) for column in (2, 1, 0)
             ],
@@ -138,15 +138,15 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
         x, y, z = angles
         about.call = f"euler_rates({x}, {y}, {z}, Vector3{short(w)})"
         about.cause = (
-            "The rates are defined everywhere except at gimbal lock, where cos y is 0. Raise an "
-            "error only if |cos y| is at most SINGULAR."
+            "The rates exist except at gimbal lock, where cos y is 0. Raise an error only if "
+            "|cos y| is at most SINGULAR."
         )
         if math.cos(y) < 0.0:
             about.cause += f" Here cos y is {math.cos(y):.3g}, so compare its absolute value."
         rates = xyz(euler_rates(*angles, velocity))
         about.cause = (
-            "The rate map takes the rates to the angular velocity. To go back, multiply the "
-            "angular velocity by the inverse of the map."
+            "The rate map takes the rates to the angular velocity, so multiply the angular "
+            "velocity by the inverse of the map."
         )
         there = map_of(*angles)
         slips = {
@@ -212,8 +212,8 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
         expect_rates_near_lock(x, z, w, off)
     about.cause = (
         "At a quarter turn about Y two of the axes line up, so there are no rates. Raise "
-        "ValueError unless abs(cos y) > SINGULAR. Check this yourself, because Matrix3.inverse "
-        "doesn't catch all such cases."
+        "ValueError unless abs(cos y) > SINGULAR, because Matrix3.inverse alone doesn't catch all "
+        "such cases."
     )
     for y, turn in (
         (quarter, z),
@@ -242,7 +242,7 @@ def test_angles_that_are_none_are_refused() -> None:
     expect_finite_numbers("euler_to_quaternion", euler_to_quaternion, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers("rate_map", rate_map, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers(
-        "euler_rates(x, y, z, w) with x, y, z = ",
+        "euler_rates(x, y, z, w) with (x, y, z) = ",
         lambda x, y, z: euler_rates(x, y, z, Vector3(1.0, 2.0, 3.0)),
         (1, 1, 1),
         (),

@@ -61,8 +61,8 @@ def test_two_turns_end_where_two_others_do() -> None:
     about.call, about.cause = "two_other_turns()", "Return a and b as a pair, in degrees."
     a, b = two_other_turns()
     both = hamilton(quad(X_AXIS, math.radians(b)), quad(Z_AXIS, math.radians(a)))
-    about.cause = "The axes X and Z stay fixed, rotations are right-handed, and angles are in "
-    about.cause += "degrees. Pick up a book, and follow its axes through both rotations."
+    about.cause = "Try it with a book: the axes X and Z stay fixed in space, rotations are "
+    about.cause += "right-handed, and angles are in degrees."
     slips = {
         "the right pair in the wrong order": (90.0, -90.0),
         "the right pair with the wrong sign of a": (90.0, 90.0),
@@ -118,8 +118,8 @@ def way_back(q: Quad) -> tuple:
 def test_one_turn_leads_back(rng: Random) -> None:
     about.read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
-    about.cause = "The conjugate of q undoes the rotation of q, because it has the same axis and "
-    about.cause += "the opposite angle. Convert the conjugate to an axis and an angle."
+    about.cause = "The conjugate of q has the same axis and the opposite angle, so it undoes the "
+    about.cause += "rotation. Convert the conjugate to an axis and an angle."
     drawn = [draw_quad(rng), quad(axis, small), quad(axis, large), quad(axis, -small)]
     for q in ((0.5, 0.5, 0.5, 0.5), *drawn):
         unit, angle = way_back(q)
@@ -251,7 +251,7 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         about.cause = "Rotate once, by rate * duration about the world's X axis. This rotation "
         about.cause += "acts after the old one, so it belongs on the left of the product."
         if rate == 0.0:
-            about.cause = "With a rate of 0 nothing rotates, so the result should equal q."
+            about.cause = "With a rate of 0 nothing rotates, so return a copy of q."
         turn = quad(X_AXIS, rate * duration)
         wanted = hamilton(turn, q)
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
@@ -297,8 +297,8 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         orientation = Quaternion(*q)
         call = f"turned_by_steps(Quaternion{short(q)}, rate={rate:.6g}, duration={duration}"
         about.call = f"{call}, steps={steps})"
-        about.cause = "Work on a copy of q. In each step, call its add_scaled with duration / "
-        about.cause += "steps. Normalize the copy only once, at the end."
+        about.cause = "In each step, call add_scaled of a copy of q, with duration / steps. "
+        about.cause += "Normalize the copy only once, at the end."
         if steps == 1:
             about.call = f"{call})"
             result, error = turned_by_steps(orientation, rate, duration)
@@ -354,14 +354,14 @@ def test_an_error_is_at_most_half_a_turn() -> None:
 def test_a_turn_of_nothing_is_refused() -> None:
     bad = ((1, 0.0), (1, -1.0))
     expect_finite_numbers(
-        "turned_by_sense(q, rate, duration) with rate, duration = ",
+        "turned_by_sense(q, rate, duration) with (rate, duration) = ",
         lambda rate, duration: turned_by_sense(Quaternion(), rate, duration),
         (1, 2),
         bad,
         read=SENSE,
     )
     expect_finite_numbers(
-        "turned_by_steps(q, rate, duration) with rate, duration = ",
+        "turned_by_steps(q, rate, duration) with (rate, duration) = ",
         lambda rate, duration: turned_by_steps(Quaternion(), rate, duration),
         (1, 2),
         bad,

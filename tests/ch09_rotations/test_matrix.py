@@ -72,8 +72,8 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     m, n = draw_matrix(rng), draw_matrix(rng)
     about.call = f"a = {written(m)}; b = {written(n)}; a.product(b), row by row"
     about.cause = (
-        "Each number of a.product(b) is the scalar product of a row of a and a column of b. The "
-        "order of the factors matters."
+        "Each number of a.product(b) is the scalar product of a row of a (on the left) and a "
+        "column of b (on the right)."
     )
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
@@ -163,13 +163,13 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         "+ c (d h - e g)": c * (d * h - e * g),
     }
     signs = {
-        f"Your determinant has the wrong sign in the term {name}. Change it, where the rows are a "
-        "b c, d e f and g h i.": right - 2.0 * product
+        f"With the rows a b c, d e f and g h i, your determinant has the wrong sign in the term "
+        f"{name}.": right - 2.0 * product
         for name, product in products.items()
     }
     return signs | {
         "Your determinant has the wrong sign.": -right,
-        "You return only the product of the three numbers on the diagonal, but the others count "
+        "You return only the product of the three numbers on the diagonal. The other numbers count "
         "too.": a * e * i,
         "You add all six products, but three of them need a minus sign.": a * e * i
         + b * f * g
@@ -185,8 +185,8 @@ def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
     about.cause = (
-        "With the rows as vectors, the determinant is first . (second x third). It can be "
-        "negative, so don't take the absolute value."
+        "If the rows are the vectors u, v and w, the determinant is u . (v x w), which can be "
+        "negative."
     )
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
@@ -215,8 +215,8 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     about.read = INVERSE
     m = draw_matrix(rng)
     plain = (
-        "The columns of the inverse are second x third, third x first and first x second, each "
-        "divided by the determinant."
+        "If the rows are the vectors u, v and w, the columns of the inverse are v x w, w x u and "
+        "u x v, each divided by the determinant."
     )
     small = (
         "A matrix isn't singular just because its numbers are small. Compare the determinant with "
@@ -259,8 +259,8 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
         expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)
     about.cause = (
-        "A matrix can have zeros on its diagonal, or rows of very different lengths, and still "
-        "have an inverse. Only the determinant decides."
+        "This matrix has an inverse, even if it has zeros on its diagonal or rows of very "
+        "different lengths. Only the determinant decides."
     )
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
         about.call = f"m = {written(n)}; m @ m.inverse(), row by row"

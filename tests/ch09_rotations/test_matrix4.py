@@ -79,8 +79,8 @@ def test_one_transformation_after_another(rng: Random) -> None:
     one, other = Matrix4(*first), Matrix4(*second)
     about.call = f"a = {written(first)}; b = {written(second)}; a.product(b), row by row"
     about.cause = (
-        "In a.product(b), b acts first, and then a transforms every point, including the "
-        "translation of b. So the last column is a applied to the translation of b."
+        "In a.product(b), b acts first, and then a. So the last column is the translation of b, "
+        "transformed by a."
     )
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
@@ -197,8 +197,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         about.cause = how
         got = entries(matrix.inverse())
         about.cause = (
-            "Invert the nine numbers to the left of the last column with Matrix3.inverse. With "
-            "this inverse I and the translation p, the new translation is -I p."
+            "Let p be the last column of m, and I the inverse of the other nine numbers, from "
+            "Matrix3.inverse. The translation of the inverse is -I p."
         )
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
@@ -214,8 +214,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                     plain, applied(linear, p)
                 ),
                 "Your inverse has no translation.": plain,
-                "You use the transpose of the rotation, which is right only for a "
-                "rotation.": turned_back,
+                "You use the transpose instead of the inverse, which is right only "
+                "for a rotation.": turned_back,
                 "You don't divide by the determinant.": [
                     determinant(m) * component for component in a
                 ],
@@ -267,7 +267,7 @@ def test_only_vectors_and_matrices_of_twelve() -> None:
     about.read = FIRST_LINES
     matrix, nine, three = small_pair()
     about.cause = (
-        "The argument has the wrong type. Raise TypeError for a tuple, and also for the wrong kind "
+        "The argument has the wrong type. Raise TypeError for a tuple, and also for any other kind "
         "of matrix or vector."
     )
     v = Vector3(1.0, 2.0, 3.0)

@@ -154,7 +154,7 @@ def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
         "the vector rotated back first and then translated forward": moved(back, p, a),
         "the vector translated forward and then rotated back": applied(back, added(a, p)),
         "You use a general inverse, which is slower and also undoes the small scale (1 + 4e-6) of "
-        "this matrix. Subtract the translation and rotate back by the transpose "
+        "this matrix. Subtract the translation, and then multiply by the transpose "
         "instead.": applied(inverse, subtracted(a, p)),
         "You use a general inverse, which is slower and also undoes the small scale (1 + 4e-6) of "
         "this matrix. Rotate back by the transpose instead.": applied(inverse, a),
@@ -172,8 +172,8 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     wanted, about.cause = {
         "transform_inverse": (
             applied(transposed(m), subtracted(a, p)),
-            "To go back, undo the two steps in reverse order: first subtract the translation, then "
-            "rotate back by the transpose.",
+            "Undo the two steps in reverse order: first subtract the translation, and then rotate "
+            "back with the transpose.",
         ),
         "transform_direction": (
             applied(m, a),
@@ -181,7 +181,7 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
         ),
         "transform_inverse_direction": (
             applied(transposed(m), a),
-            "A direction has no position, so rotate it back by the transpose but don't translate "
+            "A direction has no position, so rotate it back with the transpose but don't translate "
             "it.",
         ),
     }[method]
@@ -290,8 +290,8 @@ def test_a_basis_must_fit(rng: Random) -> None:
     flat = Matrix3(*(0.0,) * 9)
     v = Vector3(1.0, 2.0, 3.0)
     sizes = (
-        "The two matrices have different sizes, so you can't multiply them. Check that type(m) is "
-        "type(basis), and raise TypeError."
+        "The two matrices have different sizes, so you can't multiply them. Raise TypeError unless "
+        "type(m) is type(basis)."
     )
     none = (
         "One of the arguments is a vector, not a matrix. Check the types of both, and raise "

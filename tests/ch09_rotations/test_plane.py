@@ -24,8 +24,8 @@ MASS = "book 9.1.3, and the docstring of center_of_mass"
 def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
     about.read = WRAP
     about.cause = (
-        "Angles that differ by full turns of 2 pi point in the same direction. Add or subtract "
-        "full turns until the angle is above -pi and at most pi."
+        "Add or subtract full turns of 2 pi, which don't change the direction, until the angle is "
+        "above -pi and at most pi."
     )
     for turns in (0, 1, -1, 7, -12):
         for low, high in ((0.01, 1.5), (1.6, 3.1)):
@@ -51,8 +51,8 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     about.read = WRAP
     about.cause = (
-        "This angle contains many turns. A loop that removes one at a time accumulates rounding "
-        "errors, so remove them all at once with math.remainder or %."
+        "This angle contains many turns. Remove them all at once with math.remainder or %, because "
+        "removing one after the other adds up rounding errors."
     )
     size = positive_number(rng, 0.1, 3.0)
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
@@ -140,13 +140,13 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
 @pytest.mark.exercise("B9.2")
 def test_the_headlight_of_the_book() -> None:
     about(
-        "rotate_point(point=(1.5, -0.75), angle=3 pi / 8, origin=(4, 3.85)), for a headlight of "
-        "a car at (4, 3.85)",
+        "a headlight at (1.5, -0.75) on a car at (4, 3.85); "
+        "rotate_point(point=(1.5, -0.75), angle=3 pi / 8, origin=(4, 3.85))",
         read=POINT,
     )
     about.cause = (
-        "The point is given relative to the car. Rotate it counter-clockwise about (0, 0) first, "
-        "and then add the position of the car."
+        "The point is given relative to the car, so rotate it counter-clockwise about (0, 0) "
+        "first, and then add the position of the car."
     )
     got = rotate_point((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85))
     about.cause = named(got, about.cause, slips_of((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85)))
@@ -174,7 +174,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
 @pytest.mark.exercise("B9.2")
 @pytest.mark.robust
 def test_a_point_of_nothing_is_refused() -> None:
-    name = "rotate_point((x, y), angle, (p, q)) with x, y, angle, p, q = "
+    name = "rotate_point((x, y), angle, (p, q)) with (x, y, angle, p, q) = "
     expect_finite_numbers(
         name,
         lambda x, y, t, a, u: rotate_point((x, y), t, (a, u)),
@@ -252,8 +252,8 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
     about.read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
     about.cause = (
-        "These lists are not valid, so raise ValueError. There must be at least one mass, and "
-        "exactly one position for each mass."
+        "Raise ValueError for these lists. There must be at least one mass, and exactly one "
+        "position for each mass."
     )
     for masses, positions in (
         ([], []),
@@ -274,7 +274,7 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
 @pytest.mark.robust
 def test_what_has_no_mass_has_no_center() -> None:
     expect_finite_numbers(
-        "center_of_mass([2, m], [(1, 1), (x, y)]) with m, x, y = ",
+        "center_of_mass([2, m], [(1, 1), (x, y)]) with (m, x, y) = ",
         lambda m, x, y: center_of_mass([2.0, m], [(1.0, 1.0), (x, y)]),
         (1, 2, 3),
         ((0, 0.0), (0, -1.0)),

@@ -30,8 +30,7 @@ def draw_four(rng: Random) -> Quad:
 @pytest.mark.exercise("B9.7")
 def test_the_length_of_four_components(rng: Random) -> None:
     about(
-        cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2). Add up the squares of all four "
-        "components, and take the square root of the sum.",
+        cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2), with all four components.",
         read=LENGTH,
     )
     about.call = "Quaternion(1, -3, 5, 1).magnitude()"

@@ -84,8 +84,8 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     near = tuple(n * (1.0 + 4e-6) for n in m)
     about.call = f"m = {written(joined(near, p))}; len(read_off(m))"
     about.cause = (
-        "The rows of this rotation have a length of 1 + 4e-6, which is_rotation() accepts. Accept "
-        "every matrix that is_rotation() accepts."
+        "The rows of this matrix have a length of 1 + 4e-6, which is_rotation() accepts. So accept "
+        "it too."
     )
     expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
     about.cause = (

@@ -56,8 +56,8 @@ def expect_rotation(m: Nine, wanted: bool) -> None:
 @pytest.mark.exercise("B9.6")
 def test_rotations_are_known(rng: Random) -> None:
     about.cause = (
-        "This matrix is a rotation, because its rows have length 1, are at right angles to each "
-        "other and are right-handed. Return True."
+        "This matrix is a rotation: its rows have length 1, are at right angles to each other and "
+        "are right-handed. So return True."
     )
     expect_rotation(IDENTITY, True)
     about.cause += (
@@ -132,8 +132,8 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
 def test_what_is_huge_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     about.cause = (
-        "The square of 1e200 is too large for a float, and ** raises OverflowError then. Multiply "
-        "with * instead, which gives inf."
+        "The square of 1e200 is too large for a float, so ** raises OverflowError. Multiply with * "
+        "instead, which gives inf."
     )
     expect_rotation(tuple(1e200 * number for number in m), False)
 
@@ -172,8 +172,8 @@ def test_ninety_degrees_about_each_axis() -> None:
     about.read = FROM
     half = math.sqrt(0.5)
     about.cause = (
-        "The columns of the matrix should be the axes X, Y and Z after the rotation. Compare each "
-        "column with its axis."
+        "Compare the columns of your matrix with the axes X, Y and Z after the rotation: they "
+        "should be equal."
     )
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
@@ -252,7 +252,7 @@ def expect_back(q: Quad) -> None:
     r, i, j, k = q
     slips = {
         "Either the sign of r is wrong, or the signs of i, j and k are wrong.": (-r, i, j, k),
-        "You lose the signs of the components in a square root, because all four are positive.": [
+        "You lose the signs of the components, because a square root is never negative.": [
             abs(component) for component in q
         ],
         "twice the quaternion": [2.0 * component for component in q],

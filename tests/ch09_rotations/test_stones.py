@@ -55,7 +55,7 @@ def listed(stones: Stones) -> str:
 
 def with_stones(stones: Stones, call: str) -> str:
     """Return what is called: a function of these stones."""
-    return f"stones, each with name, mass, x and y: {listed(stones)}; {call}"
+    return f"stones, each a (name, mass, x, y): {listed(stones)}; {call}"
 
 
 def middle(stones: Stones) -> complex:
@@ -140,7 +140,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     about.read = OFFSET
     stones = draw_stones(rng)
     cause = (
-        "The box balances on an edge below its center of mass. With an edge parallel to X, the "
+        "The box balances if the edge is below its center of mass. For an edge parallel to X, the "
         "offset is the y of the center of mass."
     )
     about(with_stones(stones, "balance_offset(stones, angle=0)"), cause=cause)
@@ -166,7 +166,7 @@ def test_it_balances_though_the_masses_differ() -> None:
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
     about.call = with_stones(stones, SIDES.format(0))
     about.cause = (
-        "The edge is at y = 0.5. There is 1 kg on its left, where y is larger, and 3 kg on its "
+        "The edge is at y = 0.5, so there is 1 kg on its left, where y is larger, and 3 kg on its "
         "right."
     )
     got = masses_beside(stones, 0.0)
@@ -224,8 +224,8 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
     ]
     about.call = with_stones(stones, SIDES.format(angle))
     about.cause = (
-        "Rounding puts the stone over the edge 1e-16 m to one side of it. A stone within 1e-9 m of "
-        "the edge counts as on it, so add it to neither side."
+        "One stone is on the edge, except for a rounding error of 1e-16 m. A stone within 1e-9 m "
+        "of the edge counts as on it, so add it to neither side."
     )
     got = tuple(masses_beside(stones, angle))
     expect_close(got, (0.7, 0.7), unit="kg", tolerance=TIGHT)

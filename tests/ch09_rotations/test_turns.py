@@ -264,8 +264,8 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     length = math.hypot(*drawn[1:])
     unit = tuple(component / length for component in drawn[1:])
     about.cause = (
-        "A length that is_unit accepts may be slightly above or below 1. Use atan2, which doesn't "
-        "care."
+        "A length that is_unit accepts may be slightly above or below 1. Use atan2, which works "
+        "for any length."
     )
     for off in (1.0 + 5e-7, 1.0 - 5e-7):
         for whole in (drawn, (0.0, *unit), (1.0, 0.0, 0.0, 0.0)):
@@ -285,8 +285,8 @@ def test_each_axis_is_a_new_vector() -> None:
     about.call = "axis, _ = Quaternion().to_axis_angle(); axis.invert(); "
     about.call += "Quaternion().to_axis_angle()[0]"
     about.cause = (
-        "All calls return the same vector as the axis, so a caller that changes it changes the "
-        "results of all calls. Return a new vector on every call."
+        "All calls return the same vector object as the axis. If a caller changes it, all other "
+        "results change too, so return a new vector on every call."
     )
     first, _ = Quaternion().to_axis_angle()
     first.invert()
@@ -342,15 +342,15 @@ def test_a_vector_is_turned(rng: Random) -> None:
     about.call = f"q = Quaternion({half:.6g}, 0, 0, {half:.6g}), a rotation by 90 degrees about Z; "
     about.call += "q.rotate(Vector3(1, 0, 0))"
     about.cause = (
-        "Compute q (0, v) q*, where q* is the conjugate of q. This rotation by 90 degrees about Z "
-        "takes X to Y."
+        "Compute q (0, v) q*, where q* is the conjugate of q, and (0, v) is the quaternion with r "
+        "= 0 and the vector part v."
     )
     got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
     why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
     expect_close(got, (0.0, 1.0, 0.0), cause=why, tolerance=TIGHT)
     about.cause = (
-        "Return the vector part of q (0, v) q*. With u = (i, j, k), it is v + 2 r (u x v) + 2 u x "
-        "(u x v)."
+        "Return the vector part of q (0, v) q*, which is v + 2 r (u x v) + 2 u x (u x v) with u = "
+        "(i, j, k)."
     )
     for sign in (1.0, -1.0, 1.0 + 5e-7):
         q, a = tuple(sign * component for component in draw_quad(rng)), components(rng)

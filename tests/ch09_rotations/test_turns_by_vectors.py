@@ -66,8 +66,8 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
 def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     about.cause = (
-        "Make a rotation from the vector with from_axis_angle: its length is the angle. Put the "
-        "rotation on the left of q, because the axis is given in world coordinates."
+        "Make a rotation with from_axis_angle, where the vector is the axis and its length is the "
+        "angle. Put it on the left of q, because the vector is in world coordinates."
     )
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))
@@ -107,7 +107,7 @@ def expect_tiny_turn(tiny: float) -> None:
     """Expect rotate_by to add half of a very small vector."""
     about.read = BY_VECTOR
     about.cause = (
-        "You treat this small angle as 0. Rotate by it as usual, so that (i, j, k) becomes half of "
+        "You treat this small angle as 0. Rotate by it as usual: (i, j, k) should become half of "
         "the vector."
     )
     quaternion = Quaternion()
@@ -150,13 +150,13 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         "You don't multiply the vector by the scale.": stepped(q, left, 0.5),
         "Your factors are in the wrong order, so the step rotates about an axis of the object "
         "instead of the world.": stepped(q, right, 0.5 * scale),
-        "You normalize the result. A step of Eq. 9.5 changes the length a little (E-31), and the "
-        "exercises measure this error, so don't correct it.": unit(stepped(q, left, 0.5 * scale)),
+        "You normalize the result, but a step of Eq. 9.5 should change the length a little (E-31). "
+        "The exercises measure this error, so leave it.": unit(stepped(q, left, 0.5 * scale)),
         "You make the exact rotation that rotate_by makes. Make the first-order step of Eq. 9.5 "
-        "instead, which adds scale/2 times (0, vector) q to q.": hamilton(
+        "instead: add scale/2 times (0, vector) q to q.": hamilton(
             quad(a, scale * math.hypot(*a)), q
         ),
-        "You compute components from others that you have already changed. Compute all four from "
+        "You use components of q that you have already changed. Compute all four from "
         "the old q before you assign them.": in_turn,
         "You lose the old q. Add the change to its components instead of replacing them.": stepped(
             (0.0, 0.0, 0.0, 0.0), left, 0.5 * scale

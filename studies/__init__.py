@@ -1,1 +1,1 @@
-"""Measure how fast, accurate and stable the course's physics engine is, and plot its results."""
+"""Studies of the physics engine: how fast, accurate and stable it is, and plots of its results."""

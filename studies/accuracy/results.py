@@ -24,12 +24,12 @@ class Side:
     """The fastest model, either of our engine or of pymunk, that meets a given error tolerance.
 
     A model is one way to simulate a scene, such as an integrator. ``time`` is how long it takes, in
-    s. ``model`` and ``time`` are None if no model meets the tolerance. If ``order`` is not None, no
-    run met the tolerance. ``time`` is then extrapolated with this order of convergence.
+    s. If no run met the tolerance, the time may be extrapolated, and ``order`` is the order of
+    convergence that was used. Otherwise ``model`` and ``time`` are None.
 
-    When no model meets the tolerance, ``never`` says whether more steps could help. If it is true,
-    no number of steps would be enough. Otherwise every model that might still get there has been
-    tried for at least ``longest`` seconds.
+    ``never`` and ``longest`` say what is known in that last case. If ``never`` is true, no number
+    of steps would be enough. Otherwise every model that might still meet the tolerance has been run
+    for at least ``longest`` seconds.
     """
 
     model: str | None
@@ -82,11 +82,11 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Find the run with the fewest steps from which on a model is accurate enough.
+    """Find the run with the fewest steps that reliably meets an error tolerance.
 
-    ``ordered`` holds the model's runs, sorted by number of steps. Return the index of the first run
-    that meets the tolerance, provided that all runs after it meet it, too. One small error may be a
-    coincidence. Return None if even the last run misses the tolerance.
+    ``ordered`` holds the runs of one model, sorted by number of steps. A run counts only if all
+    later runs meet the tolerance, too, because one small error may be a coincidence. Return the
+    index of the run, or None if there is none.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -94,7 +94,7 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return how long a model takes to meet an error tolerance, in s, or None if no run meets it.
+    """Return how long a model takes to meet an error tolerance, in s, or None if it never does.
 
     ``points`` are the runs of the model. The time is interpolated between two runs, on logarithmic
     scales.
@@ -146,7 +146,7 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Estimate how long a model would take, in s, to meet a tolerance that none of its runs met.
+    """Estimate how long a model would take, in s, to meet a tolerance that its runs missed.
 
     The number of steps follows from the model's order of convergence. Each step is assumed to take
     as long as in the run with the most steps. Return None if the model has no steady order, or if

@@ -23,6 +23,6 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a timer that runs Python with these arguments, and waits until it exits."""
+    """Return a function that measures how long Python runs with these arguments, in s."""
     call = [sys.executable, *command]
     return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

@@ -1,7 +1,7 @@
 """Measure how much longer the step of a particle takes when forces act on it.
 
-A particle of chapter 5, which accepts forces, is compared with one of chapter 3, which does not.
-Both are also compared with plain arithmetic.
+A particle of chapter 5, which accepts forces, is compared with one of chapter 3, which does not. It
+is also compared with plain arithmetic.
 """
 
 from __future__ import annotations

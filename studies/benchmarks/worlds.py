@@ -131,7 +131,7 @@ def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world of balls on springs, in which one in ten moves and the rest hang still.
+    """Create a world of balls on springs, of which one in ten flies away and the rest hang still.
 
     ``kind`` is ParticleWorld, in which all balls are awake, or SleepingWorld.
     """

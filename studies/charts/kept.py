@@ -1,6 +1,6 @@
 """Copy the results of a full `make charts` into the repository.
 
-These are the page with all charts, the overview picture, and a description of the picture.
+The results are the page with all charts, the overview picture, and a description of the picture.
 """
 
 from __future__ import annotations

@@ -97,7 +97,7 @@ class Panel:
 def panel(scene: Scene, points: Sequence[Point]) -> Panel:
     """Prepare the chart and the table of a scene from its measured points.
 
-    Runs with a useless error of CEILING or more are left out of the chart.
+    Runs whose error is too large to be useful are left out of the chart.
     """
     # Errors that come only from rounding are drawn at the floor. Useless runs are not drawn.
     seen = [point for point in points if point.error < CEILING]

@@ -89,7 +89,7 @@ class Tried:
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
-    """Simulate the scene with each model, at shorter and shorter steps until it is accurate enough.
+    """Simulate the scene with each model, in shorter and shorter steps until it is accurate enough.
 
     A model is given up if a run takes longer than SLOWEST, but not before its order of convergence
     can be judged. Before each run, ``hear`` is called with a description of it, to show the
@@ -154,10 +154,10 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Measure the times of all runs from which the report may choose once more, in random order.
+    """Time again, in random order, all runs from which the report may choose.
 
     For each model with reliable errors, these are the runs up to the first one that is accurate
-    enough. The order is random, so a moment in which the computer is busy does not slow down only
+    enough. Because the order is random, a moment in which the computer is busy affects more than
     one model.
     """
     every = []

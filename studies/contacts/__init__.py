@@ -25,7 +25,10 @@ QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest r
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all contact solvers, print a table, draw the picture, and store the measurements."""
+    """Measure all contact solvers, print a table, draw the picture, and save the measurements.
+
+    A quick run does not replace the measurements that are stored in the project.
+    """
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
     parser.add_argument(
         "--quick",

@@ -9,9 +9,9 @@ after every frame, and the largest value counts:
 - For a swinging rope, it is the change in energy, as a fraction of the kinetic energy at the lowest
   point.
 
-The mass ratio says how much heavier one body is than the others, which have a mass of 1 kg. It is
-the top sphere of a stack, or the weight at the end of a rope. Gravity is 10 m/s^2. A solver's work
-is its number of time steps.
+One body may be heavier than the others: the top sphere of a stack, or the weight at the end of a
+rope. The mass ratio is its mass divided by that of any other body, which is 1 kg. Gravity is 10
+m/s^2. A solver's work is its number of time steps.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Find how stiff a spring, or how strong a drag, makes each integrator unstable.
 
-The limits are found by bisection and compared with theory. At 1.02 times its limit, the command
+The limits are found by bisection and compared with theory. Just beyond a limit, the command
 computes how many time steps an oscillation takes to grow by a factor of a million. For a spring
 well below the limits, it measures how the energy changes over ten thousand oscillations.
 

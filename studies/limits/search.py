@@ -112,8 +112,8 @@ def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull,
 def growth_at(name: str, damping: float, kappa: float) -> float:
     """Compute the factor by which oscillations grow in one time step of the integrator ``name``.
 
-    ``kappa`` is the stiffness of the spring as k h^2 / m, where h is the time step. ``damping`` has
-    the same meaning as in ``stepping``.
+    ``kappa`` is the stiffness of the spring as k h^2 / m, where h is the time step. ``damping`` is
+    d^h or c h / m, as explained in ``stepping``.
     """
     integrator, pull, d = stepping(name, kappa, damping)
     return growth(integrator, pull, FRAME, d)
@@ -159,7 +159,7 @@ def spring_limits() -> list[Bound]:
 def spring_limit(name: str, damping: float, at: str) -> Bound:
     """Measure the largest k h^2 / m at which a spring is stable with the integrator ``name``.
 
-    ``damping`` has the same meaning as in ``stepping``, and ``at`` is its label, such as "d^h =
+    ``damping`` is d^h or c h / m, as explained in ``stepping``. ``at`` is its label, such as "d^h =
     0.5".
     """
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))

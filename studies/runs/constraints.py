@@ -94,7 +94,7 @@ def resolving(
     """Build a function that advances particles by a frame and resolves their contacts.
 
     The frame is divided into ``substeps`` equal steps. In each of them, ``step`` moves the
-    particles, the ``generators`` find the contacts, and ``resolve`` resolves them.
+    particles, the ``generators`` find the contacts, and ``resolve`` resolves these.
     """
     every = [*generators]
 
@@ -215,7 +215,7 @@ def chain(
     angle: float = 0.0,
     substeps: int = 1,
 ) -> tuple[Track, Track]:
-    """Release a chain of links, and record how much longer than it should be it gets over time.
+    """Release a chain of links, and record over time by how much its links are too long.
 
     Returns:
         Two values over time. The first one is the excess length of the whole chain. The second one

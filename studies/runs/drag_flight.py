@@ -63,7 +63,7 @@ class DragFlight:
 
 
 def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Simulate a flight with the imported engine's Particle.integrate, such as a student's."""
+    """Simulate a flight with Particle.integrate of the engine in use, such as a student's."""
     particle = make_particle(flight)
     states = [_state_of(particle)]
     for _ in range(frames):

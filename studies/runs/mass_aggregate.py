@@ -89,17 +89,17 @@ def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
 
 
 def default_bridge() -> Bridge:
-    """Create a rope bridge with the default contact resolver, with two iterations per contact."""
+    """Create a rope bridge whose contact resolver makes two iterations per contact, the default."""
     bridge = Bridge()
     bridge.world.resolver.iterations = None
     return bridge
 
 
 def variation(run: Track, since: float) -> float:
-    """Measure by what fraction a recorded value still varies from time ``since`` on.
+    """Measure how much a recorded value still varies from time ``since`` on.
 
-    The fraction is the difference between the largest and the smallest value, divided by the last
-    one. It is NaN if the engine failed.
+    Return the difference between the largest and the smallest value, as a fraction of the last one.
+    Return NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -199,9 +199,9 @@ def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track
 
 
 def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Let a force drive a wheel, and record the largest relative error of its rods over time.
+    """Let a force drive a wheel, and record how far its rods are deformed over time.
 
-    The error is that of a rod's length.
+    The value is the largest relative error in the length of a rod.
     """
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)
@@ -239,7 +239,7 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Drop balls on the ground, and record how much work they are for the contact resolver.
+    """Drop balls on the ground, and record how much work their contacts cause over time.
 
     ``kind`` is the class of the world, such as SleepingWorld, in which resting balls fall asleep.
     Return three values over time: the number of awake balls, the number of contacts resolved per
@@ -264,7 +264,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Find the largest distance between a position in one list and its counterpart in another."""
+    """Compare two lists of positions, and return the largest distance between counterparts."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

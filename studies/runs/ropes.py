@@ -1,4 +1,4 @@
-"""Hang a rope between two nails, with rods, with a DirectChain, and as an exact solution.
+"""Hang a rope between two nails, as rods, as a DirectChain, and in its exact shape.
 
 The nails are at height 0, and the distance between them is SPAN. The rope has the length LENGTH,
 with a particle of 1 kg wherever two links meet.
@@ -28,9 +28,9 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Hanging:
-    """The final shape of a hanging rope, with the sag and the excess length in m.
+    """The final shape of a hanging rope, with its sag and its excess length in m.
 
-    ``work`` is the number of contacts resolved, or of forces in rods computed by a solver.
+    ``work`` is the number of contacts that were resolved, or of rods whose forces were computed.
     """
 
     places: list[Place]
@@ -40,7 +40,7 @@ class Hanging:
 
 
 def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the exact sag of a rope with infinitely many links: a (cosh(span / 2a) - 1), in m."""
+    """Compute the exact sag in m of a rope with infinitely many links, a (cosh(span / 2a) - 1)."""
     a = catenary_radius(span, length)
     return a * (math.cosh(0.5 * span / a) - 1.0)
 
@@ -100,8 +100,8 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
     """Simulate a hanging rope of two-sided rods in a ParticleWorld, and measure its sag.
 
     The rope starts in its exact position of rest, so it should not sag any further. There are
-    ``rate`` time steps per second, each of which is divided into ``substeps``. A HeapResolver
-    resolves the contacts, which is faster than a ContactResolver and computes the same results.
+    ``rate`` time steps per second, each of which is divided into ``substeps``. Contacts are
+    resolved by a HeapResolver. It is faster than a ContactResolver and computes the same results.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]

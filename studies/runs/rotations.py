@@ -159,7 +159,7 @@ def disc_place(time: float) -> Numbers:
 
 
 def disc_orientation(time: float) -> Components:
-    """Compute the exact orientation of the thrown disc, which spins while its axis also moves."""
+    """Compute the exact orientation of the thrown disc, which spins about a moving axis."""
     return product(turn(Y, PRECESSION * time), product(turn(AXIS, SPIN * time), TILTED))
 
 
@@ -247,7 +247,7 @@ def coning_orientation(time: float) -> Components:
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Rotate a body from START step by step, and return all orientations and any error's message.
+    """Rotate a body step by step from START. Return all orientations and any error message.
 
     Each step uses the angular velocity at one moment of the step. ``share`` says which one: 0 is
     the start of the step, and 0.5 is its middle.

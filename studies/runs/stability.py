@@ -155,7 +155,7 @@ def step_matrix(
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
     """Compute by which factor an oscillation grows per time step at k h^2 / m = ``kappa``.
 
-    ``damping`` is the spring's c h / m for a solver, and the particle's d^h for an integrator.
+    ``damping`` is c h / m of the spring for a solver, and d^h of the particle for an integrator.
     """
     k = kappa / duration**2
     if name in SOLVERS:
@@ -178,7 +178,7 @@ def true_place(k: float, c: float, time: float) -> float:
 def faked_growth(angle: float, share: float, duration: float) -> float:
     """Compute by which factor an oscillation of a faked stiff spring grows per time step.
 
-    ``angle`` is chi h, and ``share`` is the damping as a fraction of critical damping.
+    ``angle`` is chi h, the phase per step, and ``share`` is a fraction of critical damping.
     """
     chi = angle / duration
     fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
@@ -186,7 +186,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Count the time steps until a knot of a cloth exceeds 1000 m/s. Also return any error."""
+    """Count the time steps until a knot of a cloth exceeds 1000 m/s, and return any error, too."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -234,7 +234,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Find by bisection the k h^2 / m, from low to high, above which oscillations grow."""
+    """Bisect from low to high to find the stiffness k h^2 / m above which oscillations grow."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:
@@ -249,8 +249,8 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
     """Measure the largest k h^2 / m at which an integrator is stable, for several dampings d^h.
 
-    Return tuples of d^h, the measured limit and the theoretical limit. Explicit Euler without
-    damping is left out, because its limit is 0.
+    Here k is the stiffness and h is the time step. Return tuples of d^h, the measured limit and the
+    limit in theory. Undamped explicit Euler is left out, because its limit is 0.
     """
     found = []
     for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):
@@ -261,7 +261,7 @@ def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
 
 
 def theory(name: str, kept: float) -> float:
-    """Return the k h^2 / m above which a spring explodes in theory.
+    """Return the stiffness k h^2 / m above which a spring explodes in theory with a time step h.
 
     ``kept`` is the fraction D = d^h of the velocity that a step keeps. Each limit follows from the
     matrix of the step. Verlet and Runge-Kutta apply the damping only at the end of the step.

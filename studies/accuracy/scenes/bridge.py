@@ -56,7 +56,7 @@ def bridge() -> Scene:
     """Create the scene of a rope bridge that is at rest for 1 s, with 5 kg on its third plank.
 
     Errors are fractions of the length of a cable between two planks. In pymunk, slide joints act as
-    the cables, and the solver makes either 10 iterations per step, its default, or 50.
+    the cables. The solver makes either 10 iterations per step, its default, or 50.
     """
     few, some = STEPS[:5], STEPS[:8]
 
@@ -259,7 +259,7 @@ def by_sleep(steps: int) -> Outcome:
 
 
 def place_of(ends: list[Particle]) -> Place:
-    """List the x and y coordinates of the planks' ends, which is the bridge seen from the side."""
+    """List the x and y coordinates of the planks' ends, as seen from the side of the bridge."""
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 

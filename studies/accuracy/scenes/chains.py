@@ -69,7 +69,7 @@ class Chain:
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
     def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
-        """Return the lengths, masses and initial angles of all rods, as AngleChain takes them."""
+        """Return the lengths, masses and initial angles of all rods, to build an AngleChain."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
 
@@ -152,8 +152,8 @@ def by_angles(chain: Chain, steps: int) -> Outcome:
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
     """Simulate a chain of rods by its angles, in time steps that are longer than a frame.
 
-    There are ``steps`` time steps in every LONG frames. Cubics between them give the positions at
-    the end of each frame.
+    In every twelve frames, there are ``steps`` time steps. Cubics interpolate between them to get
+    the positions at the end of each frame.
     """
     angles = chain.by_its_angles()
     length, places, made = LONG / steps, [], 0  # frames of a step

@@ -159,7 +159,7 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
     """Simulate a net in time steps longer than a frame, with cubics for the frames in between.
 
-    There are ``steps`` time steps in every LONG frames. The cubics are accurate only while the
+    In every twelve frames, there are ``steps`` time steps. The cubics are accurate only while the
     motion is smooth. At an impact the velocity jumps, and they cannot follow.
     """
     knots, step = made(plane, SmoothNet)

@@ -53,7 +53,7 @@ class ClassList:
     def submissions(self) -> list[Submission]:
         """The submissions of the class, sorted by student.
 
-        Each carries the name by which the reports call the student.
+        Each has the student's name as the reports show it.
         """
         renamed = [
             replace(member.submission, student=member.shown, aliases=member.aliases)

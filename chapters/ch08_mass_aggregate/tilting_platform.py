@@ -102,7 +102,7 @@ class TiltingPlatform:
         raise NotImplementedError("Exercise B8.7: What tips a platform")
 
     def tilt(self) -> float:
-        """Measure the angle in radians by which the platform is tilted.
+        """Measure how far the platform is tilted, as an angle in radians.
 
         It is 0 at the start, and positive if the right end is higher.
         """

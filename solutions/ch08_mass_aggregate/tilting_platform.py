@@ -134,7 +134,7 @@ class TiltingPlatform:
                 end.mass = MASS + 0.5 * share
 
     def tilt(self) -> float:
-        """Measure the angle in radians by which the platform is tilted.
+        """Measure how far the platform is tilted, as an angle in radians.
 
         It is 0 at the start, and positive if the right end is higher.
         """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from random import Random
 
 Components = tuple[float, float, float]
@@ -33,8 +34,8 @@ def direction(rng: Random) -> Components:
     return x / length, y / length, z / length
 
 
-def rounded(a: Components) -> str:
-    """Show a vector with at most 6 digits, for a message in which more do not matter."""
+def rounded(a: Iterable[float]) -> str:
+    """Show a vector, or other numbers, with at most 6 digits, for a message in which more do not matter."""
     return f"({', '.join(f'{component:.6g}' for component in a)})"
 
 

@@ -11,7 +11,7 @@ from random import Random
 from typing import Any
 
 import expect
-from draw import Components, components, number, positive_number
+from draw import Components, components, number, positive_number, rounded
 from expect import NoVector, is_plain
 
 Quad = tuple[float, float, float, float]
@@ -188,8 +188,7 @@ def same_sign(got: Any, wanted: Sequence[float]) -> Any:
 def short(numbers: Sequence[float]) -> str:
     """Return numbers in parentheses, with six digits each. A rounding error becomes 0."""
     tiny = 1e-15 * max(map(abs, numbers))
-    rounded = (0.0 if abs(number) < tiny else number for number in numbers)
-    return f"({', '.join(f'{number:.6g}' for number in rounded)})"
+    return rounded(0.0 if abs(number) < tiny else number for number in numbers)
 
 
 def written(numbers: Sequence[float], *, exact: bool = False) -> str:

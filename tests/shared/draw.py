@@ -35,7 +35,7 @@ def direction(rng: Random) -> Components:
 
 
 def rounded(a: Iterable[float]) -> str:
-    """Show a vector, or other numbers, with at most 6 digits, for a message in which more do not matter."""
+    """Show a vector or other numbers with at most 6 digits, where more do not matter."""
     return f"({', '.join(f'{component:.6g}' for component in a)})"
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from autograder.checks.explain import explain_hang
+from autograder.diagnosis.explain import explain_hang
 
 TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 # The first message makes the engine import the scene. That takes a second, or several if the

@@ -11,11 +11,11 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 
-from autograder.checks.allowed_acts import limit_acts
-from autograder.checks.allowed_imports import limit_imports
-from autograder.checks.given import with_given
-from autograder.checks.students_code import StudentsCode, graded_files
+from autograder.at_home.allowed_acts import limit_acts
+from autograder.at_home.allowed_imports import limit_imports
+from autograder.at_home.students_code import StudentsCode, graded_files
 from autograder.commands import find_engine
+from autograder.diagnosis.given import with_given
 from autograder.manifest import load_chapters, select_chapters
 
 _given = ExitStack()  # temporary folders with given chapters, deleted at exit

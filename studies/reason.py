@@ -5,10 +5,10 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
-from autograder.checks.explain import slip_of
-from autograder.checks.faults import is_inside
-from autograder.checks.students_code import LIBRARY
+from autograder.at_home.students_code import LIBRARY
 from autograder.commands import advice
+from autograder.diagnosis.explain import slip_of
+from autograder.diagnosis.faults import is_inside
 from autograder.manifest import ROOT
 
 

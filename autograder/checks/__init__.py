@@ -1,1 +1,1 @@
-"""Run a chapter's checks on a student's code, and explain to the student what went wrong."""
+"""Run a chapter's checks on a student's code, and collect their verdicts."""

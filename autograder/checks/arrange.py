@@ -9,7 +9,7 @@ import shutil
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from autograder.checks.students_code import graded_files
+from autograder.at_home.students_code import graded_files
 from autograder.manifest import Chapter, chapters_below, load_chapters
 from autograder.message import Message
 

@@ -22,7 +22,7 @@ from typing import IO, TYPE_CHECKING
 
 from autograder.checks.apart import how_it_ended
 from autograder.checks.arrange import root_of_checks
-from autograder.checks.explain import explain_hang
+from autograder.diagnosis.explain import explain_hang
 from autograder.files import is_full
 from autograder.manifest import ROOT
 from autograder.message import Kind, Message

@@ -16,8 +16,8 @@ from autograder.checks import events
 from autograder.checks.arrange import Behind, Config, arrange
 from autograder.checks.events import Event, read_event
 from autograder.checks.judge import Ending, is_stopped, judge
-from autograder.checks.missing import while_imported
 from autograder.checks.verdict import Verdict, mark_blocked, needs_of, with_needs
+from autograder.diagnosis.missing import while_imported
 from autograder.manifest import ROOT, Chapter
 from autograder.message import Kind, Message
 from autograder.text.clean import clean

@@ -21,14 +21,14 @@ from typing import TYPE_CHECKING, Any, Literal, NoReturn
 import pytest
 from _pytest.runner import runtestprotocol
 
+from autograder.at_home.in_process import InProcess, Send
 from autograder.checks.apart import run_in_a_copy
 from autograder.checks.arrange import Config
 from autograder.checks.asked import about
 from autograder.checks.events import Check, Checks, Decided, Ended, Event, Started, write_event
-from autograder.checks.explain import explain_exception
-from autograder.checks.faults import CheckEnded, GraderFault, StudentLeft, fault_of
-from autograder.checks.gone import explain_gone
-from autograder.checks.in_process import InProcess, Send
+from autograder.diagnosis.explain import explain_exception
+from autograder.diagnosis.faults import CheckEnded, GraderFault, StudentLeft, fault_of
+from autograder.diagnosis.gone import explain_gone
 from autograder.message import NOTHING, Message
 from autograder.records import from_json
 from autograder.text.wrapping import few_lines

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.checks.arrange import Behind
-from autograder.checks.given import has_reference, with_given
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.checks.verdict import Verdict
+from autograder.diagnosis.given import has_reference, with_given
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter, load_chapters
 from autograder.message import Kind, Message

@@ -20,7 +20,9 @@ STUDENT_TOOLS = {
         "__init__.py __main__.py answers.py commands.py definitions.py files.py local_server.py "
         "make_venv.py manifest.py message.py records.py scores.py"
     ),
+    "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
+    "autograder/diagnosis": "*.py",
     "autograder/handouts": "__init__.py lock.py stubs.py",
     "autograder/student": "*.py",
     "autograder/student/watching": "*.py",

@@ -10,8 +10,8 @@ import builtins
 import re
 from typing import Any
 
-from autograder.checks.faults import Fault, StudentLeft
-from autograder.checks.nearest import MOST_SLOTS, Unknown
+from autograder.diagnosis.faults import Fault, StudentLeft
+from autograder.diagnosis.nearest import MOST_SLOTS, Unknown
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError
 from autograder.message import Place
 from autograder.text.clean import clean

@@ -22,12 +22,12 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NoReturn
 
+from autograder.at_home.in_process import Send
 from autograder.checks.arrange import Workers
 from autograder.checks.events import Broken, Imported, Importing
-from autograder.checks.explain import explain_import
-from autograder.checks.faults import Fault, StudentLeft
-from autograder.checks.in_process import Send
-from autograder.checks.missing import while_imported
+from autograder.diagnosis.explain import explain_import
+from autograder.diagnosis.faults import Fault, StudentLeft
+from autograder.diagnosis.missing import while_imported
 from autograder.isolation.handles import Handle, Session, WorkerFailure
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template

@@ -20,10 +20,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from autograder.checks.faults import fault_of
-from autograder.checks.missing import MissingNameError, answer_for_missing, broken_module
 from autograder.checks.printed import CappedText
 from autograder.definitions import read_definitions
+from autograder.diagnosis.faults import fault_of
+from autograder.diagnosis.missing import MissingNameError, answer_for_missing, broken_module
 from autograder.isolation.wire import (
     KNOWN_ERRORS,
     LONGEST_LINE,

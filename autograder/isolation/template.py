@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import BinaryIO, NoReturn
 
 from autograder.checks.apart import how_it_ended
-from autograder.checks.faults import GraderFault
+from autograder.diagnosis.faults import GraderFault
 from autograder.isolation.handles import Session
 from autograder.isolation.patience import Patience
 from autograder.isolation.sandbox import Level

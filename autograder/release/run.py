@@ -12,7 +12,7 @@ from pathlib import Path
 
 from rich.progress import track
 
-from autograder.checks.given import has_reference
+from autograder.diagnosis.given import has_reference
 from autograder.files import is_new
 from autograder.grader.people import people_of
 from autograder.manifest import ROOT, Chapter, load_chapters

@@ -7,7 +7,9 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from autograder.checks.given import (
+from autograder.checks.runner import GraderError, run_checks
+from autograder.checks.verdict import Verdict, with_needs
+from autograder.diagnosis.given import (
     below_and_not_given,
     explained_on_given,
     mark_inherited,
@@ -15,8 +17,6 @@ from autograder.checks.given import (
     suspects,
     with_given,
 )
-from autograder.checks.runner import GraderError, run_checks
-from autograder.checks.verdict import Verdict, with_needs
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import result_of, results_of
 from autograder.student.screen import ProgressBar, Report, print_report

@@ -71,7 +71,7 @@ def failure_of(
         message = replace(message, likely="", other="", read="")
     rows = [("check", failed.name), *message.rows(printed=False)]
     if failed.robust and exercise.robust:
-        rows.insert(0, ("robust", exercise.robust))
+        rows.append(("why", exercise.robust))  # last: an example, not what this check found
     title = title or ("Make this robust" if failed.robust else "Fix this first")
     heading = f"{'Inherited, for example' if inherited else title}: {exercise.id} {exercise.title}"
     if inherited:

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from autograder.checks.gone import explain_gone
-from autograder.checks.nearest import nearest
 from autograder.checks.runner import run_checks
+from autograder.diagnosis.gone import explain_gone
+from autograder.diagnosis.nearest import nearest
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import Message
 from copies import copy_tree

@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 
 import pytest
 
-from autograder.checks.faults import CheckEnded, StudentLeft
+from autograder.diagnosis.faults import CheckEnded, StudentLeft
 from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level

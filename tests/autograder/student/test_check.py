@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.checks.explain import explain_exception
+from autograder.diagnosis.explain import explain_exception
 from autograder.manifest import ROOT, load_chapters, select_chapters
 from copies import copy_tree
 from expect import expect_error

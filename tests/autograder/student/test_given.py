@@ -13,9 +13,9 @@ from typing import Any
 
 import pytest
 
-from autograder.checks.given import explained_on_given, mark_inherited, run_on_given, with_given
 from autograder.checks.runner import GraderError, run_checks
 from autograder.checks.verdict import Verdict
+from autograder.diagnosis.given import explained_on_given, mark_inherited, run_on_given, with_given
 from autograder.grader.assignment import Assignment
 from autograder.grader.grading import grade_submission
 from autograder.handouts.handout import make_handout

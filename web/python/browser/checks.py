@@ -7,9 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from autograder.checks.given import with_given
 from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Verdict
+from autograder.diagnosis.given import with_given
 from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.message import Kind
 from autograder.scores import results_of

@@ -6,8 +6,8 @@ import json
 import os
 from typing import Any
 
-from autograder.checks.explain import explain_hang
 from autograder.checks.runner import GraderError
+from autograder.diagnosis.explain import explain_hang
 from autograder.manifest import ROOT
 from lab.broken_off import TIME_LIMIT, why_it_broke_off
 from web.python.browser.checks import check

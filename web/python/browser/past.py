@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Any
 
 from autograder.checks.events import Event, Started, write_event
-from autograder.checks.explain import explain_hang
 from autograder.checks.judge import Ending
 from autograder.checks.runner import Run
 from autograder.checks.verdict import Verdict
+from autograder.diagnosis.explain import explain_hang
 from autograder.manifest import ROOT
 from autograder.scores import result_of
 from autograder.student.failure import failure_of

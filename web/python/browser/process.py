@@ -20,13 +20,13 @@ from typing import Any
 
 import pytest
 
-from autograder.checks.allowed_acts import limit_acts
-from autograder.checks.allowed_imports import limit_imports
+from autograder.at_home.allowed_acts import limit_acts
+from autograder.at_home.allowed_imports import limit_imports
+from autograder.at_home.in_process import InProcess, Send
+from autograder.at_home.students_code import StudentsCode
+from autograder.at_home.surroundings import Depth, leave_home
 from autograder.checks.arrange import Config
-from autograder.checks.in_process import InProcess, Send
 from autograder.checks.judge import MOST_STDERR, Ending
-from autograder.checks.students_code import StudentsCode
-from autograder.checks.surroundings import Depth, leave_home
 from autograder.checks.verdicts import Recorder, pytest_arguments
 from autograder.manifest import ROOT
 from web.python.browser.watchdog import watchdog

@@ -14,8 +14,8 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import ModuleType
 
-from autograder.checks.given import with_given
-from autograder.checks.students_code import graded_files
+from autograder.at_home.students_code import graded_files
+from autograder.diagnosis.given import with_given
 from autograder.manifest import load_chapters
 from lab.broken_off import TIME_LIMIT, why_it_broke_off
 from lab.host import Host, Message

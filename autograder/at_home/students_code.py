@@ -10,7 +10,7 @@ import sysconfig
 from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
 
-from autograder.checks.faults import is_inside, short
+from autograder.diagnosis.faults import is_inside, short
 from autograder.manifest import Chapter
 
 LIBRARY = [Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "platstdlib")]

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
-from autograder.checks.faults import CheckEnded
-from autograder.checks.nearest import nearest
+from autograder.diagnosis.faults import CheckEnded
+from autograder.diagnosis.nearest import nearest
 from autograder.message import Message
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from autograder.checks.nearest import Unknown, unknown_of
+from autograder.diagnosis.nearest import Unknown, unknown_of
 from autograder.message import Message, Place
 
 MOST_FRAMES = 50

@@ -8,9 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from autograder.checks.asked import about, short_numbers
-from autograder.checks.faults import Fault, fault_of, is_inside, short, text_of
-from autograder.checks.missing import file_of
-from autograder.checks.nearest import explain_unknown
+from autograder.diagnosis.faults import Fault, fault_of, is_inside, short, text_of
+from autograder.diagnosis.missing import file_of
+from autograder.diagnosis.nearest import explain_unknown
 from autograder.message import ExpectationError, Kind, Message, Place
 
 NOT_IMPLEMENTED = (

@@ -15,17 +15,17 @@ import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
-from autograder.checks.allowed_acts import limit_acts
-from autograder.checks.allowed_imports import limit_imports
+from autograder.at_home.allowed_acts import limit_acts
+from autograder.at_home.allowed_imports import limit_imports
+from autograder.at_home.students_code import StudentsCode
+from autograder.at_home.surroundings import Depth, leave_home
 from autograder.checks.apart import CAN_COPY
 from autograder.checks.events import Event, Imported, Importing
-from autograder.checks.explain import explain_import
-from autograder.checks.faults import fault_of
-from autograder.checks.missing import MissingNameError, answer_for_missing, broken_module
 from autograder.checks.printed import CappedText
-from autograder.checks.students_code import StudentsCode
-from autograder.checks.surroundings import Depth, leave_home
 from autograder.definitions import read_definitions
+from autograder.diagnosis.explain import explain_import
+from autograder.diagnosis.faults import fault_of
+from autograder.diagnosis.missing import MissingNameError, answer_for_missing, broken_module
 from autograder.message import Message
 
 Send = Callable[[Event], None]  # sends an event to the runner

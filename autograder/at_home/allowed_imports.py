@@ -16,7 +16,7 @@ from collections.abc import Mapping, Sequence
 from types import ModuleType
 from typing import Any
 
-from autograder.checks.students_code import StudentsCode
+from autograder.at_home.students_code import StudentsCode
 
 LIBRARY = sys.stdlib_module_names | {"__main__"}
 CHAPTER = re.compile(r"ch\d\d_\w+")

@@ -11,10 +11,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from autograder.checks.calls import calls
-from autograder.checks.missing import does_not_define
-from autograder.checks.nearest import nearest
 from autograder.commands import command
 from autograder.definitions import own_name
+from autograder.diagnosis.missing import does_not_define
+from autograder.diagnosis.nearest import nearest
 from autograder.message import Kind, Message
 
 # Returns the names that a module such as vector defines, or None if it cannot be read.

@@ -20,8 +20,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from autograder.checks.faults import is_inside
-from autograder.checks.students_code import LIBRARY, StudentsCode
+from autograder.at_home.students_code import LIBRARY, StudentsCode
+from autograder.diagnosis.faults import is_inside
 
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]

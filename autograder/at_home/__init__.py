@@ -1,0 +1,1 @@
+"""Run the checks in the student's own Python, with only what the grader allows."""

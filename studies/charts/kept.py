@@ -54,7 +54,8 @@ def described(rows: Sequence[Row]) -> str:
         most = max(slower)
         told.append(
             f"Pymunk takes longer in {len(slower)} of {len(ratios)} comparisons, up to "
-            f"{_rounded(most)} times as long ({ratios[most].scene})."
+            f"{_rounded(most)} times as long ({ratios[most].scene}"
+            f"{', extrapolated' if ratios[most].is_extrapolated else ''})."
         )
     if faster := [ratio for ratio in ratios if ratio < 1.0]:
         least = min(faster)

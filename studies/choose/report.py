@@ -114,9 +114,12 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
     unsteady = [tried for tried in found if not tried.halved.is_steady]
     if unsteady:
         told.append(
-            "as their steps are halved, some models do not converge with the expected order, so "
-            f"their errors (marked ?) are only guesses: {'; '.join(map(_seen, unsteady))}"
+            "errors marked ? are only guesses, because they do not fall with the expected order as "
+            "the steps are halved"
         )
+    for tried in unsteady:
+        if not tried.halved.orders:
+            told.append(f"{tried.model.name}: {tried.failure or 'its runs hardly differ'}")
     if not chosen and len(unsteady) == len(found):
         told.append(
             "no model converges. If the motion is chaotic, shorten DURATION, or measure something "
@@ -134,18 +137,6 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
     if chosen and (other := _contradicting(found, chosen)):
         told.append(other)
     return told
-
-
-def _seen(tried: Tried) -> str:
-    """Describe a model that does not converge, as in "leapfrog (1.2, 0.4, 0.9 instead of 2)".
-
-    The first three numbers are the observed orders of convergence. If there are none, the text says
-    why the runs failed.
-    """
-    shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
-    if not shown:
-        return f"{tried.model.name} ({tried.failure or 'its runs hardly differ'})"
-    return f"{tried.model.name} ({shown} instead of {tried.model.order})"
 
 
 def _contradicting(found: list[Tried], chosen: Point) -> str:

@@ -1,0 +1,27 @@
+"""A scene file for `make choose` with links: a light ball and a heavy one on a rod each.
+
+The light ball hangs from a fixed point, and the heavy one hangs from the light one. A world's
+`contact_generators` may also contain a `GroundPlane(particles, height, radius, restitution)` or
+`ParticlePairs(particles, radius, restitution)`, which detect collisions.
+"""
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.links import AnchoredRod, Rod
+from ch08_mass_aggregate.world import ParticleWorld
+
+DURATION = 1.0  # s
+
+
+def build() -> ParticleWorld:
+    """Create two hanging balls that have been moved to the side and are released now."""
+    gravity = Vector3(0.0, -9.81, 0.0)
+    light = Particle(Vector3(0.6, -0.8, 0.0), acceleration=gravity, mass=1.0)
+    heavy = Particle(Vector3(0.6, -1.8, 0.0), acceleration=gravity, mass=20.0)
+    rods = [AnchoredRod(light, Vector3(), 1.0), Rod(light, heavy, 1.0)]
+    return ParticleWorld([light, heavy], rods)
+
+
+def measure(world: ParticleWorld) -> Vector3:
+    """Return the position of the heavy ball."""
+    return world.particles[1].position

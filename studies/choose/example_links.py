@@ -18,8 +18,10 @@ def build() -> ParticleWorld:
     gravity = Vector3(0.0, -9.81, 0.0)
     light = Particle(Vector3(0.6, -0.8, 0.0), acceleration=gravity, mass=1.0)
     heavy = Particle(Vector3(0.6, -1.8, 0.0), acceleration=gravity, mass=20.0)
-    rods = [AnchoredRod(light, Vector3(), 1.0), Rod(light, heavy, 1.0)]
-    return ParticleWorld([light, heavy], rods)
+    world = ParticleWorld([light, heavy])
+    world.contact_generators.append(AnchoredRod(light, Vector3(), 1.0))
+    world.contact_generators.append(Rod(light, heavy, 1.0))
+    return world
 
 
 def measure(world: ParticleWorld) -> Vector3:

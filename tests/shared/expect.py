@@ -32,8 +32,8 @@ UNCHANGED = (
     "The call changed a value that it should only read. Work on a copy, or on plain numbers."
 )
 LOST = (
-    "v did not change. Assign to self.x, self.y and self.z. If you only create a new vector, it is "
-    "lost when the method returns."
+    "v did not change. Your method computes a new vector but doesn't store it in v. Assign its "
+    "components to self.x, self.y and self.z."
 )
 
 

@@ -137,8 +137,8 @@ def test_the_angles_of_the_book() -> None:
         ),
         (
             0.25 * math.pi,
-            "You lose the sign of the scalar product, as an absolute value does. The product is "
-            "negative here, so the angle must be obtuse.",
+            "You lose the minus sign of the scalar product, as abs does. Keep it, because the "
+            "angle is obtuse here.",
         ),
         (
             -0.25 * math.pi,
@@ -233,8 +233,8 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
 def test_the_angles_of_parallel_and_perpendicular_vectors(rng: Random) -> None:
     # In many of the 40 pairs, rounding leaves a cosine or a sine slightly above 1.
     clamp = (
-        "Rounding makes your {0} slightly larger than 1 in magnitude, so {1} raises an error. "
-        "Clamp the {0} to the range from -1 to 1 first."
+        "Rounding makes your {0} slightly {1} here, so {2} raises an error. Clamp the {0} to the "
+        "range from -1 to 1 first."
     ).format
     about.read = "the hints of exercise 2.5"
     for _ in range(40):
@@ -243,13 +243,16 @@ def test_the_angles_of_parallel_and_perpendicular_vectors(rng: Random) -> None:
             b = (a[0] * size, a[1] * size, a[2] * size)
             about(
                 f"angle_by_scalar_product(Vector3{a}, Vector3{b})",
-                cause=clamp("cosine", "math.acos"),
+                cause=clamp("cosine", "above 1" if size > 0.0 else "below -1", "math.acos"),
             )
             got = exercises.angle_by_scalar_product(Vector3(*a), Vector3(*b))
             # Near 0 and pi, acos turns a rounding error of 1e-16 into its square root, 1e-8.
             expect_close(got, angle, tolerance=1e-7)
         c = (a[1], -a[0], 0.0)
-        about(f"angles_by_vector_product(Vector3{a}, Vector3{c})", cause=clamp("sine", "math.asin"))
+        about(
+            f"angles_by_vector_product(Vector3{a}, Vector3{c})",
+            cause=clamp("sine", "above 1", "math.asin"),
+        )
         both = exercises.angles_by_vector_product(Vector3(*a), Vector3(*c))
         right = math.pi / 2.0
         expect_close(both, (right, right), tolerance=1e-7)

@@ -188,8 +188,8 @@ def test_vectors_along_one_axis_are_refused() -> None:
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = (
-        "These vectors are parallel, but rounding gives a x b a length of about 1e-16. Compare the "
-        "length with a small limit instead of 0."
+        "These vectors are parallel, but because of rounding, a x b has a length of about 1e-16. "
+        "Compare its length with a small limit instead of 0."
     )
     # In nearly all of the 40 pairs, rounding leaves a vector product that is not exactly zero.
     for _ in range(40):

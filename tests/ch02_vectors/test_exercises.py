@@ -125,7 +125,7 @@ def test_the_perpendicular_vector_of_the_book() -> None:
         ),
         (
             -3.0,
-            "You don't divide by a.z, which is 3 here, so you return 3 z. Divide it by a.z.",
+            "You return 3 z, because a.z is 3 here. Divide it by a.z to get z.",
         ),
     ]
     blame(got, mistakes)
@@ -221,8 +221,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     mistakes = [
         (
             90.0,
-            "Your angle is in degrees, but it must be in radians. Leave the result of math.acos or "
-            "math.asin as it is.",
+            "Your angle is in degrees, but it must be in radians. The functions of math return "
+            "radians, so don't convert their results.",
         ),
         (
             math.acos(max(-1.0, min(along, 1.0))),
@@ -314,8 +314,8 @@ def test_the_projection_of_parallel_vectors_is_refused(rng: Random) -> None:
             allowed=lambda: remove_projection_of_length(1.0),
         )
     about.cause = (
-        "You accept a b that is nearly parallel to a, since its rest d is shorter than 1e-6. "
-        "Compare the length of d with 1e-6 instead of 0."
+        "Here b is nearly parallel to a, so the rest d is shorter than 1e-6. Compare the length of "
+        "d with 1e-6 instead of 0, and raise ValueError."
     )
     x = Vector3(1.0, 0.0, 0.0)
     # Both have length 1 to the last digit, and d is their Y component.

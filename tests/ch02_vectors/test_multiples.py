@@ -20,9 +20,8 @@ from expect import (
 )
 
 NO_SELF = (
-    "Your method returned nothing, and Python assigns its result to v. End the method with return "
-    "self."
-)
+    "Your {} returned nothing, so Python assigned None to v. End the method with return self."
+).format
 
 
 def scaled(a: Components, scale: float) -> Components:
@@ -63,7 +62,8 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     )
     about.read = "book 2.1.3, and the docstring of Vector3.__imul__"
     v *= scale
-    expect_that(v is not None, "v is None", "v is the same vector as before", cause=NO_SELF)
+    same = "v is the same vector as before"
+    expect_that(v is not None, "v is None", same, cause=NO_SELF("__imul__"))
     expect_close(xyz(v), scaled(a, scale))
     expect_same_object(made, step, v, before)
 
@@ -104,7 +104,8 @@ def test_division_by_a_number(rng: Random) -> None:
     )
     about.read = "the docstring of Vector3.__itruediv__"
     w /= divisor
-    expect_that(w is not None, "v is None", "v is the same vector as before", cause=NO_SELF)
+    same = "v is the same vector as before"
+    expect_that(w is not None, "v is None", same, cause=NO_SELF("__itruediv__"))
     got = xyz(w)
     expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
     expect_same_object(made, step, w, before)

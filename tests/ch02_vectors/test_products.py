@@ -65,7 +65,7 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     mistakes = [
         (a, LOST),
         (tuple(a[i] * scale + b[i] for i in range(3)), "You multiply v by the number "
-         "instead of w. Multiply w by it, and add the product to v."),
+         "instead of w. Add w times the number to v."),
         (tuple((a[i] + b[i]) * scale for i in range(3)), "You multiply the whole sum v + w by the "
          "number. Multiply only w by it, and then add the product to v."),
         (tuple(a[i] + b[i] for i in range(3)), "You add w without multiplying it by the "
@@ -260,8 +260,8 @@ def test_the_scalar_product_keeps_nan_and_infinity() -> None:
     w = Vector3(1.0, 1.0, 1.0)
     about(
         "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="One component is NaN, so the scalar product must be NaN too. Check your code for "
-        "max, min and comparisons, because each of them can hide a NaN.",
+        cause="You hide the NaN with a comparison, such as max or min. Return the sum without "
+        "comparing it with another number.",
     )
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))

@@ -61,8 +61,8 @@ def test_infinite_durations_and_nan_are_refused() -> None:
         "ValueError."
     )
     nan = (
-        "Every comparison with NaN is False, so a test such as duration <= 0 does not catch NaN. "
-        "Test for the valid range, 0.0 < duration < math.inf, and reject everything else."
+        "Every comparison with NaN is False, so duration <= 0 doesn't catch it. Test for the valid "
+        "range, 0.0 < duration < math.inf, and reject everything else."
     )
     expect_refusal(math.inf, ValueError, infinite)
     expect_refusal(-math.inf, ValueError, infinite)
@@ -93,7 +93,7 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
         exercises.checked_duration(value)
     except (ValueError, TypeError) as error:
         message = str(error)
-    about.call = f"checked_duration({value!r}); the error message"
+    about.call = f"the error message of checked_duration({value!r})"
     parts = {"duration": "name the argument", str(value): "show the value of the argument"}
     missing = " or ".join(lack for word, lack in parts.items() if word not in message)
     about.cause = (

@@ -101,8 +101,8 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     else:
         v -= w
     nothing = (
-        "Your method returned nothing, and Python assigns its result to v. End the method with "
-        "return self."
+        f"Your {'__iadd__' if sign > 0.0 else '__isub__'} returned nothing, so Python assigned "
+        "None to v. End the method with return self."
     )
     expect_that(v is not None, "v is None", "v is the same vector as before", cause=nothing)
     opposite = (a[0] - sign * b[0], a[1] - sign * b[1], a[2] - sign * b[2])
@@ -110,8 +110,8 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     mistakes = [
         (
             opposite,
-            f"You compute v {wrong_sign} other, which has the wrong sign. Compute v {operator[0]} "
-            "other for each component.",
+            f"You compute v {wrong_sign} other, although the operator is {operator}. Compute v "
+            f"{operator[0]} other for each component.",
         )
     ]
     blame(xyz(v), mistakes)

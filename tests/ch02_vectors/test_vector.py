@@ -75,9 +75,7 @@ def test_clear_leaves_zero(rng: Random) -> None:
     mistakes = [(a, same)]
     for i, name in enumerate("xyz"):
         left = tuple(n if i == j else 0.0 for j, n in enumerate(a))
-        mistakes.append(
-            (left, f"Your clear leaves {name} unchanged. Set self.{name} to 0 as well.")
-        )
+        mistakes.append((left, f"Your clear leaves {name} unchanged. Set self.{name} to 0 too."))
     blame(xyz(v), mistakes)
     expect_close(xyz(v), ZERO, then="; v")
 
@@ -133,7 +131,7 @@ def test_magnitude_is_the_length(rng: Random) -> None:
     about.read = "book 2.1"
     got = Vector3(*a).magnitude()
     mistakes = [
-        (length**2, "The result is the squared length. Take its square root."),
+        (length**2, "You return the squared length. Take its square root."),
         (
             math.hypot(a[0], a[1]),
             "You leave out z. Add its square to the sum before you take the square root.",
@@ -180,8 +178,8 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
     about.read = "the docstring of Vector3.magnitude"
     for scale, size, result in ((HUGE, "large", "infinity"), (TINY, "small", "zero")):
         about.cause = (
-            f"The squares of these components are too {size} for a float, so they become {result}. "
-            "Use math.hypot, which computes the length without this problem."
+            f"The squares of these components are too {size} for a float, so your length is "
+            f"{result}. Use math.hypot, which avoids this."
         )
         b = scaled(a, scale)
         about.call = f"Vector3{rounded(b)}.magnitude()"
@@ -206,8 +204,8 @@ def test_the_length_of_a_vector_with_nan_is_nan() -> None:
     lost = Vector3(1.0, math.nan, 2.0)
     about.call = "Vector3(1, nan, 2).magnitude()"
     about.cause = (
-        "One component is NaN, but your length is not, because max, min and comparisons can hide a "
-        "NaN. Return the result without comparing it with another number."
+        "You hide the NaN with a comparison, such as max or min. Return the result without "
+        "comparing it with another number."
     )
     expect_nan(lost.magnitude())
     about.call = "Vector3(1, nan, 2).squared_magnitude()"
@@ -259,10 +257,10 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     about.read = "the docstring of Vector3.normalized"
     result = v.normalized()
     in_place = (
-        "Your method returned nothing, because you return the result of normalize, which works in "
-        "place. Normalize a copy of v first, and then return the copy."
+        "Your normalized returns None, the result of normalize, which works in place. Normalize a "
+        "copy of v first, and then return the copy."
     )
-    expect_that(result is not None, "no vector (None)", "a new unit vector", cause=in_place)
+    expect_that(result is not None, "nothing (None)", "a new unit vector", cause=in_place)
     got = xyz(result)
     mistakes = [
         (
@@ -293,8 +291,8 @@ def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
     about.call = "v = Vector3(0, 0, 0); v.normalized()"
     about.cause = (
-        "This vector has a length of 0, so you must not divide by it. Test whether the length is "
-        "0.0 before you divide, and leave the zero vector unchanged."
+        "You divide by the length, which is 0 here. Test for a length of 0.0 before you divide, so "
+        "that the result is the zero vector."
     )
     about.read = "book 2.1.3"
     expect_close(xyz(v.normalized()), ZERO)

@@ -279,8 +279,8 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
         ),
         (
             math.fsum(speeds) / len(speeds),
-            "You return the difference of the two speeds. Subtract the velocities as vectors "
-            "first, and then take the length of that difference.",
+            "You return the difference of the speeds. Subtract the velocities as vectors first, "
+            "and then take the length of the difference.",
         ),
         (
             distances[-1],
@@ -333,8 +333,8 @@ def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]
 @pytest.mark.robust
 def test_an_empty_list_of_runs_is_refused() -> None:
     about.cause = (
-        "The list of runs is empty, and an empty list has no mean. Check this first and raise "
-        "ValueError."
+        "You accept an empty list of runs, although an empty list has no mean. Raise ValueError if "
+        "there are no runs."
     )
     expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
 

@@ -26,7 +26,7 @@ def a_particle(
 ) -> tuple[str, Particle]:
     """Return the code that makes a particle, and the particle."""
     words = f"x, v, a = Vector3{x}, Vector3{v}, Vector3{a}; p = Particle(x, v, a"
-    words += f", {mass=}" if mass != 1.0 else ""
+    words += f", {mass=}".replace("inf", "math.inf") if mass != 1.0 else ""
     words += f", {damping=})" if damping != 1.0 else ")"
     return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
 

@@ -137,8 +137,8 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
     expect_close(p.inverse_mass, 0.0, then="; p.inverse_mass")
     about.call += "; p.mass"
     about.cause = (
-        "You divide by the inverse mass, but that of an infinite mass is 0. Return math.inf in "
-        "this case instead of dividing by 0."
+        "You divide by the inverse mass, which is 0 for an infinite mass. Return math.inf in this "
+        "case instead of dividing by 0."
     )
     expect_exactly(p.mass, math.inf)
     about.call = "p = Particle(mass=math.inf); p.has_finite_mass"
@@ -177,16 +177,16 @@ def test_a_damping_is_stored_unchanged(rng: Random) -> None:
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
         about.cause = (
-            f"A damping of {damping} is valid, but you don't accept it unchanged. Check it with "
-            "not_negative from arguments.py, and don't limit it to 1."
+            f"You reject a damping of {damping}, which is valid. Check it with not_negative from "
+            "arguments.py, which accepts 0 and every positive, finite number."
         )
-        if damping == 0.0:
-            about.cause = (
-                "You reject a damping of 0, which is valid. Check it with not_negative from "
-                "arguments.py, which accepts 0."
-            )
         about.call = f"p = Particle({damping=!r}); p.damping"
         p = Particle(damping=damping)
+        about.cause = "Store the damping unchanged."
+        if damping > 1.0:
+            about.cause = (
+                "You limit the damping to 1, but a larger one is valid. Store it unchanged."
+            )
         expect_close(p.damping, damping)
         about.call = f"p = Particle(); p.damping = {damping!r}; p.damping"
         p = Particle()
@@ -208,8 +208,8 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 
     expect_error(attempt, error, allowed=allowed)
     about.cause = (
-        f"Your setter stores {bad!r} before it rejects it. Check the {name.replace('_', ' ')} "
-        "before you store it, so that a bad value changes nothing."
+        f"Your setter stores {bad!r} first and rejects it only afterward. Check the "
+        f"{name.replace('_', ' ')} before you store it."
     )
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
@@ -320,8 +320,8 @@ def test_momentum_is_a_new_vector(rng: Random) -> None:
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "An immovable particle has zero momentum. Check has_finite_mass first and return a zero "
-        "vector, because infinity times 0 is NaN."
+        "You multiply the velocity by an infinite mass. Return a zero vector if has_finite_mass is "
+        "False, because a particle that cannot move has no momentum."
     )
     about.read = "the docstring of momentum"
     for velocity in (ZERO, v):
@@ -382,8 +382,8 @@ def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
 def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "An immovable particle has a kinetic energy of 0. Check has_finite_mass first and return "
-        "0.0, because infinity times 0 is NaN."
+        "You multiply by an infinite mass. Return 0.0 if has_finite_mass is False, because a "
+        "particle that cannot move has no kinetic energy."
     )
     about.read = "the docstring of kinetic_energy"
     for velocity in (ZERO, v):

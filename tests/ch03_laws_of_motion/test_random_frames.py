@@ -136,8 +136,8 @@ def test_without_jitter_all_frames_are_equal() -> None:
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
     about.cause = (
-        "You treat the last 5e-08 s as a rounding error, but they are 0.6 % of the total. Compare "
-        "the rest with a tiny fraction of the total, not with a fixed time."
+        "You treat the last 5e-08 s as a rounding error, although this is 0.6 % of the total. "
+        "Compare the rest with a tiny fraction of the total, not with a fixed time."
     )
     about.call = "random_frames(mean=4e-06, jitter=0.0, total=8.05e-06, seed=3)"
     got = frames_of(4e-6, 0.0, 8.05e-6, 3)
@@ -157,7 +157,9 @@ def test_only_the_same_seed_gives_the_same_frames(rng: Random) -> None:
     others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
     again = frames_of(0.02, 0.5, 1.0, seed)
     wanted = "the same frames in both calls"
-    expect_that(again == first, "other frames in the second call", wanted, then=", called twice")
+    expect_that(
+        again == first, "different frames in the second call", wanted, then=", called twice"
+    )
     about.cause = "Your frames don't depend on the seed. Draw them from random.Random(seed)."
     for i, other in enumerate(others, 1):
         expect_that(
@@ -168,7 +170,7 @@ def test_only_the_same_seed_gives_the_same_frames(rng: Random) -> None:
         )
     about.cause = "You sort the durations. Return them in the order in which you drew them."
     in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))
-    expect_that(not in_order, "sorted durations", "durations in the order of drawing")
+    expect_that(not in_order, "sorted durations", "durations in the order in which they were drawn")
 
 
 @pytest.mark.exercise("3.5a")

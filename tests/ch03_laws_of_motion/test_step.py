@@ -336,8 +336,8 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     about.read = "the docstring of integrate"
     kicks = probes.kicks_of_a_step(x, v, h)
     about.cause = (
-        "Your integrate must call self.kick(duration) once, instead of changing the velocity "
-        "itself. The particle of chapter 5 overrides kick to add forces."
+        "Your integrate changes the velocity itself. Call self.kick(duration) once instead, "
+        "because the particle of chapter 5 overrides kick to add forces."
     )
     got = " and ".join(f"kick({duration})" for duration, _ in kicks) or "no call of kick"
     expect_that([duration for duration, _ in kicks] == [h], got, f"a single call, kick({h})")

@@ -70,7 +70,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     m, n = draw_matrix(rng), draw_matrix(rng)
     about.call = f"a = {written(m)}; b = {written(n)}; a.product(b), row by row"
     about.cause = (
-        "Each number of a.product(b) is the scalar product of a row of a and a column of b."
+        "Each number of a.product(b) must be the scalar product of a row of a and a column of b."
     )
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))

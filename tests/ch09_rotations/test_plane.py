@@ -76,8 +76,8 @@ def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
         got = wrap_angle(angle)
         expect_close(got, math.pi, tolerance=0.0)
     about.cause = (
-        "You change an angle near the end of the range, but it is already in range. Only -pi "
-        "itself becomes pi."
+        "You change an angle that is near the end of the range, although it is already in range. "
+        "Of the two ends, only -pi must become pi."
     )
     for angle in (1e-6 - math.pi, math.pi - 1e-6):
         about.call = f"wrap_angle({'math.pi - 1e-6' if angle > 0.0 else '-math.pi + 1e-6'})"
@@ -269,11 +269,11 @@ def test_each_mass_needs_one_position(rng: Random) -> None:
     ):
         about.call = f"center_of_mass({masses}, {positions})"
         about.cause = (
-            f"The numbers of masses and positions are {len(masses)} and {len(positions)}. Each "
-            "mass needs exactly one position, so raise ValueError."
+            f"You accept lists with lengths of {len(masses)} and {len(positions)}, but each mass "
+            "needs exactly one position. Raise ValueError if the lengths differ."
         )
         if not masses:
-            about.cause = "The lists are empty. There must be at least one mass."
+            about.cause = "You accept empty lists. Raise ValueError if there is no mass."
         expect_error(
             lambda masses=masses, positions=positions: center_of_mass(masses, positions),
             ValueError,

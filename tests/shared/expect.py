@@ -25,15 +25,15 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "Your code accepted NaN. Every comparison with NaN is False, so x <= 0 doesn't detect it. Test "
-    "for the valid range instead, as in 0.0 < x < math.inf, or use the functions in arguments.py."
+    "Your code accepted NaN. Every comparison with NaN is False, so check that the number is in "
+    "the valid range, as in 0.0 < x < math.inf."
 )
 UNCHANGED = (
     "The call changed a value that it should only read. Work on a copy, or on plain numbers."
 )
 LOST = (
-    "v did not change. Your method computes a new vector but doesn't store it in v. Assign its "
-    "components to self.x, self.y and self.z."
+    "Your method computes a new vector but leaves v unchanged. Assign its components to self.x, "
+    "self.y and self.z."
 )
 
 
@@ -201,13 +201,13 @@ def expect_finite_numbers(
     pairs of an argument's index and a number.
     """
     __tracebackhide__ = True
-    valid = "is not a valid value for this argument, so raise ValueError. The functions in "
-    valid += "arguments.py check an argument and raise the error for you."
+    valid = "which is not valid here. Pass the number to a function from arguments.py, which "
+    valid += "raises the ValueError for you."
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
-        cause = f"{value!r} {valid}"
+        cause = f"Your code accepted {value!r}, {valid}"
         if error is TypeError:
             cause = "A string is not a number, even if it looks like one, so raise TypeError."
         arguments = [*good]
@@ -228,8 +228,8 @@ def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     before.x = 99.0
     about(
         f"{made}; w = v; {step}; w.x = 99.0; v.x",
-        cause="v and w should still be the same vector, but v is now a new one. Change self.x, "
-        "self.y and self.z and end with return self, instead of creating a new vector.",
+        cause="Your method creates a new vector, so v and w are no longer the same vector. Change "
+        "self.x, self.y and self.z instead, and return self.",
     )
     expect_close(v.x, 99.0)
 
@@ -337,8 +337,8 @@ def _complain(
     unit, other = words.get("unit", ""), ""
     if got == "None":
         nothing = (
-            "The call returned None. Either a return statement is missing, or you used the result "
-            "of a method that works in place."
+            "The call returned None, perhaps because a return statement is missing. Return the "
+            "result."
         )
         cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):

@@ -127,8 +127,8 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
         )
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "You compute (v + a h) d^h, as in the book's listing (E-16), with the damping d and "
-            "the duration h. This function implements Eq. 3.6, so compute v d^h + a h."
+            "You compute (v + a h) d^h, as in the book's listing (E-16), which damps a h as well. "
+            "This function implements Eq. 3.6, v d^h + a h."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]

@@ -52,7 +52,7 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
     blame(p.damping, [(0.0, lost)])
     expect_close(p.damping, 1.0, then=".damping")
     for mass in (1.0, 1e9, 0.001):
-        about.call = f"p = Particle(mass={mass}); p.has_finite_mass"
+        about.call = f"a particle p with a mass of {mass} kg; p.has_finite_mass"
         got = Particle(mass=mass).has_finite_mass
         about.cause = "You return False for a finite mass. Return True unless the mass is infinite."
         if not isinstance(got, bool):

@@ -70,7 +70,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     m, n = draw_matrix(rng), draw_matrix(rng)
     about.call = f"a = {written(m)}; b = {written(n)}; a.product(b), row by row"
     about.cause = (
-        "Each number of a.product(b) must be the scalar product of a row of a and a column of b."
+        "Each number of the result must be the scalar product of a row of a and a column of b."
     )
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
@@ -125,10 +125,7 @@ def test_rows_become_columns(rng: Random) -> None:
     m = draw_matrix(rng)
     matrix = Matrix3(*m)
     about.call = f"m = {written(m)}; m.transpose(), row by row"
-    about.cause = (
-        "Make each row of the matrix a column of the transpose, so that the number in row i and "
-        "column j moves to row j and column i."
-    )
+    about.cause = "Row i of the matrix must become column i of the transpose."
     got = entries(matrix.transpose())
     other = transposed(m)[::-1]
     slips = {

@@ -61,8 +61,8 @@ def test_infinite_durations_and_nan_are_refused() -> None:
         "ValueError."
     )
     nan = (
-        "Every comparison with NaN is False, so duration <= 0 doesn't catch it. Test for the valid "
-        "range, 0.0 < duration < math.inf, and reject everything else."
+        "You accept NaN. Every comparison with NaN is False, so reject a duration unless it is in "
+        "the valid range, 0.0 < duration < math.inf."
     )
     expect_refusal(math.inf, ValueError, infinite)
     expect_refusal(-math.inf, ValueError, infinite)

@@ -187,9 +187,8 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
 @pytest.mark.exercise("B9.2")
 @pytest.mark.robust
 def test_a_point_that_is_not_finite_is_refused() -> None:
-    name = "rotate_point((x, y), angle, (p, q)) with (x, y, angle, p, q) = "
     expect_finite_numbers(
-        name,
+        "rotate_point(point=({}, {}), angle={}, origin=({}, {}))",
         lambda x, y, t, a, u: rotate_point((x, y), t, (a, u)),
         (1, 2, 1, 3, 4),
         (),
@@ -285,7 +284,7 @@ def test_each_mass_needs_one_position(rng: Random) -> None:
 @pytest.mark.robust
 def test_bad_masses_and_positions_are_refused() -> None:
     expect_finite_numbers(
-        "center_of_mass([2, m], [(1, 1), (x, y)]) with (m, x, y) = ",
+        "center_of_mass([2, {}], [(1, 1), ({}, {})])",
         lambda m, x, y: center_of_mass([2.0, m], [(1.0, 1.0), (x, y)]),
         (1, 2, 3),
         ((0, 0.0), (0, -1.0)),

@@ -162,7 +162,7 @@ def expect_error(
     """Expect attempt() to raise this error, and allowed() to raise none.
 
     The second condition catches code that refuses every argument. If the call contains a NaN, the
-    message explains how NaN gets past comparisons.
+    message explains how NaN gets past comparisons, unless the cause already mentions NaN.
     """
     __tracebackhide__ = True
     call, cause, read = about.but(words)
@@ -172,7 +172,7 @@ def expect_error(
         read=read,
     )
     allowed()
-    about(call, cause=NAN if "nan" in call else cause)
+    about(call, cause=NAN if "nan" in call and "NaN" not in cause else cause)
     try:
         got = attempt()
     except error:
@@ -198,16 +198,19 @@ def expect_finite_numbers(
     """Expect a function to refuse NaN, infinities and texts for each of its arguments.
 
     ``good`` holds whole numbers that it must accept. ``bad`` lists further values to refuse, as
-    pairs of an argument's index and a number.
+    pairs of an argument's index and a number. If ``name`` has fields, such as "f({}, {})", it is
+    the whole call.
     """
     __tracebackhide__ = True
+    fields = ", ".join("{}" for _ in good)
     valid = "which is not valid here. Pass the number to a function from arguments.py, which "
     valid += "raises the ValueError for you."
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
-        cause = f"Your code accepted {value!r}, {valid}"
+        shown = "NaN" if value is math.nan else repr(value)
+        cause = f"Your code accepted {shown}, {valid}"
         if error is TypeError:
             cause = "A string is not a number, even if it looks like one, so raise TypeError."
         arguments = [*good]
@@ -216,7 +219,7 @@ def expect_finite_numbers(
             lambda arguments=arguments: function(*arguments),
             error,
             allowed=lambda: function(*good),
-            call=f"{name}({', '.join(map(repr, arguments))})",
+            call=(name if "{" in name else f"{name}({fields})").format(*map(repr, arguments)),
             cause=cause,
             read=about.but(words)[2],
         )

@@ -108,9 +108,11 @@ def test_a_matrix_times_something_else_is_refused() -> None:
     )
     twelve = Matrix4(1, 0, 0, 4, 0, 1, 0, 5, 0, 0, 1, 6)
     for name, other in (("Vector3(1, 2, 3)", v), ("2.0", 2.0), ("Matrix4(...)", twelve)):
-        kind = name.partition("(")[0]
-        about.cause = f"You accept a {kind if other != 2.0 else 'number'} as the factor. "
-        about.cause += "Raise TypeError for any argument that is not a Matrix3."
+        kind = "number" if name == "2.0" else name.partition("(")[0]
+        about.cause = (
+            f"You accept a {kind} as the factor. Raise TypeError for any argument that is not a "
+            "Matrix3."
+        )
         expect_error(
             lambda other=other: m.product(other),
             TypeError,

@@ -44,7 +44,7 @@ def two_at_an_angle(rng: Random, angle: float) -> tuple[Components, Components]:
 
 @pytest.mark.exercise("2.2a")
 @pytest.mark.parametrize("word", ["acute", "obtuse"])
-def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) -> None:
+def test_the_sign_of_the_scalar_product_gives_the_kind_of_angle(rng: Random, word: str) -> None:
     low, high = (0.1, 1.5) if word == "acute" else (1.6, 3.0)
     long, b = two_at_an_angle(rng, rng.uniform(low, high))
     about.read = "book 2.1.7, Eq. 2.4"
@@ -63,8 +63,8 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
         about.cause = (
-            "The sign of the scalar product tells you which word to return. If it is positive, the "
-            "angle is acute, and if it is negative, the angle is obtuse."
+            "You swap acute and obtuse. The angle is acute if the scalar product is positive, and "
+            "obtuse if it is negative."
         )
         if got == "right":
             about.cause = (
@@ -80,8 +80,8 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     x, y = rng.choice((1.0, 2.0, 4.0, 8.0)), rng.choice((1.0, 2.0, 4.0, 8.0))
     about.call = f"scalar_product_and_angle(Vector3({x}, {y}, 0), Vector3({-y}, {x}, 3))"
     about.cause = (
-        "The scalar product is exactly 0 here, so the angle is a right angle, whose cosine is 0. "
-        "Return the word right."
+        "Your comparison with 0 includes 0 itself. The angle is a right angle if the scalar "
+        "product is exactly 0, so return the word right."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     a, b = Vector3(x, y, 0.0), Vector3(-y, x, 3.0)
@@ -92,7 +92,7 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
 
 @pytest.mark.exercise("2.2a")
 @pytest.mark.robust
-def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
+def test_a_scalar_product_of_nan_is_refused() -> None:
     about.call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.cause = (
         "The scalar product is NaN here, so it has no sign and tells you nothing about the angle. "
@@ -137,8 +137,8 @@ def test_the_angles_of_the_book() -> None:
         ),
         (
             0.25 * math.pi,
-            "You lose the sign of the scalar product, perhaps by taking an absolute value. It is "
-            "negative here, so the angle must be obtuse.",
+            "You lose the minus sign of the scalar product, as abs does. Keep it, because the "
+            "angle is obtuse here.",
         ),
         (
             -0.25 * math.pi,
@@ -159,12 +159,12 @@ def test_the_angles_of_the_book() -> None:
         (
             (0.0, math.pi),
             "You use sqrt(1 - (a . b)^2) as the sine, which is right only if a and b are unit "
-            "vectors. Normalize both first, or divide |a x b| by both lengths.",
+            "vectors. Normalize both first.",
         ),
         (
             (0.5 * math.pi, 0.5 * math.pi),
-            "You use |a x b| as the sine of the angle, but it also contains the lengths of a and "
-            "b. Divide it by both lengths first.",
+            "You use |a x b| itself as the sine of the angle, but its value depends on the lengths "
+            "of a and b. Divide it by both lengths first.",
         ),
         (
             (45.0, 135.0),
@@ -230,23 +230,29 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
 
 
 @pytest.mark.exercise("2.5")
-def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None:
+def test_the_angles_of_parallel_and_perpendicular_vectors(rng: Random) -> None:
     # In many of the 40 pairs, rounding leaves a cosine or a sine slightly above 1.
-    about.cause = (
-        "Rounding can make a cosine or a sine slightly larger than 1, and then math.acos or "
-        "math.asin raises an error. Clamp the cosine and the sine to the range from -1 to 1 first."
-    )
+    clamp = (
+        "Rounding makes your {0} slightly {1} here, so {2} raises an error. Clamp the {0} to the "
+        "range from -1 to 1 first."
+    ).format
     about.read = "the hints of exercise 2.5"
     for _ in range(40):
         a, scale = components(rng), rng.uniform(0.1, 9.0)
         for size, angle in ((scale, 0.0), (-scale, math.pi)):
             b = (a[0] * size, a[1] * size, a[2] * size)
-            about.call = f"angle_by_scalar_product(Vector3{a}, Vector3{b})"
+            about(
+                f"angle_by_scalar_product(Vector3{a}, Vector3{b})",
+                cause=clamp("cosine", "above 1" if size > 0.0 else "below -1", "math.acos"),
+            )
             got = exercises.angle_by_scalar_product(Vector3(*a), Vector3(*b))
             # Near 0 and pi, acos turns a rounding error of 1e-16 into its square root, 1e-8.
             expect_close(got, angle, tolerance=1e-7)
         c = (a[1], -a[0], 0.0)
-        about.call = f"angles_by_vector_product(Vector3{a}, Vector3{c})"
+        about(
+            f"angles_by_vector_product(Vector3{a}, Vector3{c})",
+            cause=clamp("sine", "above 1", "math.asin"),
+        )
         both = exercises.angles_by_vector_product(Vector3(*a), Vector3(*c))
         right = math.pi / 2.0
         expect_close(both, (right, right), tolerance=1e-7)
@@ -255,7 +261,7 @@ def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None
 @pytest.mark.exercise("2.5")
 @pytest.mark.robust
 @pytest.mark.parametrize("name", ["angle_by_scalar_product", "angles_by_vector_product"])
-def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
+def test_the_angle_of_a_zero_vector_is_refused(rng: Random, name: str) -> None:
     a = components(rng)
     function = getattr(exercises, name)
     zero = Vector3(0.0, 0.0, 0.0)
@@ -264,7 +270,7 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
         return function(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0))
 
     about.cause = (
-        "One of the vectors is zero, so it has no direction and no angle to the other vector. "
+        "You accept a zero vector, which has no direction and so no angle to the other vector. "
         "Raise ValueError."
     )
     about.read = f"the docstring of {name}"
@@ -278,7 +284,7 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
 
 @pytest.mark.exercise("2.5", weight=0.5)
 @pytest.mark.robust
-def test_nan_has_no_angle() -> None:
+def test_the_angle_of_a_vector_with_nan_is_nan() -> None:
     lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
     about.call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.cause = (

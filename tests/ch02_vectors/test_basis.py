@@ -14,7 +14,7 @@ from expect import (
     blame,
     expect_close,
     expect_error,
-    expect_exactly,
+    expect_that,
     expect_unchanged,
     expect_vector,
     scoped,
@@ -64,8 +64,8 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
                 ),
                 (
                     1.0 - along**2,
-                    "You don't normalize a x b. Even for unit vectors a and b, its length is only "
-                    "the sine of the angle between them, so divide it by its length.",
+                    "You don't normalize vector 3, a x b. For unit vectors a and b, its length is "
+                    "only the sine of the angle between them, so divide it by its length.",
                 ),
             ]
             got = dot(basis[i], basis[j])
@@ -75,7 +75,7 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B2.10")
-def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Random) -> None:
+def test_vector_1_points_along_a_and_vector_2_toward_b(rng: Random) -> None:
     about.read = "book 2.1.9"
     for _ in range(4):  # by chance, a wrong second vector may lean toward one b
         a, b = components(rng), components(rng)
@@ -92,10 +92,9 @@ def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Rando
             "Vector 2 of your basis points away from b. Compute c = a x b first, and then vector 2 "
             "as c x a."
         )
-        leans = dot(second, b) > 0.0
-        expect_exactly(
-            leans, True, then="; is the scalar product of vector 2 of the basis with b positive?"
-        )
+        along = dot(second, b)
+        then = "; the scalar product of vector 2 of the basis with b"
+        expect_that(along > 0.0, f"{along:.6g}", "a positive number", then=then)
 
 
 @pytest.mark.exercise("B2.10")
@@ -103,8 +102,8 @@ def test_the_basis_is_right_handed(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
     about.cause = (
-        "Your basis is left-handed, because you swap the factors of a vector product. Compute c = "
-        "a x b first, and then b = c x a."
+        "Your basis is left-handed, because you compute vector 3 as b x a. Compute it as c = a x "
+        "b, and vector 2 as c x a."
     )
     about.read = "book 2.1.9"
     (ax, ay, az), (bx, by, bz), third = basis_of(a, b)
@@ -112,18 +111,18 @@ def test_the_basis_is_right_handed(rng: Random) -> None:
     expect_close(
         third,
         wanted,
-        then="; vector 3 of the basis, which must be the vector product of the other two",
+        then="; vector 3 of the basis, compared with vector 1 x vector 2",
         tolerance=1e-12,
     )
 
 
 @pytest.mark.exercise("B2.10")
-def test_the_arguments_stay_as_they_were(rng: Random) -> None:
+def test_the_basis_leaves_its_arguments_unchanged(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; make_orthonormal_basis(v, w)"
     about.cause = (
-        "You change one of the arguments, because normalize works in place. Use normalized, which "
+        "You change the caller's vector, because normalize works in place. Use normalized, which "
         "returns a new vector."
     )
     about.read = "the docstring of make_orthonormal_basis"
@@ -189,7 +188,7 @@ def test_vectors_along_one_axis_are_refused() -> None:
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = (
-        "You accept parallel vectors, because rounding leaves a vector product of about 1e-16. "
+        "These vectors are parallel, but because of rounding, a x b has a length of about 1e-16. "
         "Compare its length with a small limit instead of 0."
     )
     # In nearly all of the 40 pairs, rounding leaves a vector product that is not exactly zero.
@@ -202,8 +201,8 @@ def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
 def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
     x, y, z = components(rng)
     about.cause = (
-        "You reject vectors that are nearly parallel but not quite. The sine of the angle between "
-        "them is well above 1e-12, so return a basis."
+        "Your limit for parallel vectors is too large. The sine of the angle between these two is "
+        "well above 1e-12, so return a basis."
     )
     about.read = "the docstring of make_orthonormal_basis"
     # Rounding errors of 1e-16 are divided by the angle, which is at least 1/30 of the change.

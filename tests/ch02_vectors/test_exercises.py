@@ -71,7 +71,7 @@ def test_split_the_vector_of_the_book() -> None:
 
 
 @pytest.mark.exercise("2.1")
-def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
+def test_split_returns_the_length_and_the_direction(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; split(v)"
@@ -120,12 +120,12 @@ def test_the_perpendicular_vector_of_the_book() -> None:
     mistakes = [
         (
             1.0,
-            "Your z has the wrong sign. The x and y terms change sign when you move them to the "
-            "other side of the equation: 3 z = -(1 * 7 + 2 * (-2)).",
+            "Your z has the wrong sign. The x and y terms change sign on the other side of the "
+            "equation: 3 z = -(1 * 7 + 2 * (-2)).",
         ),
         (
             -3.0,
-            "You return 3 z instead of z. Divide it by a.z, which is 3 here.",
+            "You return 3 z, because a.z is 3 here. Divide it by a.z to get z.",
         ),
     ]
     blame(got, mistakes)
@@ -135,14 +135,15 @@ def test_the_perpendicular_vector_of_the_book() -> None:
 @pytest.mark.exercise("2.4")
 def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
-    about(
-        cause="Solve a.x x + a.y y + a.z z = 0 for z. This works for every a.z except 0, so don't "
-        "reject a small a.z.",
-        read="book 2.1.7",
-    )
+    about.read = "book 2.1.7"
     for z in (az, -az, az * 1e-12, az * -1e-12):
+        about.cause = (
+            f"You reject a.z = {z:.4g}, but the equation has a solution for every a.z except 0. "
+            "Compare a.z with 0 exactly."
+        )
         about.call = f"make_perpendicular(Vector3{(ax, ay, z)}, x={x}, y={y})"
         got = exercises.make_perpendicular(Vector3(ax, ay, z), x, y)
+        about.cause = "Solve a.x x + a.y y + a.z z = 0 for z. Subtract a.x x and a.y y first."
         # The rounding errors of two terms of up to 100, which may cancel, are divided by z.
         tolerance = 1e-12 / abs(z)
         wanted = -(ax * x + ay * y) / z
@@ -151,12 +152,12 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
 
 @pytest.mark.exercise("2.4")
 @pytest.mark.robust
-def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
+def test_a_z_component_of_zero_is_refused(rng: Random) -> None:
     x, y, _ = components(rng)
     about.call = f"make_perpendicular(Vector3({x}, {y}, 0), x=1, y=2)"
     about.cause = (
-        "Here a.z is 0, so the scalar product is the same for every z and the equation has no "
-        "solution. Raise ValueError."
+        "You divide by a.z, which is 0 here, so the equation has no solution. Check a.z first and "
+        "raise ValueError."
     )
     about.read = "the docstring of make_perpendicular"
     expect_error(
@@ -175,7 +176,7 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = (
-        f"two unit vectors, here rounded: a = Vector3{rounded(a)}, b = Vector3{rounded(b)}; "
+        f"unit vectors, rounded here: a = Vector3{rounded(a)}; b = Vector3{rounded(b)}; "
         "remove_projection(a, b)"
     )
     about.cause = (
@@ -220,8 +221,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     mistakes = [
         (
             90.0,
-            "Your angle is in degrees, but it must be in radians. Leave the result of math.acos or "
-            "math.asin as it is.",
+            "Your angle is in degrees, but it must be in radians. The functions of math return "
+            "radians, so don't convert their results.",
         ),
         (
             math.acos(max(-1.0, min(along, 1.0))),
@@ -235,12 +236,13 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         "compute this angle.",
     )
     expect_close(angle, math.pi / 2.0, call=name, tolerance=1e-7)
-    about.cause = (
-        "You change one of the caller's vectors. The operations add_scaled, -= and *= work in "
-        "place, so write b - a * c, which creates a new vector."
-    )
-    expect_unchanged("a", xyz(v), a, read="the docstring of remove_projection")
-    expect_unchanged("b", xyz(w), b, read="the docstring of remove_projection")
+    about.read = "the docstring of remove_projection"
+    for name, now, before in (("a", xyz(v), a), ("b", xyz(w), b)):
+        about.cause = (
+            f"You change {name}, which belongs to the caller, because add_scaled, -= and *= work "
+            "in place. Write b - a * c, which creates a new vector."
+        )
+        expect_unchanged(name, now, before)
 
 
 def remove_projection_of_length(length: float) -> object:
@@ -250,7 +252,7 @@ def remove_projection_of_length(length: float) -> object:
 
 @pytest.mark.exercise("2.6")
 @pytest.mark.robust
-def test_what_is_not_a_unit_vector_is_refused() -> None:
+def test_a_vector_that_is_not_a_unit_vector_is_refused() -> None:
     about.cause = (
         "You reject a vector whose length differs from 1 by only 5e-7, which is within the "
         "tolerance of 1e-6. Accept it, and don't compare lengths with ==."
@@ -260,8 +262,8 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
     about.cause = (
-        "You accept a vector whose length is not 1, but the formula for the projection is right "
-        "only for unit vectors. Check the lengths of both a and b first."
+        "You accept a vector whose length is not 1, but c a is the projection only for unit "
+        "vectors. Check the lengths of both a and b first."
     )
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
@@ -280,7 +282,7 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 
 @pytest.mark.exercise("2.6", weight=0.5)
 @pytest.mark.robust
-def test_nan_is_not_a_unit_vector() -> None:
+def test_a_vector_with_nan_is_refused() -> None:
     about.call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
     about(
         cause="One component is NaN, so the length is NaN too and the vector is not a unit vector. "
@@ -296,10 +298,10 @@ def test_nan_is_not_a_unit_vector() -> None:
 
 @pytest.mark.exercise("2.6")
 @pytest.mark.robust
-def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
+def test_the_projection_of_parallel_vectors_is_refused(rng: Random) -> None:
     a = direction(rng)
     about.cause = (
-        "These vectors are parallel, so nothing is left of b except rounding errors, and d has no "
+        "You accept parallel vectors, although d is then only a rounding error without a "
         "direction. Raise ValueError."
     )
     about.read = "the docstring of remove_projection"
@@ -312,8 +314,8 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
             allowed=lambda: remove_projection_of_length(1.0),
         )
     about.cause = (
-        "You accept vectors that count as parallel, because the rest d of b is shorter than 1e-6. "
-        "Compare the length of d with 1e-6 instead of 0."
+        "Here b is nearly parallel to a, so the rest d is shorter than 1e-6. Compare the length of "
+        "d with 1e-6 instead of 0, and raise ValueError."
     )
     x = Vector3(1.0, 0.0, 0.0)
     # Both have length 1 to the last digit, and d is their Y component.
@@ -342,7 +344,7 @@ def test_ten_seconds_with_the_velocity_of_the_book() -> None:
             (4, 4, -2),
             "You add the velocity as if one second had passed. Multiply it by the time t first.",
         ),
-        ((10, -10, 20), "You return only v t, the displacement. Add it to the position p."),
+        ((10, -10, 20), "You return only the displacement v t. Add it to the position p."),
         (
             (40, 40, -20),
             "You return (p + v) t, because you multiply the position by the time as well. Multiply "
@@ -354,7 +356,7 @@ def test_ten_seconds_with_the_velocity_of_the_book() -> None:
 
 
 @pytest.mark.exercise("2.7")
-def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
+def test_the_new_position_is_a_new_vector(rng: Random) -> None:
     start, velocity, duration = components(rng), components(rng), rng.uniform(0.1, 20.0)
     p, v = Vector3(*start), Vector3(*velocity)
     about.call = (
@@ -369,12 +371,12 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     # Rounding of numbers up to 200.
     expect_close(xyz(got), wanted, tolerance=1e-12)
     about.read = "the docstring of position_after"
-    about.cause = (
-        "You change one of the caller's vectors. The operations add_scaled, += and *= work in "
-        "place, so write p + v * t, which creates a new vector."
-    )
-    expect_unchanged("p", xyz(p), start)
-    expect_unchanged("v", xyz(v), velocity)
+    for name, now, before in (("p", xyz(p), start), ("v", xyz(v), velocity)):
+        about.cause = (
+            f"You change {name}, which belongs to the caller, because add_scaled, += and *= work "
+            "in place. Write p + v * t, which creates a new vector."
+        )
+        expect_unchanged(name, now, before)
 
 
 @pytest.mark.exercise("2.7")
@@ -383,8 +385,8 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
 def test_a_duration_must_be_positive_and_finite(duration: float) -> None:
     about.call = f"position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), duration={duration})"
     about.cause = (
-        "You accept a duration that is not positive and finite. Pass it to checked_duration before "
-        "you use it."
+        f"The duration is {duration}. It must be positive and finite, so pass it to "
+        "checked_duration before you use it."
     )
     about.read = "the docstring of position_after"
     expect_error(

@@ -14,9 +14,14 @@ from expect import (
     expect_close,
     expect_error,
     expect_same_object,
+    expect_that,
     expect_unchanged,
     xyz,
 )
+
+NO_SELF = (
+    "Your {} returned nothing, so Python assigned None to v. End the method with return self."
+).format
 
 
 def scaled(a: Components, scale: float) -> Components:
@@ -57,6 +62,8 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     )
     about.read = "book 2.1.3, and the docstring of Vector3.__imul__"
     v *= scale
+    same = "v is the same vector as before"
+    expect_that(v is not None, "v is None", same, cause=NO_SELF("__imul__"))
     expect_close(xyz(v), scaled(a, scale))
     expect_same_object(made, step, v, before)
 
@@ -97,6 +104,8 @@ def test_division_by_a_number(rng: Random) -> None:
     )
     about.read = "the docstring of Vector3.__itruediv__"
     w /= divisor
+    same = "v is the same vector as before"
+    expect_that(w is not None, "v is None", same, cause=NO_SELF("__itruediv__"))
     got = xyz(w)
     expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
     expect_same_object(made, step, w, before)
@@ -114,8 +123,8 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "You return a result for a division by zero, which has none. Python raises "
-        "ZeroDivisionError for you, so don't catch or avoid it."
+        "You return a vector for a division by zero. Divide without testing for zero, so that "
+        "Python raises the ZeroDivisionError for you."
     )
     about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (
@@ -143,8 +152,8 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
 
     asked = "Raise TypeError if the other operand is a Vector3."
     product = (
-        "You accept a vector as the factor, but two vectors have three different products, so * "
-        f"accepts only numbers. {asked}"
+        "You accept a vector as the factor, but the operator * accepts only numbers, because "
+        f"vectors have three different products. {asked}"
     )
     about.read = "the docstring of Vector3.__mul__"
     for call, attempt, allowed, cause in (

@@ -14,6 +14,7 @@ from expect import (
     expect_close,
     expect_error,
     expect_same_object,
+    expect_that,
     expect_unchanged,
     xyz,
 )
@@ -35,7 +36,9 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
         "v.x + w.x, v.y + w.y and v.z + w.z.",
         read="book 2.1.4",
     )
-    expect_close(xyz(v + w), wanted)
+    got = xyz(v + w)
+    blame(got, [(wanted, "Your sums are right, but you return a tuple. Return a new Vector3.")])
+    expect_close(got, wanted)
     about.cause = (
         "Your __add__ changes v or w, but only v += w may change v. Return a new vector and leave "
         "both unchanged."
@@ -59,7 +62,7 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     mistakes = [
         (
             tuple(-n for n in wanted),
-            "The result is w - v, because you swap the operands. Subtract the components of w from "
+            "You swap the operands, so the result is w - v. Subtract the components of w from "
             "those of v.",
         ),
         (
@@ -97,12 +100,17 @@ def test_plus_and_minus_equals_change_the_vector_itself(
         v += w
     else:
         v -= w
+    nothing = (
+        f"Your {'__iadd__' if sign > 0.0 else '__isub__'} returned nothing, so Python assigned "
+        "None to v. End the method with return self."
+    )
+    expect_that(v is not None, "v is None", "v is the same vector as before", cause=nothing)
     opposite = (a[0] - sign * b[0], a[1] - sign * b[1], a[2] - sign * b[2])
     wrong_sign = "-" if sign > 0.0 else "+"
     mistakes = [
         (
             opposite,
-            f"The result is v {wrong_sign} other, because one sign is wrong. Compute v "
+            f"You compute v {wrong_sign} other, although the operator is {operator}. Compute v "
             f"{operator[0]} other for each component.",
         )
     ]
@@ -138,8 +146,8 @@ def test_a_vector_plus_a_number_is_refused(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "The other operand is a number and not a Vector3, so return NotImplemented. Python then "
-        "raises the TypeError for you."
+        "You don't check the operand, which is a number here. If it is not a Vector3, return "
+        "NotImplemented, and Python raises the TypeError for you."
     )
     about.read = "the docstring of Vector3.__add__"
     for call, attempt, allowed in (

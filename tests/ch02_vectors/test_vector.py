@@ -15,6 +15,7 @@ from expect import (
     blame,
     expect_close,
     expect_nan,
+    expect_that,
     expect_unchanged,
     xyz,
 )
@@ -40,7 +41,7 @@ def scaled(a: Components, scale: float) -> Components:
 
 
 @pytest.mark.exercise("B2.1")
-def test_a_copy_has_the_components_and_a_life_of_its_own(rng: Random) -> None:
+def test_a_copy_is_a_new_vector_with_the_same_components(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.copy()"
@@ -63,21 +64,19 @@ def test_clear_leaves_zero(rng: Random) -> None:
     v = Vector3(*a)
     about(
         f"v = Vector3{a}; v.clear()",
-        cause="Your clear does not set every component to zero. Set all three components of self, "
-        "x, y and z.",
+        cause="Your clear must set all three components of self, x, y and z, to zero.",
     )
     about.read = "the docstring of Vector3.clear"
     v.clear()
-    blame(
-        xyz(v),
-        [
-            (
-                a,
-                "v did not change. Set self.x, self.y and self.z to zero, because an "
-                "assignment to the name self doesn't change v.",
-            )
-        ],
+    same = (
+        "v did not change, because you assign a new vector to the name self. Assign 0 to self.x, "
+        "self.y and self.z instead."
     )
+    mistakes = [(a, same)]
+    for i, name in enumerate("xyz"):
+        left = tuple(n if i == j else 0.0 for j, n in enumerate(a))
+        mistakes.append((left, f"Your clear leaves {name} unchanged. Set self.{name} to 0 too."))
+    blame(xyz(v), mistakes)
     expect_close(xyz(v), ZERO, then="; v")
 
 
@@ -93,15 +92,15 @@ def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     about.read = "book 2.1, and errata.md"
     v.invert()
     printed = (
-        "The book's listing has a mistake (E-14): it sets x from z and never changes z. Instead, "
-        "flip the sign of each of the three components."
+        "You follow the book's listing, which sets x from z by mistake and never changes z (E-14). "
+        "Flip the sign of each component instead."
     )
     blame(xyz(v), [(a, LOST), ((-a[2], -a[1], a[2]), printed)])
     expect_close(xyz(v), scaled(a, -1.0), then="; v")
 
 
 @pytest.mark.exercise("B2.1")
-def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
+def test_minus_v_is_a_new_vector_in_the_opposite_direction(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about(
@@ -132,7 +131,7 @@ def test_magnitude_is_the_length(rng: Random) -> None:
     about.read = "book 2.1"
     got = Vector3(*a).magnitude()
     mistakes = [
-        (length**2, "The result is the squared length. Take its square root."),
+        (length**2, "You return the squared length. Take its square root."),
         (
             math.hypot(a[0], a[1]),
             "You leave out z. Add its square to the sum before you take the square root.",
@@ -176,12 +175,12 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
 @pytest.mark.robust
 def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
     a, length = whole_length(rng)
-    about.cause = (
-        "The square of 1e200 is too large for a float, and the square of 1e-200 is too small. Use "
-        "math.hypot, which avoids both overflow and underflow."
-    )
     about.read = "the docstring of Vector3.magnitude"
-    for scale in (HUGE, TINY):
+    for scale, size, result in ((HUGE, "large", "infinity"), (TINY, "small", "zero")):
+        about.cause = (
+            f"The squares of these components are too {size} for a float, so your length is "
+            f"{result}. Use math.hypot, which avoids this."
+        )
         b = scaled(a, scale)
         about.call = f"Vector3{rounded(b)}.magnitude()"
         expect_close(Vector3(*b).magnitude(), length * scale)
@@ -200,13 +199,13 @@ def test_the_zero_vector_has_the_length_zero() -> None:
 
 @pytest.mark.exercise("B2.2")
 @pytest.mark.robust
-def test_nan_stays_visible_in_a_length() -> None:
+def test_the_length_of_a_vector_with_nan_is_nan() -> None:
     about.read = "the docstrings of Vector3 and Vector3.magnitude"
     lost = Vector3(1.0, math.nan, 2.0)
     about.call = "Vector3(1, nan, 2).magnitude()"
     about.cause = (
-        "One component is NaN, so the length must be NaN too. Check your method for max, min and "
-        "comparisons, because each of them can hide a NaN."
+        "You hide the NaN with a comparison, such as max or min. Return the result without "
+        "comparing it with another number."
     )
     expect_nan(lost.magnitude())
     about.call = "Vector3(1, nan, 2).squared_magnitude()"
@@ -256,7 +255,13 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
         "return the quotients as a new vector."
     )
     about.read = "the docstring of Vector3.normalized"
-    got = xyz(v.normalized())
+    result = v.normalized()
+    in_place = (
+        "Your normalized returns None, the result of normalize, which works in place. Normalize a "
+        "copy of v first, and then return the copy."
+    )
+    expect_that(result is not None, "nothing (None)", "a new unit vector", cause=in_place)
+    got = xyz(result)
     mistakes = [
         (
             scaled(a, length**-2),
@@ -286,8 +291,8 @@ def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
     about.call = "v = Vector3(0, 0, 0); v.normalized()"
     about.cause = (
-        "The zero vector has no direction, so the result must be the zero vector. Test whether the "
-        "length is 0.0 before you divide."
+        "You divide by the length, which is 0 here. Test for a length of 0.0 before you divide, so "
+        "that the result is the zero vector."
     )
     about.read = "book 2.1.3"
     expect_close(xyz(v.normalized()), ZERO)
@@ -311,8 +316,8 @@ def test_normalize_huge_and_tiny_vectors(rng: Random) -> None:
         )
         v.normalize()
         taken = (
-            "v did not change, probably because you treat a short vector as zero. A short vector "
-            "is not zero, so return early only if magnitude() is exactly 0.0."
+            "v did not change, because you treat a very short vector as zero. Return early only if "
+            "magnitude() is exactly 0.0."
         )
         mistakes = [
             (b, taken),

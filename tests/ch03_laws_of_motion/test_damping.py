@@ -38,7 +38,7 @@ def combined(v: Components, a: Components, kept: float, gained: float) -> Compon
 
 
 @pytest.mark.exercise("B3.3")
-def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) -> None:
+def test_damping_per_frame_does_not_depend_on_the_duration(rng: Random) -> None:
     v, a = components(rng), components(rng)
     about.read = "book 3.3, Eq. 3.5"
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
@@ -56,9 +56,8 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
         )
         if d == 0.0:
             undamped = (
-                "You treat a damping of 0 as no damping, although it must remove the whole "
-                "velocity. Python treats 0 as false in an if statement, so don't use the damping "
-                "as the condition."
+                "You treat a damping of 0 as no damping. Python treats 0 as false in an if "
+                "statement, so don't use the damping as the condition."
             )
         mistakes = [
             (
@@ -85,7 +84,7 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
 
 
 @pytest.mark.exercise("B3.3")
-def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None:
+def test_damping_per_second_depends_on_the_duration(rng: Random) -> None:
     v, drawn = components(rng), draw_damping(rng)
     about.read = "book 3.3, Eq. 3.6"
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
@@ -128,8 +127,8 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
         )
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "You compute (v + a h) d^h, as in the book's listing (E-16), with the damping d and "
-            "the duration h. This function implements Eq. 3.6, so compute v d^h + a h."
+            "You compute (v + a h) d^h, as in the book's listing (E-16), which damps a h as well. "
+            "This function implements Eq. 3.6, v d^h + a h."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -141,10 +140,6 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
 @pytest.mark.exercise("B3.3")
 def test_both_equations_give_a_new_vector(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    about.cause = (
-        "You change one of the vectors that belong to the caller, for example with v *= d. Compute "
-        "the result in a new vector."
-    )
     about.read = "the docstring in damping.py"
     for name in ("damp_per_frame", "damp_per_second"):
         about.call = (
@@ -152,8 +147,12 @@ def test_both_equations_give_a_new_vector(rng: Random) -> None:
         )
         v, a = Vector3(*first), Vector3(*second)
         result = getattr(forms, name)(v, a, 0.5, 2.0)
-        expect_unchanged("v", xyz(v), first)
-        expect_unchanged("a", xyz(a), second)
+        for vector, now, before in (("v", xyz(v), first), ("a", xyz(a), second)):
+            about.cause = (
+                f"You change {vector}, which belongs to the caller, because operators such as *= "
+                "work in place. Compute the result in a new vector."
+            )
+            expect_unchanged(vector, now, before)
         kept = {"damp_per_frame": 0.5, "damp_per_second": 0.25}[name]
         wanted = tuple(first[i] * kept + second[i] * 2.0 for i in range(3))
         expect_close(xyz(result), wanted, tolerance=1e-13)
@@ -179,8 +178,8 @@ def expect_refusal(
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
     about.cause = (
-        "A duration must be positive and finite. Pass it to positive from arguments.py, which "
-        "raises the ValueError for you."
+        f"The duration is {bad}. It must be positive and finite, so pass it to positive from "
+        "arguments.py, which raises the ValueError for you."
     )
     about.read = f"the docstring of {name}"
     expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0))
@@ -205,7 +204,7 @@ def test_both_equations_refuse_text(name: str) -> None:
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
     about.cause = (
-        "A damping must be finite and must not be negative. Pass it to not_negative from "
+        f"The damping is {bad}. It must be at least 0 and finite, so pass it to not_negative from "
         "arguments.py, which raises the ValueError for you."
     )
     about.read = f"the docstring of {name}"
@@ -216,7 +215,7 @@ def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
 
 
 @pytest.mark.exercise("3.5b")
-def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
+def test_the_difference_after_one_second_of_equal_frames(rng: Random) -> None:
     damping, frames = draw_damping(rng), rng.choice((20, 40, 80))
     h = 1.0 / frames
     about.call = (
@@ -238,8 +237,8 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
         [
             (
                 0.0,
-                "Your two velocities are equal at the end, perhaps because both names refer to the "
-                "same vector. Start with two separate copies of the given velocity.",
+                "Your two velocities are equal at the end, because both names refer to the same "
+                "vector. Start with two separate copies of the given velocity.",
             )
         ],
     )
@@ -255,8 +254,8 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
         f"damping={damping}, runs=runs)"
     )
     about.cause = (
-        "Every run must start from the given velocity. Take the length of the difference of the "
-        "two velocities at the end of each run, and return the mean of these lengths."
+        "Your second run probably starts where the first one ended. Start every run from the given "
+        "velocity v."
     )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
@@ -280,8 +279,8 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
         ),
         (
             math.fsum(speeds) / len(speeds),
-            "You return the difference of the two speeds. Subtract the velocities as vectors "
-            "first, and then take the length of that difference.",
+            "You return the difference of the speeds. Subtract the velocities as vectors first, "
+            "and then take the length of the difference.",
         ),
         (
             distances[-1],
@@ -294,7 +293,7 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
 
 
 @pytest.mark.exercise("3.5b")
-def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
+def test_the_difference_is_zero_without_damping(rng: Random) -> None:
     first, second = components(rng), components(rng)
     v, a = Vector3(*first), Vector3(*second)
     about.call = (
@@ -332,10 +331,10 @@ def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]
 
 @pytest.mark.exercise("3.5b")
 @pytest.mark.robust
-def test_no_run_has_no_mean() -> None:
+def test_an_empty_list_of_runs_is_refused() -> None:
     about.cause = (
-        "The list of runs is empty, and an empty list has no mean. Raise ValueError before you "
-        "divide by the number of runs."
+        "You accept an empty list of runs, although an empty list has no mean. Raise ValueError if "
+        "there are no runs."
     )
     expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
 
@@ -343,10 +342,10 @@ def test_no_run_has_no_mean() -> None:
 @pytest.mark.exercise("3.5b")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
-def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
+def test_a_run_with_a_bad_duration_is_refused(bad: float) -> None:
     about.cause = (
-        "The last duration is not positive and finite, so you must reject it. If you call "
-        "damp_per_frame and damp_per_second in every step, they reject it for you."
+        f"The last duration is {bad}. It must be positive and finite, and damp_per_frame and "
+        "damp_per_second check it for you if you call them in every step."
     )
     expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]))
 
@@ -356,7 +355,7 @@ def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
     about.cause = (
-        "This damping is not valid, so it must raise an error. If you call the two damping "
-        "functions in every step, they reject it for you."
+        f"The damping is {bad}. It must be at least 0 and finite, and damp_per_frame and "
+        "damp_per_second check it for you if you call them in every step."
     )
     expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]))

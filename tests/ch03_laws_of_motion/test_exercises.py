@@ -11,7 +11,17 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import exercises
 from draw import Components, components
-from expect import about, blame, cause_of, expect_close, expect_error, expect_unchanged, scoped, xyz
+from expect import (
+    about,
+    blame,
+    cause_of,
+    expect_close,
+    expect_error,
+    expect_that,
+    expect_unchanged,
+    scoped,
+    xyz,
+)
 
 # 3.1 The same force on two masses
 
@@ -26,8 +36,8 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
     about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
     faster = (
-        "You make the heavier body faster, but by a = f / m it must be slower. The book's "
-        "sentence that acceleration is proportional to the mass is wrong (E-1)."
+        "You make the heavier body faster. The book's sentence that acceleration is proportional "
+        "to the mass is wrong (E-1), so use a = f / m."
     )
     mistakes = [
         (2.0, faster),
@@ -37,7 +47,7 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
 
 
 @pytest.mark.exercise("3.1")
-def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
+def test_the_speed_ratio_is_the_inverse_of_the_mass_ratio(rng: Random) -> None:
     first, second = round(rng.uniform(1.0, 9.0), 3), round(rng.uniform(10.0, 90.0), 3)
     about.call = f"speed_ratio(first_mass={first}, second_mass={second})"
     about.cause = (
@@ -54,8 +64,8 @@ def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
     about.cause = (
-        "A mass must be positive and finite. Pass it to positive from arguments.py, which raises "
-        "the ValueError for you."
+        f"One mass is {bad}. Both masses must be positive and finite, so pass them to positive "
+        "from arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of speed_ratio"
     for masses in ((bad, 1.0), (1.0, bad), (bad, bad)):
@@ -125,12 +135,12 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
-    about.cause = (
-        "The masses and the distance must be positive and finite. Pass each of them to positive "
-        "from arguments.py, which raises the ValueError for you."
-    )
     about.read = "the docstring of gravity_between"
-    for data in ((bad, 1.0, 1.0), (1.0, bad, 1.0), (1.0, 1.0, bad)):
+    for i, data in enumerate(((bad, 1.0, 1.0), (1.0, bad, 1.0), (1.0, 1.0, bad))):
+        about.cause = (
+            f"The {('first mass', 'second mass', 'distance')[i]} is {bad}. It must be positive and "
+            "finite, so pass it to positive from arguments.py, which raises the ValueError."
+        )
         about.call = f"gravity_between{data}"
         expect_error(
             lambda data=data: exercises.gravity_between(*data),
@@ -141,7 +151,7 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
 
 @pytest.mark.exercise("3.2")
 @pytest.mark.robust
-def test_text_is_no_mass_and_no_distance() -> None:
+def test_text_is_refused_as_a_mass_or_a_distance() -> None:
     about.cause = (
         "Pass each argument to positive from arguments.py, which raises the TypeError for you."
     )
@@ -177,23 +187,15 @@ def test_five_seconds_by_the_equation() -> None:
     about.read = "book 2.2, Eq. 2.9"
     got = exercises.position_by_equation(*vectors(START, VELOCITY, ACCELERATION), 5)
     mistakes = [
-        (
-            (-43.0, 25.0, 21.5),
-            "You leave out the factor 1/2 in the acceleration term. Use a t^2 / 2.",
-        ),
-        (
-            (2.0, 2.5, 10.25),
-            "You multiply the acceleration by t instead of the square of the time. Use a t^2 / 2.",
-        ),
-        (
-            (-20.0, 7.5, 16.25),
-            "You return only the displacement v t + a t^2 / 2. Add the start position p to it.",
-        ),
-        (
-            (-22.0, 16.5, 7.25),
-            "You add the velocity as if one second had passed. Multiply it by the time t first.",
-        ),
-    ]
+        ((-43.0, 25.0, 21.5), "You leave out the factor 1/2 in the last term, which must be a t^2 "
+         "/ 2."),
+        ((2.0, 2.5, 10.25), "You multiply the acceleration by t instead of t^2. The last term must "
+         "be a t^2 / 2."),
+        ((-20.0, 7.5, 16.25), "You return only the displacement v t + a t^2 / 2. Add the start "
+         "position p to it."),
+        ((-22.0, 16.5, 7.25), "You add the velocity as if one second had passed. Multiply it by "
+         "the time t first."),
+    ]  # fmt: skip
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (-18.0, 12.5, 15.25))
 
@@ -214,13 +216,12 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
         wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
         # The rounding errors of numbers up to 400.
         expect_close(xyz(got), wanted, tolerance=1e-12)
-        about.cause = (
-            "You change one of the caller's vectors. The operations +=, *= and add_scaled work in "
-            "place, so use + and *, which create a new vector."
-        )
-        expect_unchanged("p", xyz(position), x)
-        expect_unchanged("v", xyz(velocity), v)
-        expect_unchanged("a", xyz(acceleration), a)
+        for name, now, before in (("p", position, x), ("v", velocity, v), ("a", acceleration, a)):
+            about.cause = (
+                f"You change {name}, which belongs to the caller, because +=, *= and add_scaled "
+                "work in place. Use + and *, which create a new vector."
+            )
+            expect_unchanged(name, xyz(now), before)
 
 
 @pytest.mark.exercise("3.4a")
@@ -229,8 +230,8 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
 def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
     about.call = f"{EXAMPLE}; position_by_equation(p, v, a, time={bad})"
     about.cause = (
-        "The time must be positive and finite. Pass it to positive from arguments.py, which raises "
-        "the ValueError for you."
+        f"The time is {bad}. It must be positive and finite, so pass it to positive from "
+        "arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of position_by_equation"
     data = vectors(START, VELOCITY, ACCELERATION)
@@ -251,9 +252,10 @@ def test_one_step_and_five_steps_of_a_second() -> None:
             "Return the position and the velocity as a pair. In each step, first change the "
             "position to p' = p + v h, and then the velocity to v' = v + a h."
         )
-        position, velocity = exercises.state_by_steps(
-            *vectors(START, VELOCITY, ACCELERATION), 1, steps
-        )
+        got: Any = exercises.state_by_steps(*vectors(START, VELOCITY, ACCELERATION), 1, steps)
+        alone = "You return only the position. Return the position and the velocity as a pair."
+        expect_that(not hasattr(got, "x"), "a single vector", "a pair of vectors", cause=alone)
+        position, velocity = got
         few = (
             "You make one step too few. Use range(steps) for the loop, because range(1, steps) "
             "runs only steps - 1 times."
@@ -316,7 +318,7 @@ BAD_STEPS = [(0.0, 5), (-1.0, 5), (math.inf, 5), (math.nan, 5), (1.0, 0), (1.0, 
 @pytest.mark.exercise("3.4b")
 @pytest.mark.robust
 @pytest.mark.parametrize(("duration", "steps"), BAD_STEPS)
-def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None:
+def test_bad_durations_and_numbers_of_steps_are_refused(duration: float, steps: int) -> None:
     expect_refusal("state_by_steps", duration, steps)
 
 
@@ -325,13 +327,13 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
     """Expect an exercise to refuse a bad duration or number of steps."""
     about.call = f"{EXAMPLE}; {name}(p, v, a, duration={duration}, steps={steps})"
     about.cause = (
-        "The number of steps must be at least 1. A loop over range(0) raises no error, so check "
-        "the number before the loop."
+        f"You accept {steps} steps, but at least 1 is needed. A loop over range({steps}) raises no "
+        "error, so check the number first."
     )
     if steps > 0:
         about.cause = (
-            "The duration must be positive and finite. Check it with positive from arguments.py, "
-            "or make the steps with the method integrate of a Particle, which checks it."
+            f"The duration is {duration}. It must be positive and finite, so pass it to positive "
+            "from arguments.py, which raises the ValueError for you."
         )
     about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)
@@ -360,8 +362,8 @@ def test_five_steps_are_off_by_half_a_step() -> None:
         ),
         (
             (-15.0, 5.5, 12.75),
-            "You compute the exact position for the time of one step. Compute it for the total "
-            "time of all steps, which is steps x duration, here 5 s.",
+            "You compute the exact position after one step of 1 s. Compute it after the total time "
+            "of all steps, which is 5 s here.",
         ),
         (
             math.hypot(5.0, 2.5, 1.25),
@@ -394,5 +396,5 @@ def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
 @pytest.mark.exercise("3.4d")
 @pytest.mark.robust
 @pytest.mark.parametrize(("duration", "steps"), BAD_STEPS)
-def test_an_error_needs_a_duration_and_a_number(duration: float, steps: int) -> None:
+def test_the_error_refuses_bad_durations_and_numbers_of_steps(duration: float, steps: int) -> None:
     expect_refusal("stepping_error", duration, steps)

@@ -26,7 +26,7 @@ def a_particle(
 ) -> tuple[str, Particle]:
     """Return the code that makes a particle, and the particle."""
     words = f"x, v, a = Vector3{x}, Vector3{v}, Vector3{a}; p = Particle(x, v, a"
-    words += f", {mass=}" if mass != 1.0 else ""
+    words += f", {mass=}".replace("inf", "math.inf") if mass != 1.0 else ""
     words += f", {damping=})" if damping != 1.0 else ")"
     return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
 
@@ -39,10 +39,11 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         words, p = a_particle(x, v, a, damping=damping)
         about.call = f"{words}; p.drift({h})"
         about.cause = (
-            "A drift must add v h to the position, where h is the duration. Accept an h of 0 too, "
-            "and a negative h, which moves the particle back."
+            f"You reject a duration of {h}, but drift must accept every duration. A negative one "
+            "moves the particle back."
         )
         p.drift(h)
+        about.cause = "A drift must add v h to the position, where h is the duration."
         got = xyz(p.position)
         mistakes = [
             (
@@ -63,12 +64,12 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         blame(got, mistakes if h else [])
         wanted = tuple(x[i] + v[i] * h for i in range(3))
         expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
-        about.cause = (
-            "Your drift changes more than the position. Only read the velocity and the "
-            "acceleration, and don't assign to them."
-        )
-        expect_unchanged("p.velocity", xyz(p.velocity), v)
-        expect_unchanged("p.acceleration", xyz(p.acceleration), a)
+        for name, before in (("velocity", v), ("acceleration", a)):
+            about.cause = (
+                f"Your drift changes the {name}, but it must change only the position. Read "
+                f"self.{name} without changing it."
+            )
+            expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
 
 
 @pytest.mark.exercise("B3.4")
@@ -107,18 +108,20 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             ),
             (
                 tuple((v[i] + a[i] * h) * damping for i in range(3)),
-                "You multiply the velocity by the damping d in every kick, however short it is. "
-                "The damping is given per second, so multiply by d^h.",
+                "You multiply the velocity by the damping d, whatever the duration is. The damping "
+                "is given per second, so multiply by d^h.",
             ),
             (
                 tuple(v[i] + a[i] * h for i in range(3)),
-                "You don't damp the velocity. Multiply it by d^h after you add a h, even if the "
-                "damping d is 0.",
+                "You don't damp the velocity. Multiply it by d^h after you add a h."
+                if damping
+                else "You treat a damping of 0 as no damping. Python treats 0 as false in an if "
+                "statement, so don't use the damping as the condition.",
             ),
             (
                 tuple((v[i] + a[i] * h / mass) * keep for i in range(3)),
-                "You divide the acceleration by the mass, which is right only for a force. "
-                "Multiply the acceleration by h and nothing else.",
+                "You divide the acceleration by the mass, which is right only for a force. Add the "
+                "acceleration times h to the velocity instead.",
             ),
             (
                 v,
@@ -128,12 +131,12 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))
         expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-        about.cause = (
-            "Your kick changes more than the velocity. Only read the position and the "
-            "acceleration, and don't assign to them."
-        )
-        expect_unchanged("p.position", xyz(p.position), x)
-        expect_unchanged("p.acceleration", xyz(p.acceleration), a)
+        for name, before in (("position", x), ("acceleration", a)):
+            about.cause = (
+                f"Your kick changes the {name}, but it must change only the velocity. Leave "
+                f"self.{name} unchanged."
+            )
+            expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
 
 
 @pytest.mark.exercise("B3.4")
@@ -160,11 +163,11 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
 @pytest.mark.exercise("B3.4")
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
-    about.cause = (
-        "This particle has an infinite mass, so nothing may change it. If its inverse_mass is 0, "
-        "return from the method at once."
-    )
     for move in ("drift", "kick"):
+        about.cause = (
+            f"Your {move} changes a particle with an infinite mass. If the inverse_mass is 0, "
+            "return from the method without changing anything."
+        )
         words, p = a_particle(x, v, a, math.inf, 0.5)
         about(f"{words}; p.{move}({h})", read=f"the docstring of {move}")
         getattr(p, move)(h)

@@ -35,7 +35,7 @@ def draw_mass(rng: Random) -> float:
 
 
 @pytest.mark.exercise("B3.1")
-def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
+def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
     about.call = "Particle()"
     about.cause = (
         "A new particle must have a mass of 1 kg and a damping of 1. Check what your setters of "
@@ -51,30 +51,28 @@ def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
     )
     blame(p.damping, [(0.0, lost)])
     expect_close(p.damping, 1.0, then=".damping")
-    about.cause = (
-        "This mass is finite, so has_finite_mass must be True. Return the result of a comparison, "
-        "which is True or False, and not a number."
-    )
     for mass in (1.0, 1e9, 0.001):
-        about.call = f"p.has_finite_mass of a particle p with a mass of {mass} kg"
+        about.call = f"a particle p with a mass of {mass} kg; p.has_finite_mass"
         got = Particle(mass=mass).has_finite_mass
+        about.cause = "You return False for a finite mass. Return True unless the mass is infinite."
+        if not isinstance(got, bool):
+            about.cause = "You return a number. Return the result of a comparison, True or False."
         expect_exactly(got, True)
 
 
 @pytest.mark.exercise("B3.1")
-def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
+def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
     first, second = draw_mass(rng), draw_mass(rng)
     about.read = "book 3.2"
-    itself = (
-        "The inverse mass of your particle equals its mass. Store 1 / mass in the setter of mass, "
-        "and return it unchanged as the inverse_mass."
-    )
+    getter = "Your getter of inverse_mass returns the mass. Return the stored inverse mass."
+    setter = "Your setter of mass stores the mass itself. Store its inverse, 1 / mass, instead."
     about(
         f"p = Particle(mass={first}); p.inverse_mass",
-        cause="The particle stores the inverse mass, 1 / mass.",
+        cause="The inverse mass must be 1 / mass. Store it in the setter of mass.",
     )
     p = Particle(mass=first)
-    blame(p.inverse_mass, [(first, itself)])
+    if p.inverse_mass == first:
+        about.cause = getter if p.mass == first else setter
     expect_close(p.inverse_mass, 1.0 / first)
     for mass in (second, 4):  # an int is a number too
         about.cause = (
@@ -84,21 +82,21 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
         about.call = f"p = Particle(); p.mass = {mass}; p.inverse_mass"
         p = Particle()
         p.mass = mass
-        blame(p.inverse_mass, [(mass, itself)])
+        blame(p.inverse_mass, [(mass, setter)])
         expect_close(p.inverse_mass, 1.0 / mass)
 
 
 @pytest.mark.exercise("B3.1")
-def test_the_mass_comes_back(rng: Random) -> None:
+def test_the_mass_is_returned(rng: Random) -> None:
     mass = draw_mass(rng)
-    about(
-        cause="You probably return the stored inverse mass as the mass. The getter of mass must "
-        "return 1 / inverse mass.",
-        read="book 3.2",
-    )
+    about.read = "book 3.2"
+    inverse = "Your getter of mass returns the stored inverse mass. Return 1 / inverse mass."
     for value in (mass, 1e9):
         about.call = f"p = Particle(mass={value!r}); p.mass"
-        expect_close(Particle(mass=value).mass, value)
+        about.cause = "The getter of mass must return the mass, which is 1 / inverse mass."
+        got = Particle(mass=value).mass
+        blame(got, [(1.0 / value, inverse)])
+        expect_close(got, value)
 
 
 @pytest.mark.exercise("B3.1")
@@ -130,16 +128,17 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
     about.cause = (
-        "You reject an infinite mass, or store a wrong inverse, which must be 0. Check the mass "
-        "with positive_or_infinite from arguments.py, which accepts math.inf."
+        "You reject an infinite mass, which is valid. Check the mass with positive_or_infinite "
+        "from arguments.py, which accepts math.inf."
     )
     about.read = "book 3.2"
     p = Particle(mass=math.inf)
+    about.cause = "You store a wrong inverse mass. The inverse of an infinite mass must be 0."
     expect_close(p.inverse_mass, 0.0, then="; p.inverse_mass")
     about.call += "; p.mass"
     about.cause = (
-        "The inverse mass is 0, which means an infinite mass. Return math.inf in this case instead "
-        "of dividing by 0."
+        "You divide by the inverse mass, which is 0 for an infinite mass. Return math.inf in this "
+        "case instead of dividing by 0."
     )
     expect_exactly(p.mass, math.inf)
     about.call = "p = Particle(mass=math.inf); p.has_finite_mass"
@@ -154,7 +153,7 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
     about.cause = (
-        "You reject an inverse mass of 0, which is valid for an immovable particle. Check it with "
+        "You reject an inverse mass of 0, which is valid and means an infinite mass. Check it with "
         "not_negative from arguments.py, which accepts 0."
     )
     about.read = "book 3.2"
@@ -174,15 +173,20 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
 
 
 @pytest.mark.exercise("B3.1")
-def test_a_damping_is_kept(rng: Random) -> None:
-    about.cause = (
-        "A damping of 0 or above 1 is valid too, so store it unchanged. Check it with not_negative "
-        "from arguments.py, and don't limit it to 1."
-    )
+def test_a_damping_is_stored_unchanged(rng: Random) -> None:
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
+        about.cause = (
+            f"You reject a damping of {damping}, which is valid. Check it with not_negative from "
+            "arguments.py, which accepts 0 and every positive, finite number."
+        )
         about.call = f"p = Particle({damping=!r}); p.damping"
         p = Particle(damping=damping)
+        about.cause = "Store the damping unchanged."
+        if damping > 1.0:
+            about.cause = (
+                "You limit the damping to 1, but a larger one is valid. Store it unchanged."
+            )
         expect_close(p.damping, damping)
         about.call = f"p = Particle(); p.damping = {damping!r}; p.damping"
         p = Particle()
@@ -204,8 +208,8 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 
     expect_error(attempt, error, allowed=allowed)
     about.cause = (
-        "Your setter stores the value before it rejects it. Check the value before you store it, "
-        "so that a rejected value changes nothing."
+        f"Your setter stores {bad!r} first and rejects it only afterward. Check the "
+        f"{name.replace('_', ' ')} before you store it."
     )
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
@@ -215,8 +219,8 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
     about.cause = (
-        "A mass must be positive or infinite. Pass it to positive_or_infinite from arguments.py, "
-        "which raises the ValueError for you."
+        f"The mass is {bad}. It must be positive or infinite, so pass it to positive_or_infinite "
+        "from arguments.py, which raises the ValueError for you."
     )
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
@@ -226,8 +230,8 @@ def test_a_mass_must_be_positive(bad: float) -> None:
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
     about.cause = (
-        "An inverse mass must be finite and must not be negative. Pass it to not_negative from "
-        "arguments.py, which raises the ValueError for you."
+        f"The inverse mass is {bad}. It must be at least 0 and finite, so pass it to not_negative "
+        "from arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of inverse_mass"
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, read=about.read)
@@ -238,7 +242,7 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
 @pytest.mark.parametrize("bad", [-0.1, math.inf, math.nan])
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
     about.cause = (
-        "A damping must be finite and must not be negative. Pass it to not_negative from "
+        f"The damping is {bad}. It must be at least 0 and finite, so pass it to not_negative from "
         "arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of damping"
@@ -250,7 +254,7 @@ def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
 @pytest.mark.parametrize(
     ("name", "good"), [("mass", 4.0), ("inverse_mass", 0.25), ("damping", 0.5)]
 )
-def test_text_is_no_number(name: str, good: float) -> None:
+def test_text_is_refused_as_a_value(name: str, good: float) -> None:
     about.cause = (
         "A text is not a number. In the setter, pass the value to one of the functions in "
         "arguments.py, which raise the TypeError for you."
@@ -291,12 +295,12 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B3.2")
-def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
+def test_momentum_is_a_new_vector(rng: Random) -> None:
     v = components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
     about.cause = (
-        "Your method returns or changes the velocity of the particle. Return a new vector and "
-        "leave the velocity unchanged, as self.velocity * self.mass does."
+        "Your momentum changes the velocity of the particle. Return a new vector and leave the "
+        "velocity unchanged, as self.velocity * self.mass does."
     )
     about.read = "the docstring of momentum"
     p = Particle(velocity=Vector3(*v))
@@ -305,6 +309,10 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
     expect_unchanged("p.velocity", xyz(p.velocity), v)
     momentum.x = 99.0
     about.call = f"{about.call}.x = 99.0"
+    about.cause = (
+        "Your momentum returns the velocity vector itself, so a change to the result also changes "
+        "the particle. Return a new vector, as self.velocity * self.mass does."
+    )
     expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
@@ -312,8 +320,8 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "An immovable particle has zero momentum. Check has_finite_mass first and return a zero "
-        "vector, because infinity times 0 is NaN."
+        "You multiply the velocity by an infinite mass. Return a zero vector if has_finite_mass is "
+        "False, because a particle that cannot move has no momentum."
     )
     about.read = "the docstring of momentum"
     for velocity in (ZERO, v):
@@ -374,8 +382,8 @@ def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
 def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "An immovable particle has a kinetic energy of 0. Check has_finite_mass first and return "
-        "0.0, because infinity times 0 is NaN."
+        "You multiply by an infinite mass. Return 0.0 if has_finite_mass is False, because a "
+        "particle that cannot move has no kinetic energy."
     )
     about.read = "the docstring of kinetic_energy"
     for velocity in (ZERO, v):

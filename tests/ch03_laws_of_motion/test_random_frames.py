@@ -9,7 +9,15 @@ from typing import Any
 import pytest
 
 from ch03_laws_of_motion import exercises
-from expect import about, expect_between, expect_close, expect_error, expect_exactly, scoped
+from expect import (
+    about,
+    expect_between,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_that,
+    scoped,
+)
 
 
 @scoped
@@ -28,10 +36,6 @@ def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float
 
 @pytest.mark.exercise("3.5a")
 def test_the_frames_fill_the_total_time(rng: Random) -> None:
-    about.cause = (
-        "The durations don't add up to the total. Shorten the last frame, so that it ends exactly "
-        "at the total."
-    )
     about.read = "the docstring of random_frames"
     for mean, total in ((round(rng.uniform(0.01, 0.03), 4), 2.0), (0.1, 1.0), (0.3, 0.2)):
         seed = rng.randrange(1000)
@@ -39,7 +43,13 @@ def test_the_frames_fill_the_total_time(rng: Random) -> None:
         frames = frames_of(mean, 0.4, total, seed)
         # About 200 rounded additions.
         got = math.fsum(frames)
-        expect_close(got, total, tolerance=1e-11)
+        about.cause = "Your frames end before the total. Add frames until they fill it exactly."
+        if got > total:
+            about.cause = (
+                "Your last frame ends after the total. Shorten it, so that it ends exactly at the "
+                "total."
+            )
+        expect_close(got, total, tolerance=1e-11, unit="s")
 
 
 @pytest.mark.exercise("3.5a")
@@ -71,16 +81,20 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     about.read = "the docstring of random_frames"
     frames = frames_of(mean, jitter, 20.0, seed)[:-1]
     about.call = f"random_frames(mean={mean}, jitter={jitter}, total=20.0, seed={seed})"
-    about.cause = (
-        "The durations don't spread evenly around the mean. Draw each of them uniformly from mean "
-        "* (1 - jitter) to mean * (1 + jitter)."
-    )
     # The mean of about 1000 even draws is within 6 of its standard deviations. The chance that a
     # tenth of the range stays empty is 0.9^1000.
     average = math.fsum(frames) / len(frames)
     six_sigma = 6.0 * mean * jitter / math.sqrt(3.0 * 900.0)
-    name = f"{about.call}; the mean of the durations, without the last one, in s"
-    expect_close(average, mean, call=name, tolerance=six_sigma)
+    name = f"{about.call}; the mean of the durations, without the last one"
+    about.cause = (
+        f"Your durations are too {'long' if average > mean else 'short'} on average. Draw each of "
+        "them uniformly from mean * (1 - jitter) to mean * (1 + jitter)."
+    )
+    expect_close(average, mean, call=name, tolerance=six_sigma, unit="s")
+    about.cause = (
+        "Your durations don't fill the whole range. Draw each of them uniformly from mean * (1 - "
+        "jitter) to mean * (1 + jitter)."
+    )
     reach = (min(frames), max(frames))
     wanted = (mean * (1.0 - jitter), mean * (1.0 + jitter))
     name = f"{about.call}; the shortest and the longest duration, without the last one, in s"
@@ -88,38 +102,41 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     # Half of the draws lie in the middle half of the range, within 6 deviations.
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
-    name = (
-        f"{about.call}; the fraction of the durations that lie between mean * (1 - jitter / 2) and "
-        "mean * (1 + jitter / 2)"
+    name = f"{about.call}; the fraction of the durations that are from 0.015 to 0.025 s"
+    about.cause = (
+        "Too many of your durations are close to the mean. Draw each of them with a single call of "
+        "uniform instead of averaging several random numbers."
     )
-    if inner > 0.5:
+    if inner < 0.5:
         about.cause = (
-            "Too many durations are close to the mean. Draw each of them with a single call of "
-            "uniform instead of averaging several random numbers."
+            "Too few of your durations are close to the mean. Draw each of them with a single call "
+            "of uniform."
         )
     expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
 
 @pytest.mark.exercise("3.5a")
 def test_without_jitter_all_frames_are_equal() -> None:
-    about.cause = (
-        "Without jitter, every frame takes exactly the mean. If a rounding error of about 1e-16 s "
-        "is left at the end, don't add another frame for it."
-    )
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):
         about.call = f"random_frames(mean={mean}, jitter=0.0, total=1.0, seed=3)"
         got = frames_of(mean, 0.0, 1.0, 3)
+        about.cause = "Without jitter, every frame must take exactly the mean."
+        if len(got) > count:
+            about.cause = (
+                "You add a frame for a rounding error of about 1e-16 s at the end. Stop when only "
+                "a rounding error of the total is left."
+            )
         expect_close(got, [mean] * count, tolerance=1e-11)
     about.cause = (
-        "After two frames, 1e-7 s of the total is left, which is far more than a rounding error. "
-        "Add a third frame for it."
+        "You drop the last 1e-7 s of the total, which is far more than a rounding error. Add a "
+        "third frame for it."
     )
     about.call = "random_frames(mean=0.25, jitter=0.0, total=0.5000001, seed=3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
     about.cause = (
-        "After two frames, 0.6 % of the total is left, but you treat it as a rounding error. "
+        "You treat the last 5e-08 s as a rounding error, although this is 0.6 % of the total. "
         "Compare the rest with a tiny fraction of the total, not with a fixed time."
     )
     about.call = "random_frames(mean=4e-06, jitter=0.0, total=8.05e-06, seed=3)"
@@ -128,30 +145,32 @@ def test_without_jitter_all_frames_are_equal() -> None:
 
 
 @pytest.mark.exercise("3.5a")
-def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None:
+def test_only_the_same_seed_gives_the_same_frames(rng: Random) -> None:
     seed = rng.randrange(1000)
     about.call = f"random_frames(mean=0.02, jitter=0.5, total=1.0, seed={seed})"
     about.cause = (
-        "The same seed must give the same frames, and another seed must give others. Create a new "
-        "random.Random(seed) in each call, and draw every number from it."
+        "Your random numbers don't depend on the seed alone. Create a new random.Random(seed) in "
+        "each call, and draw every number from it."
     )
     about.read = "the docstring of random_frames"
     first = frames_of(0.02, 0.5, 1.0, seed)
     others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
     again = frames_of(0.02, 0.5, 1.0, seed)
-    expect_exactly(again == first, True, then=", called twice; are the two results equal?")
-    for i, other in enumerate(others, 1):
-        expect_exactly(
-            other[0] == first[0],
-            False,
-            then=f", and again with the seed {seed + i}; is the first duration the same?",
-        )
-    name = f"{about.call}; are the durations sorted?"
-    about.cause = (
-        "You probably sort the durations. Return them in the order in which you drew them."
+    wanted = "the same frames in both calls"
+    expect_that(
+        again == first, "different frames in the second call", wanted, then=", called twice"
     )
+    about.cause = "Your frames don't depend on the seed. Draw them from random.Random(seed)."
+    for i, other in enumerate(others, 1):
+        expect_that(
+            other[0] != first[0],
+            "the same first duration in both calls",
+            "another first duration for another seed",
+            then=f", and again with seed={seed + i}",
+        )
+    about.cause = "You sort the durations. Return them in the order in which you drew them."
     in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))
-    expect_exactly(in_order, False, call=name)
+    expect_that(not in_order, "sorted durations", "durations in the order in which they were drawn")
 
 
 @pytest.mark.exercise("3.5a")
@@ -172,14 +191,15 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
         ("jitter", math.nan),
     ],
 )
-def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
+def test_frames_with_bad_arguments_are_refused(name: str, bad: float) -> None:
     arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
-    about.cause = (
-        "The mean and the total must be positive and finite, and the jitter must be at least 0 and "
-        "below 1. Check all three before the loop."
-    )
     about.read = "the docstring of random_frames"
     for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it
+        valid = "at least 0 and below 1" if name == "jitter" else "positive and finite"
+        about.cause = (
+            f"The {name} is {value}. It must be {valid}, so check it before the loop and raise "
+            "ValueError."
+        )
         bad_ones = arguments | {name: value}
         shown = ", ".join(f"{key}={given}" for key, given in bad_ones.items())
         about.call = f"random_frames({shown})"

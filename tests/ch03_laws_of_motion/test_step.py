@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import probes
 from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
-from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import about, blame, expect_close, expect_error, expect_that, expect_unchanged, xyz
 
 
 def draw_frame(rng: Random) -> float:
@@ -47,12 +47,12 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
                 "You change the velocity before the position, as in semi-implicit Euler. This step "
-                "is explicit Euler (E-17), so move the position first, with the old velocity.",
+                "is explicit Euler (E-17), so call drift before kick.",
             ),
             (
                 tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
-                "You add a h^2 / 2 to the position, but the book leaves this term out on purpose. "
-                "Add only the old velocity times h.",
+                "You move the position by an extra a h^2 / 2, but the book leaves this term out on "
+                "purpose. Move it only by the old velocity times h.",
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
@@ -67,7 +67,7 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
 
 
 @pytest.mark.exercise("B3.4")
-def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
+def test_the_step_adds_the_acceleration_to_the_velocity(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.integrate({h}); p.velocity"
@@ -121,7 +121,7 @@ def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B3.4")
-def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
+def test_damping_is_the_fraction_that_is_kept_per_second(rng: Random) -> None:
     v, drawn = components(rng), round(rng.uniform(0.2, 0.8), 3)
     about.read = "book 3.3, Eq. 3.6"
     for damping, frames in (
@@ -151,8 +151,8 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
             ),
             (
                 tuple(n * first for n in v),
-                "You use the factor d^h of the first step in all steps. Compute it again in "
-                "each step, because the durations h differ.",
+                "You use the factor d^h of the first step in every step, although the durations h "
+                "differ. Compute it again in each step.",
             ),
             (v, "You don't damp the velocity. Multiply it by d^h in every step of duration h."),
         ]
@@ -267,15 +267,15 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
 
 
 @pytest.mark.exercise("B3.4")
-def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
+def test_a_step_does_not_change_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     about.call = (
         f"x, v, a = Vector3{x}, Vector3{v}, Vector3{a}; p = Particle(x, v, a, mass=math.inf); "
         f"p.integrate({h})"
     )
     about.cause = (
-        "This particle has an infinite mass, so nothing may change it. Do nothing if its "
-        "inverse_mass is 0."
+        "Your integrate changes a particle with an infinite mass. If the inverse_mass is 0, change "
+        "nothing."
     )
     about.read = "the docstring of integrate"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf, damping=0.5)
@@ -295,26 +295,25 @@ def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B3.4")
-def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: Random) -> None:
+def test_the_last_acceleration_is_a_copy_of_the_acceleration(rng: Random) -> None:
     a = components(rng)
     about.call = (
         f"p = Particle(acceleration=Vector3{a}, mass=4.0, damping=0.5); p.integrate(0.5); "
         "p.last_acceleration"
     )
-    about.cause = (
-        "Return the particle's acceleration unchanged as last_acceleration. Don't divide it by the "
-        "mass, and don't damp it."
-    )
+    about.cause = "Return the particle's acceleration unchanged as last_acceleration."
+    divided = "You divide the acceleration by the mass, as if it were a force. Return it unchanged."
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=4.0, damping=0.5)
     p.integrate(0.5)
     last = p.last_acceleration
+    blame(xyz(last), [(tuple(n / 4.0 for n in a), divided)])
     expect_close(xyz(last), a)
     last.x = 99.0
     about.call = f"{about.call}.x = 99.0"
     about.cause = (
-        "Your last_acceleration returns one of the particle's own vectors, so a change to the "
-        "result also changes the particle. Return a copy."
+        "Your last_acceleration returns the particle's own vector, so a change to the result also "
+        "changes the particle. Return a copy."
     )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     about.cause = (
@@ -333,21 +332,21 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
 @pytest.mark.exercise("B3.4")
 def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     x, v, h = components(rng), components(rng), draw_frame(rng)
-    about.call = f"a particle p whose class overrides kick; p.integrate({h}); "
+    about.call = f"a particle p whose class overrides kick; p.integrate({h})"
     about.read = "the docstring of integrate"
     kicks = probes.kicks_of_a_step(x, v, h)
     about.cause = (
-        "Your integrate must call self.kick(duration) exactly once, instead of changing the "
-        "velocity itself. The particle of chapter 5 overrides kick to add forces."
+        "Your integrate changes the velocity itself. Call self.kick(duration) once instead, "
+        "because the particle of chapter 5 overrides kick to add forces."
     )
-    got = [duration for duration, _ in kicks]
-    expect_exactly(got, [h], then="the durations passed to kick")
+    got = " and ".join(f"kick({duration})" for duration, _ in kicks) or "no call of kick"
+    expect_that([duration for duration, _ in kicks] == [h], got, f"a single call, kick({h})")
     about.cause = (
         "The position must move before the kick. Call drift first and then kick, so that the "
         "position moves with the old velocity."
     )
     wanted = tuple(x[i] + v[i] * h for i in range(3))
-    expect_close(kicks[0][1], wanted, then="p.position when kick is called", tolerance=1e-13)
+    expect_close(kicks[0][1], wanted, then="; p.position during kick", tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.4")
@@ -358,12 +357,12 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
     x, v, a = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)
     for mass in (1.0, math.inf):
         about.cause = (
-            "A duration must be positive and finite. Pass it to positive from arguments.py, which "
-            "raises the ValueError for you."
+            f"The duration is {duration}. It must be positive and finite, so pass it to positive "
+            "from arguments.py, which raises the ValueError for you."
         )
         if mass == math.inf:
             about.cause = (
-                "You accept an invalid duration because the particle is immovable. Check the "
+                f"You accept a duration of {duration} because the mass is infinite. Check the "
                 "duration before you check the mass."
             )
         about.call = (
@@ -378,8 +377,8 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
                 allowed=lambda: Particle().integrate(0.5),
             )
         about.cause = (
-            "Your integrate changes the particle before it rejects the duration. Check the "
-            "duration before you change anything."
+            "Your integrate moves the particle before it rejects the duration. Check the duration "
+            "before you change anything."
         )
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.velocity", xyz(p.velocity), v)
@@ -387,7 +386,7 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
 
 @pytest.mark.exercise("B3.4")
 @pytest.mark.robust
-def test_text_is_no_duration() -> None:
+def test_text_is_refused_as_a_duration() -> None:
     about.call = 'Particle().integrate("0.5")'
     about.cause = (
         "A text is not a duration. Pass the duration to positive from arguments.py, which raises "

@@ -44,23 +44,21 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     m, a = draw_matrix(rng), components(rng)
     v = Vector3(*a)
     about.call = f"m = {written(m)}; m.transform(Vector3{short(a)})"
-    about.cause = (
-        "Each component of the result is the scalar product of one row of the matrix and the "
-        "vector."
-    )
+    about.cause = "Compute each component as the scalar product of one row and the vector."
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
         "You multiply the vector by the columns of the matrix instead of its rows.": applied(
             transposed(m), a
         ),
-        "You overwrite the old x before you compute y and z from it. Keep all three old components "
-        "until the result is complete.": in_place(m, a),
+        "You overwrite the old x before you compute y and z from it. Compute all three results "
+        "before you store any of them.": in_place(m, a),
     }
     why = named(got, about.cause, slips)
     # Three products of numbers up to 90.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
-    expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
+    changed = "Your transform changes v. Return a new vector, and only read the components of v."
+    expect_unchanged("v", xyz(v), a, cause=changed)
     about.call = f"m = {written(m)}; m @ Vector3{short(a)}, which calls m.transform"
     got = xyz(Matrix3(*m) @ v)
     expect_close(got, wanted, tolerance=1e-11)
@@ -72,15 +70,15 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     m, n = draw_matrix(rng), draw_matrix(rng)
     about.call = f"a = {written(m)}; b = {written(n)}; a.product(b), row by row"
     about.cause = (
-        "Each number of a.product(b) is the scalar product of a row of a (on the left) and a "
-        "column of b (on the right)."
+        "Each number of the result must be the scalar product of a row of a and a column of b."
     )
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
     slips = {
-        "the product in the other order": times(n, m),
-        "You multiply each number by the one in the same position, which is not the matrix "
-        "product.": [p * q for p, q in zip(m, n, strict=True)],
+        "You compute b times a instead of a times b.": times(n, m),
+        "You multiply each number of a by the number of b in the same position.": [
+            p * q for p, q in zip(m, n, strict=True)
+        ],
         "You multiply the rows of a by the rows of b instead of its columns.": times(
             m, transposed(n)
         ),
@@ -101,16 +99,20 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
 def test_a_matrix_times_something_else_is_refused() -> None:
     about.read = "the docstring at the top of matrix.py"
     v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
-    about.cause = "The check passed a tuple. Raise TypeError for anything but a Vector3."
+    about.cause = "You accept a tuple. Raise TypeError for any argument that is not a Vector3."
     expect_error(
         lambda: m.transform((1.0, 2.0, 3.0)),
         TypeError,
         call="Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).transform((1, 2, 3))",
         allowed=lambda: [m.transform(v), m.transform(Vector3(math.inf, math.nan, 0.0))],
     )
-    about.cause = "The argument must be a Matrix3. Raise TypeError for anything else."
     twelve = Matrix4(1, 0, 0, 4, 0, 1, 0, 5, 0, 0, 1, 6)
     for name, other in (("Vector3(1, 2, 3)", v), ("2.0", 2.0), ("Matrix4(...)", twelve)):
+        kind = "number" if name == "2.0" else name.partition("(")[0]
+        about.cause = (
+            f"You accept a {kind} as the factor. Raise TypeError for any argument that is not a "
+            "Matrix3."
+        )
         expect_error(
             lambda other=other: m.product(other),
             TypeError,
@@ -125,13 +127,13 @@ def test_rows_become_columns(rng: Random) -> None:
     m = draw_matrix(rng)
     matrix = Matrix3(*m)
     about.call = f"m = {written(m)}; m.transpose(), row by row"
-    about.cause = (
-        "The rows of the matrix become the columns of the transpose, so the number in row i and "
-        "column j moves to row j and column i."
-    )
+    about.cause = "Row i of the matrix must become column i of the transpose."
     got = entries(matrix.transpose())
     other = transposed(m)[::-1]
-    slips = {"the matrix itself": m, "the matrix flipped over the other diagonal": other}
+    slips = {
+        "You return the matrix itself.": m,
+        "You flip the matrix over the wrong diagonal.": other,
+    }
     why = named(got, about.cause, slips, transposed(m))
     expect_close(got, transposed(m), cause=why, tolerance=0.0)
     expect_unchanged("the matrix", entries(matrix), m, cause=UNCHANGED)

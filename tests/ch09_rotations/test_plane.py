@@ -21,7 +21,7 @@ MASS = "book 9.1.3, and the docstring of center_of_mass"
 
 
 @pytest.mark.exercise("B9.1")
-def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
+def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
     about.read = WRAP
     about.cause = (
         "Add or subtract full turns of 2 pi, which don't change the direction, until the angle is "
@@ -35,13 +35,15 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
                 about.call = f"wrap_angle({angle}{whole})"
                 got = wrap_angle(angle + turns * math.tau)
                 slips = {
-                    "an angle from 0 to 2 pi": angle % math.tau,
-                    "the original angle": angle + turns * math.tau,
-                    "You subtract only one turn. The angle can contain many, so subtract as many "
-                    "as needed.": angle + (turns - 1) * math.tau,
-                    "You add only one turn. The angle can be many turns below the range, so add as "
-                    "many as needed.": angle + (turns + 1) * math.tau,
-                    "the angle in degrees": math.degrees(angle),
+                    "You return an angle from 0 to 2 pi. Subtract 2 pi if the angle is above "
+                    "pi.": angle % math.tau,
+                    "You return the angle unchanged. Subtract its full turns of 2 pi, or add "
+                    "them.": angle + turns * math.tau,
+                    "You subtract only one full turn. The angle can contain many, so subtract all "
+                    "of them.": angle + (turns - 1) * math.tau,
+                    "You add only one full turn. The angle can be many turns below the range, so "
+                    "add all of them.": angle + (turns + 1) * math.tau,
+                    "You return the angle in degrees. Return it in radians.": math.degrees(angle),
                 }
                 why = named(got, about.cause, slips)
                 expect_close(got, angle, cause=why, tolerance=TIGHT)
@@ -51,8 +53,8 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     about.read = WRAP
     about.cause = (
-        "This angle contains many turns. Remove them all at once with math.remainder or %, because "
-        "removing one after the other adds up rounding errors."
+        "You remove the turns one by one, but this angle contains 160000 of them. Remove them all "
+        "at once with math.remainder or %."
     )
     size = positive_number(rng, 0.1, 3.0)
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
@@ -63,32 +65,35 @@ def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.1")
-def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
+def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
     about(
-        cause="pi and -pi point in the same direction. The range includes pi but not -pi, so "
-        "return pi for both.",
+        cause="You return -pi, but the range includes pi and not -pi. Both point in the same "
+        "direction, so return pi.",
         read=WRAP,
     )
     for angle in (math.pi, -math.pi):
-        about.call = f"wrap_angle({angle})"
+        about.call = f"wrap_angle({'-' if angle < 0.0 else ''}math.pi)"
         got = wrap_angle(angle)
         expect_close(got, math.pi, tolerance=0.0)
-    about.cause = "This angle is already in range, so don't change it. Only -pi itself becomes pi."
+    about.cause = (
+        "You change an angle that is near the end of the range, although it is already in range. "
+        "Of the two ends, only -pi must become pi."
+    )
     for angle in (1e-6 - math.pi, math.pi - 1e-6):
-        about.call = f"wrap_angle({angle})"
+        about.call = f"wrap_angle({'math.pi - 1e-6' if angle > 0.0 else '-math.pi + 1e-6'})"
         got = wrap_angle(angle)
         expect_close(got, angle, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.1")
 @pytest.mark.robust
-def test_what_is_no_angle_is_not_wrapped() -> None:
+def test_an_angle_that_is_not_finite_is_not_wrapped() -> None:
     expect_finite_numbers("wrap_angle", wrap_angle, (1,), (), read=WRAP)
 
 
 @pytest.mark.exercise("B9.2")
 @pytest.mark.robust
-def test_no_angle_is_no_direction() -> None:
+def test_an_angle_that_is_not_finite_has_no_direction() -> None:
     expect_finite_numbers("angle_to_vector", angle_to_vector, (1,), (), read="book 9.1.1, Eq. 9.1")
 
 
@@ -106,10 +111,18 @@ def test_the_direction_of_an_angle(rng: Random) -> None:
         wanted = (math.cos(t), math.sin(t))
         taken = math.radians(t)
         slips = {
-            "You swap sine and cosine.": (math.sin(t), math.cos(t)),
-            "You treat the angle as degrees.": (math.cos(taken), math.sin(taken)),
-            "Your sine has the wrong sign.": (math.cos(t), -math.sin(t)),
-            "Your cosine has the wrong sign.": (-math.cos(t), math.sin(t)),
+            "You swap sine and cosine. The cosine of the angle is x, and its sine is y.": (
+                math.sin(t),
+                math.cos(t),
+            ),
+            "You treat the angle as degrees. It is already in radians, so don't convert it.": (
+                math.cos(taken),
+                math.sin(taken),
+            ),
+            "Your y has the wrong sign. Use math.sin(angle), which has the right sign for every "
+            "angle.": (math.cos(t), -math.sin(t)),
+            "Your x has the wrong sign. Use math.cos(angle), which has the right sign for every "
+            "angle.": (-math.cos(t), math.sin(t)),
         }
         expect_close(got, wanted, cause=named(got, about.cause, slips))
 
@@ -118,21 +131,21 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     """Return the results of likely mistakes when a point is rotated and moved."""
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     ends = {
-        "Your rotation is clockwise.": place + start / turn,
-        "You move the point before you rotate it, so you rotate the object's position too.": (
-            start + place
-        )
-        * turn,
-        "You rotate the point but don't add the object's position.": start * turn,
-        "You add the object's position but don't rotate the point.": place + start,
-        "You rotate the point about origin. The point is given relative to the object, so rotate "
-        "it about (0, 0) first and then add origin.": place + (start - place) * turn,
-        "You treat the angle as degrees.": place + start * cmath.rect(1.0, math.radians(angle)),
+        "Your rotation is clockwise. Swap the signs of the two sine terms to rotate "
+        "counter-clockwise.": place + start / turn,
+        "You add origin before you rotate the point, so you rotate origin too. Rotate the point "
+        "first, and then add origin.": (start + place) * turn,
+        "You rotate the point but don't add origin. Add it after the rotation.": start * turn,
+        "You add origin but don't rotate the point. Rotate it first.": place + start,
+        "You rotate the point about origin. The point is given relative to origin, so rotate it "
+        "about (0, 0) first, and then add origin.": place + (start - place) * turn,
+        "You treat the angle as degrees. It is already in radians, so don't convert it.": place
+        + start * cmath.rect(1.0, math.radians(angle)),
     }
     # y computed from an x that has been changed already.
     x = turn.real * point[0] - turn.imag * point[1]
-    ends["You compute y from the new x. Keep the old x until you have both results."] = (
-        place + complex(x, turn.imag * x + turn.real * point[1])
+    ends["You compute y from the new x. Use the old x in both formulas."] = place + complex(
+        x, turn.imag * x + turn.real * point[1]
     )
     return {name: (end.real, end.imag) for name, end in ends.items()}
 
@@ -173,10 +186,9 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.2")
 @pytest.mark.robust
-def test_a_point_of_nothing_is_refused() -> None:
-    name = "rotate_point((x, y), angle, (p, q)) with (x, y, angle, p, q) = "
+def test_a_point_that_is_not_finite_is_refused() -> None:
     expect_finite_numbers(
-        name,
+        "rotate_point(point=({}, {}), angle={}, origin=({}, {}))",
         lambda x, y, t, a, u: rotate_point((x, y), t, (a, u)),
         (1, 2, 1, 3, 4),
         (),
@@ -192,16 +204,11 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     )
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
-        "You return the sums of m x and m y without dividing them by the total mass.": (
-            8.0,
-            16.0,
-        ),
-        "You divide the sums of m x and m y by the number of masses instead of the total mass.": (
-            4.0,
-            8.0,
-        ),
-        "You return the plain mean of the positions, which ignores the masses.": (2.0, 4.0),
-        "You swap the masses.": (3.0, 6.0),
+        "You return the sums of m x and m y. Divide both by the total mass.": (8.0, 16.0),
+        "You divide by the number of masses. Divide by the total mass instead.": (4.0, 8.0),
+        "You return the mean of the positions, which ignores the masses. Multiply each position by "
+        "its mass, and divide the sums by the total mass.": (2.0, 4.0),
+        "You swap the masses. Multiply each position by its own mass.": (3.0, 6.0),
     }
     expect_close(got, (1.0, 2.0), cause=named(got, about.cause, slips))
 
@@ -209,7 +216,7 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
 @pytest.mark.exercise("B9.3")
 def test_the_center_of_many_masses(rng: Random) -> None:
     about.read = MASS
-    about.cause = (
+    cause = (
         "Add up m x and m y over all masses, and then divide both sums by the sum of the masses, "
         "not by their number."
     )
@@ -218,6 +225,7 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         masses[-1] = masses[0]  # equal masses must work too
         positions = [(number(rng), number(rng)) for _ in range(count)]
         about.call = f"center_of_mass({masses}, {positions})"
+        about.cause = cause
         total = math.fsum(masses)
         pairs = list(zip(masses, positions, strict=True))
         wanted = [math.fsum(m * p[axis] for m, p in pairs) / total for axis in (0, 1)]
@@ -227,7 +235,7 @@ def test_the_center_of_many_masses(rng: Random) -> None:
             "Your result is rounded down to a whole number, as // does. Divide with / instead.": [
                 math.floor(w) for w in wanted
             ],
-            "You lose equal masses, probably because you used the masses as dictionary keys. Use "
+            "You lose one of two equal masses, because you use the masses as dictionary keys. Use "
             "zip to go through both lists together.": [
                 math.fsum(m * p[axis] for m, p in last.items()) / math.fsum(last) for axis in (0, 1)
             ],
@@ -235,12 +243,12 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         after = masses_after(masses, positions)
-        cause_lists = (
-            "Your function changes a list that it should only read. If you need to sort a list or "
-            "remove something from it, work on a copy."
-        )
         for name, now, before in (("masses", after[0], masses), ("positions", after[1], positions)):
-            expect_unchanged(name, now, before, cause=cause_lists)
+            about.cause = (
+                f"Your function changes the caller's list of {name}, as pop and sort do. Work on a "
+                "copy of the list."
+            )
+            expect_unchanged(name, now, before)
         about.call = f"center_of_mass({tuple(masses)}, {tuple(positions)})"
         got = center_of_mass(tuple(masses), tuple(positions))
         expect_close(got, wanted, tolerance=TIGHT)
@@ -248,13 +256,9 @@ def test_the_center_of_many_masses(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.3")
 @pytest.mark.robust
-def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
+def test_each_mass_needs_one_position(rng: Random) -> None:
     about.read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
-    about.cause = (
-        "Raise ValueError for these lists. There must be at least one mass, and exactly one "
-        "position for each mass."
-    )
     for masses, positions in (
         ([], []),
         ((), ()),
@@ -263,6 +267,12 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
         ([m], [(x, y), (y, x)]),
     ):
         about.call = f"center_of_mass({masses}, {positions})"
+        about.cause = (
+            f"You accept lists with lengths of {len(masses)} and {len(positions)}, but each mass "
+            "needs exactly one position. Raise ValueError if the lengths differ."
+        )
+        if not masses:
+            about.cause = "You accept empty lists. Raise ValueError if there is no mass."
         expect_error(
             lambda masses=masses, positions=positions: center_of_mass(masses, positions),
             ValueError,
@@ -272,9 +282,9 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.3", weight=0.5)
 @pytest.mark.robust
-def test_what_has_no_mass_has_no_center() -> None:
+def test_bad_masses_and_positions_are_refused() -> None:
     expect_finite_numbers(
-        "center_of_mass([2, m], [(1, 1), (x, y)]) with (m, x, y) = ",
+        "center_of_mass([2, {}], [(1, 1), ({}, {})])",
         lambda m, x, y: center_of_mass([2.0, m], [(1.0, 1.0), (x, y)]),
         (1, 2, 3),
         ((0, 0.0), (0, -1.0)),

@@ -25,15 +25,15 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "Your code accepted NaN. Every comparison with NaN is False, so x <= 0 doesn't detect it. Test "
-    "for the valid range instead, as in 0.0 < x < math.inf, or use the functions in arguments.py."
+    "Your code accepted NaN. Every comparison with NaN is False, so check that the number is in "
+    "the valid range, as in 0.0 < x < math.inf."
 )
 UNCHANGED = (
     "The call changed a value that it should only read. Work on a copy, or on plain numbers."
 )
 LOST = (
-    "v did not change. Assign to self.x, self.y and self.z. If you only create a new vector, it is "
-    "lost when the method returns."
+    "Your method computes a new vector but leaves v unchanged. Assign its components to self.x, "
+    "self.y and self.z."
 )
 
 
@@ -162,7 +162,7 @@ def expect_error(
     """Expect attempt() to raise this error, and allowed() to raise none.
 
     The second condition catches code that refuses every argument. If the call contains a NaN, the
-    message explains how NaN gets past comparisons.
+    message explains how NaN gets past comparisons, unless the cause already mentions NaN.
     """
     __tracebackhide__ = True
     call, cause, read = about.but(words)
@@ -172,7 +172,7 @@ def expect_error(
         read=read,
     )
     allowed()
-    about(call, cause=NAN if "nan" in call else cause)
+    about(call, cause=NAN if "nan" in call and "NaN" not in cause else cause)
     try:
         got = attempt()
     except error:
@@ -198,16 +198,19 @@ def expect_finite_numbers(
     """Expect a function to refuse NaN, infinities and texts for each of its arguments.
 
     ``good`` holds whole numbers that it must accept. ``bad`` lists further values to refuse, as
-    pairs of an argument's index and a number.
+    pairs of an argument's index and a number. If ``name`` has fields, such as "f({}, {})", it is
+    the whole call.
     """
     __tracebackhide__ = True
-    valid = "is not a valid value for this argument, so raise ValueError. The functions in "
-    valid += "arguments.py check an argument and raise the error for you."
+    fields = ", ".join("{}" for _ in good)
+    valid = "which is not valid here. Pass the number to a function from arguments.py, which "
+    valid += "raises the ValueError for you."
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
-        cause = f"{value!r} {valid}"
+        shown = "NaN" if value is math.nan else repr(value)
+        cause = f"Your code accepted {shown}, {valid}"
         if error is TypeError:
             cause = "A string is not a number, even if it looks like one, so raise TypeError."
         arguments = [*good]
@@ -216,7 +219,7 @@ def expect_finite_numbers(
             lambda arguments=arguments: function(*arguments),
             error,
             allowed=lambda: function(*good),
-            call=f"{name}({', '.join(map(repr, arguments))})",
+            call=(name if "{" in name else f"{name}({fields})").format(*map(repr, arguments)),
             cause=cause,
             read=about.but(words)[2],
         )
@@ -228,8 +231,8 @@ def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     before.x = 99.0
     about(
         f"{made}; w = v; {step}; w.x = 99.0; v.x",
-        cause="v and w should still be the same vector, but v is now a new one. Change self.x, "
-        "self.y and self.z and end with return self, instead of creating a new vector.",
+        cause="Your method creates a new vector, so v and w are no longer the same vector. Change "
+        "self.x, self.y and self.z instead, and return self.",
     )
     expect_close(v.x, 99.0)
 
@@ -337,8 +340,8 @@ def _complain(
     unit, other = words.get("unit", ""), ""
     if got == "None":
         nothing = (
-            "The call returned None. Either a return statement is missing, or you used the result "
-            "of a method that works in place."
+            "The call returned None, perhaps because a return statement is missing. Return the "
+            "result."
         )
         cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):

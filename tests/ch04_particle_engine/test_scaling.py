@@ -24,26 +24,24 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     mistakes = [
         (
             1250.0,
-            "The result is m v^2, because you leave out the factor 1/2. The kinetic energy is m "
-            "v^2 / 2.",
+            "You leave out the factor 1/2. The kinetic energy is m v^2 / 2.",
         ),
         (
             1.25,
-            "The result is m v / 2, because you don't square the speed. The kinetic energy is m "
-            "v^2 / 2.",
+            "You don't square the speed. The kinetic energy is m v^2 / 2.",
         ),
     ]
-    expect_close(got, 625.0, cause=cause_of(got, mistakes, about.cause))
+    expect_close(got, 625.0, unit="J", cause=cause_of(got, mistakes, about.cause))
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
     about.call = f"muzzle_energy(mass={mass}, speed={speed})"
     got = scaling.muzzle_energy(mass, speed)
-    expect_close(got, 0.5 * mass * speed * speed)
+    expect_close(got, 0.5 * mass * speed * speed, unit="J")
     about(
         f"muzzle_energy(mass={mass}, speed=0)",
         cause="A speed of 0 is valid, because a body can be at rest. Check the speed with "
         "not_negative from arguments.py, and return 0.",
     )
-    expect_close(scaling.muzzle_energy(mass, 0), 0.0)
+    expect_close(scaling.muzzle_energy(mass, 0), 0.0, unit="J")
 
 
 @pytest.mark.exercise("B4.1")
@@ -55,8 +53,8 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         (round(rng.uniform(2.0, 90.0), 3), 0.25),
     ):
         about.call = (
-            f"slowed_mass(mass={mass}, factor={factor}); the energy of a shot at "
-            f"{500.0 / factor:.6g} m/s with this mass, in J"
+            f"slowed_mass(mass={mass}, factor={factor}); the kinetic energy of a shot "
+            f"with this mass at {500.0 / factor:.6g} m/s"
         )
         about.cause = (
             "The slower shot does not have the energy of the real shot. The energy depends on the "
@@ -72,9 +70,8 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
             (
                 mass / factor**2,
                 (
-                    "You make the mass smaller, as in the book's footnote (E-19), but a slower "
-                    "shot needs a larger mass. The factor is the real speed divided by the speed "
-                    "in the game."
+                    "You divide the mass by the square of the factor, as in the book's footnote "
+                    "(E-19). Multiply by it instead, because a slower shot needs a larger mass."
                 ),
             ),
             (
@@ -85,7 +82,7 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         ]
         blame(slow, mistakes)
         energy = 0.5 * slow * (500.0 / factor) ** 2
-        expect_close(energy, 0.5 * mass * 500.0**2)
+        expect_close(energy, 0.5 * mass * 500.0**2, unit="J")
 
 
 @pytest.mark.exercise("B4.1")
@@ -98,56 +95,57 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
         (0.0, 4.0),
     ):
         about.call = (
-            f"slowed_gravity(gravity={gravity}, factor={factor}); the drop after 100 m of a shot "
-            f"at {500.0 / factor:.6g} m/s with this gravity, in m"
+            f"slowed_gravity(gravity={gravity}, factor={factor}); how far a shot at "
+            f"{500.0 / factor:.6g} m/s drops over 100 m with this gravity"
         )
         about.cause = (
-            "You reject a valid gravity: it may be negative or 0. Check it with finite from "
-            "arguments.py."
+            "You reject this gravity, but gravity may be negative or 0. Check it with finite from "
+            "arguments.py instead of positive."
         )
         weak = scaling.slowed_gravity(gravity, factor)
         longer = (
-            "The slower shot flies factor times as long, and the drop grows with the square of "
-            "the time, so divide gravity by factor^2."
+            "Divide gravity by factor^2, because the slower shot flies factor times as long and "
+            "the drop grows with the square of the time."
         )
-        stronger = "You multiply gravity instead of dividing it."
+        weaker = (
+            "Divide gravity by factor^2 instead, because the slower shot flies longer and must not "
+            "drop farther."
+        )
         mistakes = [
             (
                 gravity / factor,
                 f"You divide gravity by the factor only once, as in the book (E-2). {longer}",
             ),
-            (gravity * factor, f"{stronger} {longer}"),
-            (
-                gravity * factor**2,
-                f"You multiply gravity instead of dividing it. {longer}",
-            ),
+            (gravity * factor, f"You multiply gravity by the factor. {weaker}"),
+            (gravity * factor**2, f"You multiply gravity by factor^2. {weaker}"),
         ]
         about.cause = cause_of(weak, mistakes, longer)
         drop = 0.5 * weak * (100.0 * factor / 500.0) ** 2
-        expect_close(drop, 0.5 * gravity * 0.2**2)
+        expect_close(drop, 0.5 * gravity * 0.2**2, unit="m")
 
 
 @pytest.mark.exercise("B4.1")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, math.inf, math.nan])
 def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
-    about.cause = (
-        "Every mass and every factor must be positive and finite. Pass each of them to positive "
-        "from arguments.py, which raises the ValueError for you."
-    )
     about.read = "the docstrings in scaling.py"
-    for name, data, good in (
-        ("muzzle_energy", (bad, 3.0), (2.0, 3.0)),
-        ("slowed_mass", (bad, 3.0), (2.0, 3.0)),
-        ("slowed_mass", (2.0, bad), (2.0, 3.0)),
-        ("slowed_gravity", (2.0, bad), (2.0, 3.0)),
+    good = (2.0, 3.0)
+    for name, data, what in (
+        ("muzzle_energy", (bad, 3.0), "mass"),
+        ("slowed_mass", (bad, 3.0), "mass"),
+        ("slowed_mass", (2.0, bad), "factor"),
+        ("slowed_gravity", (2.0, bad), "factor"),
     ):
         about.call = f"{name}{data}"
+        about.cause = (
+            f"The {what} is {bad}. It must be positive and finite, so raise ValueError. The "
+            "function positive in arguments.py does this for you."
+        )
         function = getattr(scaling, name)
         expect_error(
             lambda function=function, data=data: function(*data),
             ValueError,
-            allowed=lambda function=function, good=good: function(*good),
+            allowed=lambda function=function: function(*good),
         )
 
 
@@ -155,17 +153,26 @@ def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_gravity_are_finite(bad: float) -> None:
-    about.cause = (
-        "The speed must be finite and not negative, and gravity must be finite. Check them with "
-        "not_negative and finite from arguments.py."
-    )
     about.read = "the docstrings in scaling.py"
-    for call, attempt in (
-        (f"muzzle_energy(2, {bad})", lambda: scaling.muzzle_energy(2.0, bad)),
-        ("muzzle_energy(2, -3)", lambda: scaling.muzzle_energy(2.0, -3.0)),
-        (f"slowed_gravity({bad}, 2)", lambda: scaling.slowed_gravity(bad, 2.0)),
+    speed = "It must be finite and not negative, so raise ValueError."
+    for call, cause, attempt in (
+        (
+            f"muzzle_energy(2, {bad})",
+            f"The speed is {bad}. {speed}",
+            lambda: scaling.muzzle_energy(2.0, bad),
+        ),
+        (
+            "muzzle_energy(2, -3)",
+            f"The speed is -3. {speed}",
+            lambda: scaling.muzzle_energy(2.0, -3.0),
+        ),
+        (
+            f"slowed_gravity({bad}, 2)",
+            f"Gravity is {bad}. It must be finite, so raise ValueError.",
+            lambda: scaling.slowed_gravity(bad, 2.0),
+        ),
     ):
-        about.call = call
+        about(call, cause=cause)
         expect_error(
             attempt,
             ValueError,
@@ -177,8 +184,8 @@ def test_speed_and_gravity_are_finite(bad: float) -> None:
 @pytest.mark.robust
 def test_text_is_no_number() -> None:
     about.cause = (
-        "Every argument must be a number. Pass each of them to positive, not_negative or finite "
-        "from arguments.py, which raise this TypeError for you."
+        'An argument is the string "2", which is not a number, so raise TypeError. The functions '
+        "positive, not_negative and finite in arguments.py do this for you."
     )
     about.read = "the docstring in scaling.py"
     text: Any = "2"

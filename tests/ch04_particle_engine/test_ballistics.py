@@ -143,14 +143,10 @@ def test_speed_and_angles_are_finite(bad: float) -> None:
         ("elevation", (3.0, 0.0, bad)),
         ("speed", (-3.0, 0.0, 0.0)),
     ):
-        rule, name = ("finite", "finite")
-        if what == "speed":
-            rule, name = ("finite and not negative", "not_negative")
+        rule = "finite and not negative" if what == "speed" else "finite"
+        value = -3.0 if data == (-3.0, 0.0, 0.0) else bad
         about.call = f"aim{data}"
-        about.cause = (
-            f"The {what} is {-3.0 if data[0] < 0.0 else bad}. It must be {rule}, so raise "
-            f"ValueError. The function {name} in arguments.py does this for you."
-        )
+        about.cause = f"The {what} is {value}. It must be {rule}, so raise ValueError."
         expect_error(
             lambda data=data: ballistics.aim(*data),
             ValueError,

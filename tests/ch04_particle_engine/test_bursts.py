@@ -126,7 +126,7 @@ def test_rejects_arguments_that_are_not_finite(bad: float) -> None:
         shown = ", ".join(f"{name}={n}" for name, n in zip(names, data, strict=True))
         about.call = f"burst_positions({shown})"
         about.cause = (
-            f"The {names[i]} is {bad}. It must be finite, so raise ValueError. Note that "
+            f"The argument {names[i]} is {bad}. It must be finite, so raise ValueError. Note that "
             "drag_factors checks only the damping and the time for you."
         )
         expect_error(

@@ -13,16 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import closed_form, probes
 from draw import Components, components, number
-from expect import (
-    about,
-    blame,
-    cause_of,
-    expect_close,
-    expect_error,
-    expect_unchanged,
-    expect_vector,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_unchanged, expect_vector, xyz
 
 FACTORS = "the docstring of drag_factors"
 STATE = "the docstring of state_after"
@@ -118,8 +109,8 @@ def test_dampings_of_0_and_1_and_a_time_of_0(rng: Random) -> None:
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            "Handle a damping of 0 before you compute the logarithm, because 0 has none. Such a "
-            "damping stops the motion at once, so all three factors are 0.",
+            "You don't treat a damping of 0, which has no logarithm, as a separate case. It stops "
+            "the motion at once, so all three factors are 0.",
         ),
         (
             0.5,
@@ -148,8 +139,8 @@ def test_dampings_of_0_and_1_and_a_time_of_0(rng: Random) -> None:
 def test_the_factors_hold_for_a_damping_near_1(away: float, rng: Random) -> None:
     about.read = FACTORS
     of_gone, of_fallen = (
-        f"Your {name} loses its digits if the damping d is near 1, because {difference} subtracts "
-        f"nearly equal numbers. Use {instead} instead."
+        f"Your formula for {name} loses digits if the damping d is near 1, because {difference} "
+        f"subtracts nearly equal numbers. Use {instead} instead."
         for name, difference, instead in (
             ("gone", "1 - d^t", "math.expm1"),
             ("fallen", "t - gone", "the first terms of a series"),
@@ -167,7 +158,8 @@ def test_the_factors_hold_for_a_damping_near_1(away: float, rng: Random) -> None
         wanted = by_series(damping, t)
         size = wanted[2]
         first_two = got[:2] if isinstance(got, (tuple, list)) else got
-        about.cause = cause_of(first_two, [(wanted[:2], of_fallen)], of_gone)
+        about.cause = of_gone
+        blame(first_two, [(wanted[:2], of_fallen)])
         expect_close(got, wanted, tolerance=1e-9 * max(1.0, size))
 
 
@@ -209,8 +201,7 @@ def test_an_artillery_shell_lands_at_the_known_place() -> None:
         # The times are known to 5e-8 s, and the shell moves at up to 50 m/s.
         got, wanted = expect_vector(position), (0.0, 0.0, reach)
         gone = (
-            "You multiply the acceleration by gone in the formula of the position. Multiply it by "
-            "fallen there."
+            "In the position, you multiply the acceleration by gone. Multiply it by fallen instead."
         )
         blame(got, [((0.0, 1.5 + (30.0 - 20.0) * time, 40.0 * time), gone)])
         if math.dist(got, wanted) < 1.0:
@@ -246,10 +237,7 @@ def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None
     x, v, a = components(rng), components(rng), components(rng)
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
-    about.call = (
-        f"{words}; state_after for {first} s, and from there for another {second} s; the result, "
-        f"which must equal state_after(p, {first + second:.6g})"
-    )
+    about.call = f"{words}; state_after for {first} s, and from there for another {second} s"
     about.cause = (
         "Two predictions, one starting where the other ends, must give the same state as one "
         "prediction over the total time. Check your formulas for position and velocity."
@@ -272,7 +260,8 @@ def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None
     later, at_once = closed_form.state_after(q, second), closed_form.state_after(p, first + second)
     for i in range(2):
         got, wanted = xyz(later[i]), xyz(at_once[i])
-        then, unit = (": the position", "m") if i == 0 else (": the velocity", "m/s")
+        name, unit = (("position", "m"), ("velocity", "m/s"))[i]
+        then = f"; the {name}, which must equal that of state_after(p, {first + second:.6g})"
         expect_close(got, wanted, then=then, unit=unit, tolerance=1e-11)
     about.call = (
         f"{words}; state_after(p, {first}); the velocity, which must equal the slope of the "

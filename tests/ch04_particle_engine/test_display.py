@@ -173,8 +173,8 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
         )
     expect_exactly(types(a_game), [1, 3, 3], then="; the types of the burning fireworks")
     about.cause = (
-        "You don't set the age of the rocket that was hit to 0. Do so, and it bursts in the next "
-        "update."
+        "You don't set the age of the rocket that was hit to 0. Set it, so that the rocket bursts "
+        "in the next update."
     )
     ages = tuple(firework.age for firework in a_game.show.fireworks)
     expect_close(ages, (2.0, 0.0, 1.0), then="; the ages of the three rockets", unit="s")
@@ -247,7 +247,7 @@ def test_a_late_click_scores_more() -> None:
 def test_a_click_far_from_every_rocket_is_a_miss() -> None:
     about.call = "a rocket at (0, 20), far away from the click; click(display, 30, 20)"
     about.cause = (
-        "No rocket is within reach, but you don't treat the click as a miss. Add 1 to misses, "
+        "You don't count the click as a miss, although no rocket is within reach. Add 1 to misses, "
         "change nothing else, and return False."
     )
     about.read = "the docstring of click"
@@ -314,8 +314,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             (rocket, spark),
             6,
             True,
-            "You ignore the misses. More than five (MISSES_ALLOWED) end the game, even if a rocket "
-            "still burns.",
+            "You ignore the misses. The sixth one ends the game (MISSES_ALLOWED is 5), even if a "
+            "rocket still burns.",
         ),
         (
             (spark, spark),
@@ -358,7 +358,7 @@ def test_a_click_after_the_end_does_nothing() -> None:
     about("a rocket at (0, 20) and 6 misses so far, so the game is over; click(display, 0, 20)")
     about.cause = (
         "Your click still hits a rocket after the game is over. Call is_over first, and return "
-        "False at once if it is True."
+        "False at once if it returns True."
     )
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))

@@ -174,7 +174,7 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
         ("fireball", (0.0, 0.0, 10.0), 0.6, 0.9),
     ):
         about.call = (
-            f'r = BallisticRange(); r.fire("{name}"); r.update(1/60) {frames} times; '
+            f'r = BallisticRange(); r.fire("{name}"); r.update(1/60), called {frames} times; '
             "r.shots[0].particle"
         )
         about.cause = (
@@ -242,7 +242,7 @@ def test_spent_shots_next_to_each_other_are_all_removed() -> None:
     )
     about.cause = (
         "You remove shots from the list while you loop over it, so the loop skips the shot after "
-        "each one. Build a new list of the shots that keep flying."
+        "each removed one. Build a new list of the shots that keep flying."
     )
     about.read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)

@@ -100,12 +100,12 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_a_grenade_on_or_above_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
-    about(
-        cause="You let a grenade bounce that is not below the ground. Let a grenade bounce only if "
-        "y < 0.",
-        read="the docstring of bounce",
-    )
+    about.read = "the docstring of bounce"
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
+        about.cause = (
+            f"You let a grenade bounce at y = {y}, which is not below the ground. Let it bounce "
+            "only if y < 0."
+        )
         about.call = f"p = Particle(position=Vector3(1, {y}, 3), velocity=Vector3{v}); bounce(p)"
         p = Particle(Vector3(1.0, y, 3.0), Vector3(*v))
         grenade.bounce(p)
@@ -163,7 +163,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
             "of that mass."
         )
         whole = (
-            "You give each fragment the whole mass of the grenade. Give it a twelfth of that mass."
+            "You give each fragment the whole mass of the grenade. Divide that mass equally among "
+            "the 12 fragments."
         )
         blame(piece[0], [(mass, whole)])
         expect_close(piece[0], mass / 12.0, then="; the mass of a fragment", unit="kg")
@@ -256,13 +257,15 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     )
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
-    expect_exactly(len(heights), frames, then="; the number of updates after which it still flies")
+    expect_exactly(
+        len(heights), frames, then="; the number of updates after which the grenade still flies"
+    )
     about.cause = "The grenade never returns to y = 0. Let bounce move it there when it lands."
     lowest = min(heights)
     if lowest > ROUNDED and len(thrown(frames=1)[1].shots) > 1:
         about.cause = "You burst the grenade at once. Burst it when its age reaches FUSE (4 s)."
     # It lands in frame 12 and is put back to exactly 0.
-    lowest_of = "; the lowest height after an update"
+    lowest_of = "; the lowest height of the grenade after an update"
     expect_close(lowest, 0.0, then=lowest_of, unit="m", tolerance=ROUNDED)
     landed = heights.index(lowest)
     about.cause = (
@@ -327,7 +330,7 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); grenade_after(shot)'
     about.cause = (
         "You keep a grenade that is past the end of the range, at z = 201 m. Call is_spent for "
-        "grenades too, and return an empty list if it is True."
+        "grenades too, and return an empty list if it returns True."
     )
     about.read = "the docstring of grenade_after"
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))

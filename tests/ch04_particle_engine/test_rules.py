@@ -18,7 +18,7 @@ def words(leaves: dict[int, list[int]]) -> str:
         for type, after in leaves.items()
     ]
     more = f", and so on for {len(shown) - 6} more types" if len(shown) > 6 else ""
-    return f"rules by type: {', '.join(shown[:6])}{more}; endless_types(rules)"
+    return f"rules in which type {', '.join(shown[:6])}{more}; endless_types(rules)"
 
 
 @pytest.mark.exercise("B4.7")
@@ -98,8 +98,8 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
         got = probes.endless(leaves)
         if got == []:
             about.cause = (
-                "You check only whether a type lights itself directly. Follow the payloads of its "
-                "payloads too, until you get back to the type or reach nothing new."
+                "You check only whether a type lights itself directly. Also follow the payloads of "
+                "its payloads, until you get back to the type or find no new type."
             )
         elif got != wanted and sorted(got) == wanted:
             about.cause = "You don't sort the types. Return them in ascending order."
@@ -200,14 +200,14 @@ def test_your_types_burn_and_come_to_an_end() -> None:
     about.read = READ
     about.call = "the types of own_types() whose payloads lead back to the same type"
     about.cause = (
-        "The payloads of each of these types lead back to the type itself, so a show with it "
-        "never ends. Remove a payload to break the cycle."
+        "Your types lead back to themselves through their payloads, so a show with them never "
+        "ends. Remove a payload to break the cycle."
     )
     expect_exactly(own_endless_types(), [])
     for type in (10, 11):
         about.call = (
             f"a show with all eleven types and the seed {seed}; one firework of type {type} is lit "
-            "at a height of 50 m; show.update(0.05) 800 times; the number of burning fireworks"
+            "at a height of 50 m; show.update(0.05), called 800 times; the number of fireworks"
         )
         counts = probes.own_show(type, seed, 0.05, 800)
         about.cause = (

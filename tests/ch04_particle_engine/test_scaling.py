@@ -38,8 +38,8 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     expect_close(got, 0.5 * mass * speed * speed, unit="J")
     about(
         f"muzzle_energy(mass={mass}, speed=0)",
-        cause="A speed of 0 is valid, because a body can be at rest. Check the speed with "
-        "not_negative from arguments.py, and return 0.",
+        cause="You reject a speed of 0, but a body can be at rest. Check the speed with "
+        "not_negative from arguments.py instead of positive.",
     )
     expect_close(scaling.muzzle_energy(mass, 0), 0.0, unit="J")
 
@@ -71,7 +71,8 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
                 mass / factor**2,
                 (
                     "You divide the mass by the square of the factor, as in the book's footnote "
-                    "(E-19). Multiply by it instead, because a slower shot needs a larger mass."
+                    "(E-19). Multiply by the square instead, because a slower shot needs a larger "
+                    "mass."
                 ),
             ),
             (
@@ -103,13 +104,10 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             "arguments.py instead of positive."
         )
         weak = scaling.slowed_gravity(gravity, factor)
-        longer = (
-            "Divide gravity by factor^2, because the slower shot flies factor times as long and "
-            "the drop grows with the square of the time."
-        )
+        longer = "Divide it by factor^2, because the drop grows with the square of the time."
         weaker = (
-            "Divide gravity by factor^2 instead, because the slower shot flies longer and must not "
-            "drop farther."
+            "Divide it by factor^2 instead, because the slower shot flies longer and must not drop "
+            "farther."
         )
         mistakes = [
             (
@@ -119,7 +117,7 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             (gravity * factor, f"You multiply gravity by the factor. {weaker}"),
             (gravity * factor**2, f"You multiply gravity by factor^2. {weaker}"),
         ]
-        about.cause = cause_of(weak, mistakes, longer)
+        about.cause = cause_of(weak, mistakes, f"Gravity is wrong. {longer}")
         drop = 0.5 * weak * (100.0 * factor / 500.0) ** 2
         expect_close(drop, 0.5 * gravity * 0.2**2, unit="m")
 

@@ -78,8 +78,8 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
 def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
     about.read = READ
     about.call = (
-        "a firework with 0.5 s of fuse left; show.update(0.125) 5 times; the number of burning "
-        "fireworks after each update"
+        "a firework with 0.5 s of fuse left; show.update(0.125), called 5 times; the number of "
+        "burning fireworks after each update"
     )
     about.cause = (
         "You remove the firework when its age is exactly 0, after the fourth update. It still "
@@ -212,7 +212,7 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     )
     about.cause = (
         "You remove fireworks from the list while you loop over it, so the loop skips the firework "
-        "after each one. Build a new list of those that still burn."
+        "after each removed one. Build a new list of those that still burn."
     )
     a_show = show_with(
         rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
@@ -283,7 +283,7 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
     ]
     about.call = (
         "fireworks of types 1, 2 and 1 are launched, some of which have payloads; "
-        "show.update(0.25) 4 times; the types of the burning fireworks after each update"
+        "show.update(0.25), called 4 times; the types of the burning fireworks after each update"
     )
     about.cause = (
         "Light the payloads of the oldest firework first, in the order of its rule. Put the new "
@@ -305,8 +305,8 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
     ]
     about.call = (
         f"type 1 has payloads of {many} fireworks of type 3 and 2 of type 5; type 3 has a payload "
-        "of 3 of type 5; show.launch(1) twice; show.update(0.05) 80 times; how many of each type "
-        "burn"
+        "of 3 of type 5; show.launch(1) twice; show.update(0.05), called 80 times; how many "
+        "of each type burn"
     )
     about.cause = (
         "The number of fireworks is wrong after several generations. Check that update lights "
@@ -330,7 +330,7 @@ def test_rules_without_an_end_stay_within_the_capacity() -> None:
     for when_full in ("keep_old", "drop_oldest"):
         about.call = (
             f'a show with 50 slots and the policy "{when_full}", where type 1 has a payload of 10 '
-            "fireworks of type 1; show.launch(1); show.update(0.2) 30 times"
+            "fireworks of type 1; show.launch(1); show.update(0.2), called 30 times"
         )
         seen = probes.sparks(rules, [1], 50, when_full, 1, 0.2, 30)
         counts = [len(types) for types in seen]
@@ -350,7 +350,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     ]
     about.call = (
         f"two shows with the seed {seed}; in each, fireworks of types 1, 1 and 3 are launched; "
-        "show.update(0.05) 12 times"
+        "show.update(0.05), called 12 times"
     )
     about.cause = (
         "Two shows with the same seed differ. Draw all random numbers from self.random, and "

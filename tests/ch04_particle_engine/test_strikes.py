@@ -52,13 +52,13 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         ),
         (
             (before[0] + v[0], 1.5, before[2] + v[2]),
-            "You add the whole velocity of the shot, as if both had the same mass. Add the shot's "
-            "momentum divided by the mass of the block.",
+            "You add the whole velocity of the shot, as if the block had the same mass. Add the "
+            "shot's momentum divided by the mass of the block.",
         ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, then="; block.particle.velocity", unit="m/s", tolerance=1e-13)
-    about.cause = "You don't count the hit exactly once. Add 1 to block.hits."
+    about.cause = "You don't count the hit. Add 1 to block.hits when the shot hits the block."
     expect_exactly(block.hits, 1, then="; block.hits")
     about.cause = "Your function does not return the block that was hit. Return that block."
     about.call += "; (hits, mass in kg) of the block that it returns"
@@ -107,7 +107,7 @@ def test_only_the_first_block_on_the_path_is_hit() -> None:
         ),
         (
             (1, 0, 0),
-            f"You hit the first block in the list. {smallest}, wherever it is in the list.",
+            f"You hit the first block in the list, not the first one on the path. {smallest}.",
         ),
     ]
     blame(hits, mistakes)

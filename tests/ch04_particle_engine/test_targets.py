@@ -71,8 +71,8 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_path_hits_the_box_where_it_enters() -> None:
     smallest, last = (
-        f"You return the {which}. Return the largest of the three entry fractions instead, because "
-        "the path must be between the faces on all three axes."
+        f"You return the {which}. Return the largest of the three, because the path must be "
+        "between the faces on all three axes."
         for which in ("smallest of the three entry fractions", "entry fraction of the last axis")
     )
     backward = (
@@ -205,7 +205,7 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
             (1.1, 4.0, 9.0),
             False,
             "You treat this path as beside the box, but x = 1.1 is between the faces at x = 1 and "
-            "x = 3. Compare the distance from the center without its sign.",
+            "x = 3. Use the distance from the center without its sign.",
         ),
         (
             (2.0, 1.5, 1.0),

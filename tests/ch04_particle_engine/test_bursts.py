@@ -18,7 +18,7 @@ BURST = "the docstring of burst_positions"
 def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     start, a = number(rng), number(rng)
     speeds = [number(rng) for _ in range(5)]
-    about.cause = (
+    about.cause = formula = (
         "Each spark is at start + speed x gone + acceleration x fallen. Return these positions in "
         "the same order as the speeds."
     )
@@ -52,10 +52,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         "positions in a new list."
     )
     expect_unchanged("the list of speeds", given, speeds)
-    about.cause = (
-        "Each spark is at start + speed x gone + acceleration x fallen. Return these positions in "
-        "the same order as the speeds."
-    )
+    about.cause = formula
     damping = round(rng.uniform(0.2, 0.8), 3)
     k = -math.log(damping)
     gone = -math.expm1(-k * t) / k
@@ -64,17 +61,11 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         f"damping={damping}, time={t})"
     )
     got = closed_form.burst_positions(start, speeds, a, damping, t)
-    without = [start + speed * t + a * t * t / 2.0 for speed in speeds]
-    blame(
-        got,
-        [
-            (
-                without,
-                "You ignore the damping, so these are the positions without drag. Use the factors "
-                "gone and fallen that drag_factors returns.",
-            )
-        ],
+    undamped = (
+        "You ignore the damping, so these are the positions without drag. Use the factors gone and "
+        "fallen that drag_factors returns."
     )
+    blame(got, [(wanted, undamped)])
     wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
     expect_close(got, wanted, unit="m", tolerance=1e-11)
 

@@ -26,6 +26,8 @@ from expect import (
 
 BURST_FRAME = 16  # of a quarter of a second each: 4 s
 
+TWELVE = "A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles."
+
 ROUNDED = 1e-12  # some rounding errors of numbers up to 30
 
 
@@ -155,7 +157,7 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     )
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
-    about.cause = "A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles."
+    about.cause = TWELVE
     expect_exactly(len(pieces), 12, then="; len(pieces)")
     for piece in pieces:
         about.cause = (
@@ -209,12 +211,7 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     name = "; the speed of a fragment relative to the grenade p"
     for velocity in relative:
         expect_close(math.hypot(*velocity), 15.0, then=name, unit="m/s", tolerance=1e-11)
-    expect_exactly(
-        len(relative),
-        12,
-        then="; len(pieces)",
-        cause="A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles.",
-    )
+    expect_exactly(len(relative), 12, then="; len(pieces)", cause=TWELVE)
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
     about.cause = (
         "Several of your fragments fly in the same direction. Give each of the 12 fragments a "

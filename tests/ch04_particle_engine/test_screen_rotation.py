@@ -180,45 +180,23 @@ def test_the_corners_of_a_square(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_rejects_invalid_angles_centers_and_sizes(bad: float) -> None:
     about.read = f"{ANGLE}, and of screen_corners"
-    for call, attempt in (
-        (f"screen_angle({bad}, 1, 1)", lambda: screen_rotation.screen_angle(bad, 1.0, 1.0)),
-        (f"screen_angle(1, {bad}, 1)", lambda: screen_rotation.screen_angle(1.0, bad, 1.0)),
-        (f"screen_angle(1, 1, {bad})", lambda: screen_rotation.screen_angle(1.0, 1.0, bad)),
-        (
-            f"screen_corners(({bad}, 0), 1, 1)",
-            lambda: screen_rotation.screen_corners((bad, 0.0), 1.0, 1.0),
-        ),
-        (
-            f"screen_corners((0, {bad}), 1, 1)",
-            lambda: screen_rotation.screen_corners((0.0, bad), 1.0, 1.0),
-        ),
-        (
-            f"screen_corners((0, 0), {bad}, 1)",
-            lambda: screen_rotation.screen_corners((0.0, 0.0), bad, 1.0),
-        ),
-        (
-            "screen_corners((0, 0), 0, 1)",
-            lambda: screen_rotation.screen_corners((0.0, 0.0), 0.0, 1.0),
-        ),
-        (
-            "screen_corners((0, 0), -1, 1)",
-            lambda: screen_rotation.screen_corners((0.0, 0.0), -1.0, 1.0),
-        ),
-        (
-            f"screen_corners((0, 0), 1, {bad})",
-            lambda: screen_rotation.screen_corners((0.0, 0.0), 1.0, bad),
-        ),
+    angle, corners = screen_rotation.screen_angle, screen_rotation.screen_corners
+    for what, function, data in (
+        ("start", angle, (bad, 1.0, 1.0)),
+        ("rate", angle, (1.0, bad, 1.0)),
+        ("time", angle, (1.0, 1.0, bad)),
+        ("center", corners, ((bad, 0.0), 1.0, 1.0)),
+        ("center", corners, ((0.0, bad), 1.0, 1.0)),
+        ("size", corners, ((0.0, 0.0), bad, 1.0)),
+        ("size", corners, ((0.0, 0.0), 0.0, 1.0)),
+        ("size", corners, ((0.0, 0.0), -1.0, 1.0)),
+        ("angle", corners, ((0.0, 0.0), 1.0, bad)),
     ):
-        about.call = call
-        about.cause = (
-            "One of these numbers is not finite, or the size is not positive. Raise ValueError for "
-            "it. The functions finite and positive in arguments.py do this for you."
-        )
+        about.call = f"{'screen_angle' if function is angle else 'screen_corners'}{data}"
+        rule = "positive and finite" if what == "size" else "finite"
+        about.cause = f"The {what} is not {rule}. Raise ValueError for it."
         expect_error(
-            attempt,
+            lambda function=function, data=data: function(*data),
             ValueError,
-            allowed=lambda: (
-                screen_rotation.screen_angle(0.0, 0.0, 0.0),
-                screen_rotation.screen_corners((0.0, 0.0), 1.0, 0.0),
-            ),
+            allowed=lambda: (angle(0.0, 0.0, 0.0), corners((0.0, 0.0), 1.0, 0.0)),
         )

@@ -68,6 +68,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
 
 @pytest.mark.exercise("4.3c")
 def test_an_immovable_block_counts_a_hit_and_stays(rng: Random) -> None:
+    about.read = STRIKE
     v = components(rng)
     about.call = (
         f"a shot p with the velocity {v}, inside a block with mass math.inf; strike_first(start, "
@@ -81,13 +82,14 @@ def test_an_immovable_block_counts_a_hit_and_stays(rng: Random) -> None:
     p = Particle(Vector3(0.0, 1.0, 5.0), Vector3(*v), mass=3.0)
     targets.strike_first(Vector3(0.0, 1.0, 3.0), p, [block])
     got = xyz(block.particle.velocity)
-    expect_close(got, (0.0, 0.0, 0.0), then="; block.particle.velocity", read=STRIKE)
+    expect_close(got, (0.0, 0.0, 0.0), then="; block.particle.velocity")
     about.cause = "A hit counts even if the block cannot move. Add 1 to block.hits in any case."
-    expect_exactly(block.hits, 1, then="; block.hits", read=STRIKE)
+    expect_exactly(block.hits, 1, then="; block.hits")
 
 
 @pytest.mark.exercise("4.3c")
 def test_only_the_first_block_on_the_path_is_hit() -> None:
+    about.read = STRIKE
     about.call = (
         "a shot that flies along Z from z = 0 to 20, through blocks at z = 15, 5 and 10; "
         "strike_first(start, p, blocks); the hits of each block"
@@ -111,10 +113,10 @@ def test_only_the_first_block_on_the_path_is_hit() -> None:
         ),
     ]
     blame(hits, mistakes)
-    expect_exactly(hits, (0, 1, 0), read=STRIKE)
+    expect_exactly(hits, (0, 1, 0))
     speeds = tuple(block.particle.velocity.z for block in blocks)
     about.call = about.call.replace("the hits of", "the speed along Z of")
-    expect_close(speeds, (0.0, 10.0, 0.0), read=STRIKE)
+    expect_close(speeds, (0.0, 10.0, 0.0))
 
 
 @pytest.mark.exercise("4.3c")
@@ -150,6 +152,7 @@ def test_a_shot_hits_the_block_that_it_touches_first() -> None:
 
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
+    about.read = STRIKE
     about.call = (
         "a shot that flies along Z from z = 5 to 20, through blocks at z = 10 and 5; it starts "
         "inside the second one; strike_first(start, p, blocks); the hits of each block"
@@ -162,11 +165,12 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     targets.strike_first(Vector3(0.0, 1.0, 5.0), p, blocks)
     hits = tuple(block.hits for block in blocks)
-    expect_exactly(hits, (0, 1), read=STRIKE)
+    expect_exactly(hits, (0, 1))
 
 
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
+    about.read = STRIKE
     about.call = (
         "a shot that flies along Z from z = 0 to 20, and a block beside its path, at x = 9; "
         "strike_first(start, p, [block])"
@@ -175,13 +179,13 @@ def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     block = TargetBlock(Vector3(9.0, 1.0, 5.0), (2.0, 2.0, 1.0), mass=5.0)
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
-    expect_exactly(got is None, True, then=" is None", read=STRIKE)
-    expect_exactly(block.hits, 0, then="; block.hits", read=STRIKE)
+    expect_exactly(got is None, True, then=" is None")
+    expect_exactly(block.hits, 0, then="; block.hits")
     now = xyz(block.particle.velocity)
-    expect_unchanged("block.particle.velocity", now, (0.0, 0.0, 0.0), read=STRIKE)
+    expect_unchanged("block.particle.velocity", now, (0.0, 0.0, 0.0))
     about.call = "strike_first(start, p, []), without any block"
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [])
-    expect_exactly(got is None, True, then=" is None", read=STRIKE)
+    expect_exactly(got is None, True, then=" is None")
     about.call = (
         "the block is moved into the path of the shot, to x = 0; strike_first(start, p, [block]); "
         "block.hits"
@@ -192,7 +196,7 @@ def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     )
     block.particle.position.x = 0.0
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
-    expect_exactly(block.hits, 1, read=STRIKE)
+    expect_exactly(block.hits, 1)
 
 
 @pytest.mark.exercise("4.3c")

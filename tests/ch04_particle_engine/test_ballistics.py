@@ -240,7 +240,7 @@ def test_shots_are_in_the_order_of_firing_and_share_nothing(
 
 
 @pytest.mark.exercise("B4.2")
-def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> None:
+def test_an_azimuth_rotates_the_shot_and_keeps_its_elevation(rng: Random) -> None:
     azimuth = round(rng.uniform(0.3, 1.2), 3)
     about.read = "the docstring of fire"
     for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):

@@ -105,7 +105,7 @@ def test_the_distance_to_a_rocket_leaves_out_z(rng: Random) -> None:
 
 
 @pytest.mark.exercise("P4.1")
-def test_sparks_are_no_rockets() -> None:
+def test_sparks_are_not_rockets() -> None:
     about.call = (
         "a spark of type 2 at (0, 20) and a rocket of type 1 at (2, 20); find_rocket(display, 0, "
         "20)"
@@ -255,7 +255,8 @@ def test_a_click_far_from_every_rocket_is_a_miss() -> None:
     hit = display.click(a_game, 30.0, 20.0)
     expect_exactly(hit, False)
     counted = (a_game.misses, a_game.score)
-    expect_exactly(counted, (1, 0), then="; (display.misses, display.score)")
+    shown = f"misses = {counted[0]}, score = {counted[1]}"
+    expect_that(counted == (1, 0), shown, "misses = 1, score = 0", then="; the state of display")
     expect_exactly(types(a_game), [1], then="; the types of the burning fireworks")
     about.call = (
         "two rockets; four clicks, which hit, miss, hit and miss; the pair (display.misses, "

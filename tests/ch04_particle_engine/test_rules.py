@@ -155,7 +155,7 @@ def test_your_types_are_10_and_11_and_one_has_a_payload() -> None:
 
 
 @pytest.mark.exercise("4.2")
-def test_your_types_are_like_no_other() -> None:
+def test_your_types_differ_from_all_others() -> None:
     about.call = (
         "the two rules of own_types() and the nine in FIREWORK_TYPES; the pairs of types whose "
         "rules are equal except for the type"

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import probes
 from draw import components
-from expect import about, expect_close, expect_error, expect_exactly
+from expect import about, expect_close, expect_error, expect_exactly, expect_that
 
 # The book's first rule, without its payload.
 FIRST: probes.RuleData = (
@@ -303,6 +303,7 @@ def test_rejects_births_with_an_unknown_type_or_a_negative_count() -> None:
             allowed=lambda: show(9, "keep_old").light([(4, 0, None), (4, 1, None)]),
             read="the docstring of light",
         )
-        now = (len(a_show.fireworks), a_show.dropped)
-        name = "; the pair (number of burning fireworks, show.dropped)"
-        expect_exactly(now, (0, 0), then=name, cause=first)
+        lit, dropped = len(a_show.fireworks), a_show.dropped
+        got = f"{lit} burning fireworks, {dropped} dropped"
+        none = "0 burning fireworks, 0 dropped"
+        expect_that((lit, dropped) == (0, 0), got, none, then="; the state of show", cause=first)

@@ -66,12 +66,12 @@ def test_the_axes_of_aiming(rng: Random) -> None:
     ):
         names = {QUARTER: "math.pi / 2", -QUARTER: "-math.pi / 2"}
         shown = [names.get(angle, "0.0") for angle in (azimuth, elevation)]
-        about(f"aim({speed}, azimuth={shown[0]}, elevation={shown[1]})", cause=cause)
+        about(f"aim(speed={speed}, azimuth={shown[0]}, elevation={shown[1]})", cause=cause)
         got = xyz(ballistics.aim(speed, azimuth, elevation))
         small = math.radians(QUARTER)
         degrees = (
             "You convert the angles with math.radians, but they are already in radians. Pass them "
-            "to math.sin and math.cos as they are."
+            "to math.sin and math.cos without converting them."
         )
         mistakes = {
             (0.0, 0.0): [
@@ -110,7 +110,7 @@ def test_the_axes_of_aiming(rng: Random) -> None:
         }
         blame(got, mistakes.get((azimuth, elevation), []))
         # The cosine of a quarter turn is 6e-17 in floats, not 0.
-        expect_close(got, wanted)
+        expect_close(got, wanted, unit="m/s")
 
 
 @pytest.mark.exercise("4.3a")
@@ -125,24 +125,28 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
     about.read = "the docstring of aim"
     turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
     for a, e in ((azimuth, elevation), *turned):
-        about.call = f"aim({speed}, azimuth={a:.6g}, elevation={e:.6g})"
+        about.call = f"aim(speed={speed}, azimuth={a:.6g}, elevation={e:.6g})"
         got = xyz(ballistics.aim(speed, a, e))
         level = speed * math.cos(e)
         wanted = (level * math.sin(a), speed * math.sin(e), level * math.cos(a))
-        expect_close(got, wanted, tolerance=ROUNDED)
+        expect_close(got, wanted, unit="m/s", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.3a")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_angles_are_finite(bad: float) -> None:
-    about.cause = (
-        "The speed must be finite and not negative, and both angles must be finite. Check them "
-        "with not_negative and finite from arguments.py."
-    )
     about.read = "the docstring of aim"
-    for data in ((bad, 0.0, 0.0), (3.0, bad, 0.0), (3.0, 0.0, bad), (-3.0, 0.0, 0.0)):
+    for what, data in (
+        ("speed", (bad, 0.0, 0.0)),
+        ("azimuth", (3.0, bad, 0.0)),
+        ("elevation", (3.0, 0.0, bad)),
+        ("speed", (-3.0, 0.0, 0.0)),
+    ):
+        rule = "finite and not negative" if what == "speed" else "finite"
+        value = -3.0 if data == (-3.0, 0.0, 0.0) else bad
         about.call = f"aim{data}"
+        about.cause = f"The {what} is {value}. It must be {rule}, so raise ValueError."
         expect_error(
             lambda data=data: ballistics.aim(*data),
             ValueError,
@@ -170,24 +174,24 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     expect_close(shot.age, 0.0, then="[0].age")
     p, own = shot.particle, f"{about.call}[0].particle"
     about.cause = (
-        "Every shot starts at MUZZLE, which is (0, 1.5, 0). Pass it to the new Particle as the "
-        "position."
+        "Your shot does not start at MUZZLE, which is (0, 1.5, 0). Pass MUZZLE to the new Particle "
+        "as the position."
     )
-    expect_close(xyz(p.position), (0.0, 1.5, 0.0), call=f"{own}.position")
+    expect_close(xyz(p.position), (0.0, 1.5, 0.0), call=f"{own}.position", unit="m")
     _, up, along = velocity
     speed = math.hypot(up, along)
     mistakes = [
         (
             (0.0, 0.0, speed),
             (
-                "Your shot flies level if no elevation is given. Give it the elevation that the "
-                "velocity of its type has."
+                "You fire the shot level if no elevation is given. Give it the elevation of its "
+                "type's velocity instead."
             ),
         ),
         (
             (0.0, up * along / speed, along * along / speed),
-            "Your shot is too slow, because you use the Z component of the type's velocity as its "
-            "speed. Use the length of that velocity, not just the Z component.",
+            "You use only the Z component of the type's velocity as the speed. Use the length of "
+            "that velocity instead.",
         ),
     ]
     unaimed = (
@@ -195,17 +199,19 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
         "speed and the angle of that velocity."
     )
     about.cause = cause_of(xyz(p.velocity), mistakes, unaimed)
-    expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity")
-    about.cause = "The shot must have the acceleration of its type. Pass it to the new Particle."
-    expect_close(xyz(p.acceleration), acceleration, call=f"{own}.acceleration")
-    about.cause = "The shot must have the mass of its type. Pass it to the new Particle."
-    expect_close(p.mass, mass, call=f"{own}.mass")
-    about.cause = "The shot must have the damping of its type. Pass it to the new Particle."
+    expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity", unit="m/s")
+    about.cause = "Your shot does not get the acceleration of its type. Pass that acceleration to "
+    about.cause += "the new Particle."
+    expect_close(xyz(p.acceleration), acceleration, call=f"{own}.acceleration", unit="m/s^2")
+    about.cause = "Your shot does not get the mass of its type. Pass that mass to the new Particle."
+    expect_close(p.mass, mass, call=f"{own}.mass", unit="kg")
+    about.cause = "Your shot does not get the damping of its type. Pass that damping to the new "
+    about.cause += "Particle."
     expect_close(p.damping, damping, call=f"{own}.damping")
 
 
 @pytest.mark.exercise("B4.2")
-def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_common(
+def test_shots_are_in_the_order_of_firing_and_share_nothing(
     rng: Random,
 ) -> None:
     names = rng.sample(sorted(TABLE), 3)
@@ -213,8 +219,8 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     calls = "; ".join(f'r.fire("{name}")' for name in names)
     about(
         f"r = BallisticRange(); {calls}",
-        cause="Append each new shot to the end of self.shots, so that the shots stay in the order "
-        "in which they were fired.",
+        cause="You put new shots at the front of self.shots. Append each new shot to the end, so "
+        "that the shots stay in the order in which they were fired.",
     )
     about.read = "the docstring of BallisticRange"
     at = BallisticRange()
@@ -234,7 +240,7 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
 
 
 @pytest.mark.exercise("B4.2")
-def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> None:
+def test_an_azimuth_rotates_the_shot_and_keeps_its_elevation(rng: Random) -> None:
     azimuth = round(rng.uniform(0.3, 1.2), 3)
     about.read = "the docstring of fire"
     for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):
@@ -255,11 +261,11 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
             "azimuth to aim."
         )
         blame(got, [((0.0, up, along), unaimed)])
-        expect_close(got, wanted, tolerance=ROUNDED)
+        expect_close(got, wanted, unit="m/s", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B4.2")
-def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
+def test_a_given_elevation_replaces_that_of_the_type(rng: Random) -> None:
     about.read = "the docstring of fire"
     for elevation in (round(rng.uniform(0.3, 1.2), 3), 0.0):
         about.cause = (
@@ -279,7 +285,7 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
         at.fire("artillery", elevation=elevation)
         wanted = (0.0, 50.0 * math.sin(elevation), 50.0 * math.cos(elevation))
         got = xyz(at.shots[-1].particle.velocity)
-        expect_close(got, wanted, tolerance=ROUNDED)
+        expect_close(got, wanted, unit="m/s", tolerance=ROUNDED)
         about.cause = (
             "The acceleration must not depend on the angles, because gravity always points down. "
             "Rotate only the velocity."
@@ -293,7 +299,7 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.2")
-def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
+def test_fire_uses_azimuth_and_elevation_together(rng: Random) -> None:
     azimuth, elevation = round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(0.3, 1.2), 3)
     about.call = (
         f'r = BallisticRange(); r.fire("artillery", azimuth={azimuth}, elevation={elevation}); '
@@ -323,29 +329,28 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
         ),
     ]
     blame(got, mistakes)
-    expect_close(got, wanted, tolerance=ROUNDED)
+    expect_close(got, wanted, unit="m/s", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B4.2")
 @pytest.mark.robust
-def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
-    about.cause = (
-        "Raise ValueError if no type has this name or if an angle is not finite. Check both "
-        "before you add a shot to the list."
-    )
+def test_rejects_an_unknown_type_or_an_invalid_angle_and_adds_no_shot() -> None:
     about.read = "the docstring of fire"
     at = BallisticRange()
-    for call, attempt in (
-        ('r = BallisticRange(); r.fire("cannon")', lambda: at.fire("cannon")),
+    for call, wrong, attempt in (
+        ('"cannon"', 'No type has the name "cannon"', lambda: at.fire("cannon")),
         (
-            'r = BallisticRange(); r.fire("pistol", azimuth=math.nan)',
+            '"pistol", azimuth=math.nan',
+            "The azimuth is NaN",
             lambda: at.fire("pistol", azimuth=math.nan),
         ),
         (
-            'r = BallisticRange(); r.fire("pistol", elevation=math.inf)',
+            '"pistol", elevation=math.inf',
+            "The elevation is infinite",
             lambda: at.fire("pistol", elevation=math.inf),
         ),
     ):
-        about.call = call
+        about.call = f"r = BallisticRange(); r.fire({call})"
+        about.cause = f"{wrong}. Raise ValueError before you add a shot to the list."
         expect_error(attempt, ValueError, allowed=lambda: BallisticRange().fire("pistol"))
         expect_exactly(len(at.shots), 0, then="; len(r.shots)")

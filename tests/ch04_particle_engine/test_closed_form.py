@@ -67,7 +67,7 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         )
         if damping == 0.9999:
             undamped = (
-                "You treat this damping as 1 because it is near 1. Decide by the product "
+                "You treat this damping as 1, because it is near 1. Decide by the product "
                 "-ln(damping) x time instead, which is not small here."
             )
         drag = 1.0 - damping
@@ -94,7 +94,7 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.8")
-def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
+def test_dampings_of_0_and_1_and_a_time_of_0(rng: Random) -> None:
     time = round(rng.uniform(1.0, 9.0), 3)
     about.read = FACTORS
     for damping, t, wanted, cause in (
@@ -109,8 +109,8 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            "A damping of 0 stops the motion at once, so all three factors are 0. Handle this "
-            "case before you compute the logarithm of the damping, because 0 has none.",
+            "You don't treat a damping of 0, which has no logarithm, as a separate case. It stops "
+            "the motion at once, so all three factors are 0.",
         ),
         (
             0.5,
@@ -136,22 +136,30 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.8")
 @pytest.mark.parametrize("away", [1e-13, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
-def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> None:
-    about.cause = (
-        "With a damping d near 1, your formula loses digits, because 1 - d^t and t - gone "
-        "subtract nearly equal numbers. Use math.expm1 and the first terms of a series instead."
-    )
+def test_the_factors_hold_for_a_damping_near_1(away: float, rng: Random) -> None:
     about.read = FACTORS
+    of_gone, of_fallen = (
+        f"Your formula for {name} loses digits if the damping d is near 1, because {difference} "
+        f"subtracts nearly equal numbers. Use {instead} instead."
+        for name, difference, instead in (
+            ("gone", "1 - d^t", "math.expm1"),
+            ("fallen", "t - gone", "the first terms of a series"),
+        )
+    )
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):
         t = round(rng.uniform(most - 1.0, most), 3)
         about.call = (
-            f"drag_factors(damping={damping!r}, time={t}), which returns (kept, gone, fallen)"
+            f"drag_factors(damping=1 {'-' if damping < 1.0 else '+'} {away}, time={t}), which "
+            "returns (kept, gone, fallen)"
         )
         got = closed_form.drag_factors(damping, t)
         # A series that is cut early or begins elsewhere may be wrong by up to 1e-9.
         wanted = by_series(damping, t)
         size = wanted[2]
+        first_two = got[:2] if isinstance(got, (tuple, list)) else got
+        about.cause = of_gone
+        blame(first_two, [(wanted[:2], of_fallen)])
         expect_close(got, wanted, tolerance=1e-9 * max(1.0, size))
 
 
@@ -179,20 +187,29 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.8")
-def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
-    about.cause = (
-        "The position is wrong or not exact. Compute it without time steps, as x + v gone + a "
-        "fallen on each axis, with the factors gone and fallen from drag_factors."
-    )
+def test_an_artillery_shell_lands_at_the_known_place() -> None:
     about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
         words, p = particle_of(x, v, a, damping)
         about.call = f"{words}; state_after(p, {time}); the position"
+        about.cause = (
+            "Your position is not x + v gone + a fallen. Compute it with this formula and the "
+            "factors that drag_factors returns."
+        )
         position, _ = closed_form.state_after(p, time)
         # The times are known to 5e-8 s, and the shell moves at up to 50 m/s.
-        got = expect_vector(position)
-        expect_close(got, (0.0, 0.0, reach), tolerance=1e-5)
+        got, wanted = expect_vector(position), (0.0, 0.0, reach)
+        gone = (
+            "In the position, you multiply the acceleration by gone. Multiply it by fallen instead."
+        )
+        blame(got, [((0.0, 1.5 + (30.0 - 20.0) * time, 40.0 * time), gone)])
+        if math.dist(got, wanted) < 1.0:
+            about.cause = (
+                "Your position is close but not exact, because you compute it in time steps. "
+                "Compute it as x + v gone + a fallen, with the factors from drag_factors."
+            )
+        expect_close(got, wanted, unit="m", tolerance=1e-5)
 
 
 @pytest.mark.exercise("B4.8")
@@ -209,21 +226,18 @@ def test_without_damping_it_is_the_parabola(rng: Random) -> None:
     wanted = tuple(x[i] + v[i] * t + a[i] * t * t / 2.0 for i in range(3))
     # The rounding errors of numbers up to 500.
     got = xyz(position)
-    expect_close(got, wanted, then="; the position", tolerance=1e-11)
+    expect_close(got, wanted, then="; the position", unit="m", tolerance=1e-11)
     wanted = tuple(v[i] + a[i] * t for i in range(3))
     got = xyz(velocity)
-    expect_close(got, wanted, then="; the velocity", tolerance=1e-12)
+    expect_close(got, wanted, then="; the velocity", unit="m/s", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B4.8")
-def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
+def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
-    about.call = (
-        f"{words}; the state after {first} s, and from there the state after another {second} s; "
-        f"this must equal state_after(p, {first + second:.6g})"
-    )
+    about.call = f"{words}; state_after for {first} s, and from there for another {second} s"
     about.cause = (
         "Two predictions, one starting where the other ends, must give the same state as one "
         "prediction over the total time. Check your formulas for position and velocity."
@@ -246,8 +260,9 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     later, at_once = closed_form.state_after(q, second), closed_form.state_after(p, first + second)
     for i in range(2):
         got, wanted = xyz(later[i]), xyz(at_once[i])
-        then = ("; the position", "; the velocity")[i]
-        expect_close(got, wanted, then=then, tolerance=1e-11)
+        name, unit = (("position", "m"), ("velocity", "m/s"))[i]
+        then = f"; the {name}, which must equal that of state_after(p, {first + second:.6g})"
+        expect_close(got, wanted, then=then, unit=unit, tolerance=1e-11)
     about.call = (
         f"{words}; state_after(p, {first}); the velocity, which must equal the slope of the "
         "position"
@@ -265,7 +280,7 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.8")
-def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
+def test_short_steps_of_integrate_come_close_to_the_prediction(rng: Random) -> None:
     x, v, a = components(rng), components(rng), (number(rng), -9.81, number(rng))
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
@@ -308,18 +323,18 @@ def test_the_particle_stays_as_it_is(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.8")
-def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
+def test_an_immovable_particle_keeps_its_state(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5, mass=math.inf)
     about.call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
     about(
-        cause="This particle is immovable, so its state never changes. Return copies of its "
-        "current position and velocity if its mass is infinite.",
+        cause="You change the state of a particle with an infinite mass, which is immovable. "
+        "Return copies of its current position and velocity.",
         read=STATE,
     )
     position, velocity = closed_form.state_after(p, 3.0)
-    expect_close(xyz(position), x, then="; position")
-    expect_close(xyz(velocity), v, then="; velocity")
+    expect_close(xyz(position), x, then="; position", unit="m")
+    expect_close(xyz(velocity), v, then="; velocity", unit="m/s")
     position.x = velocity.x = 99.0
     about.call += "; position.x = velocity.x = 99"
     about.cause = (
@@ -334,10 +349,6 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
-    about.cause = (
-        "The time and the damping must be finite and not negative. Check both with not_negative "
-        "from arguments.py."
-    )
     about.read = f"{FACTORS}, and of state_after"
     for call, attempt in (
         (f"drag_factors(damping={bad}, time=1)", lambda: closed_form.drag_factors(bad, 1.0)),
@@ -350,6 +361,11 @@ def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
         ),
     ):
         about.call = call
+        about.cause = (
+            f"The {'damping' if 'damping=' + str(bad) in call else 'time'} is {bad}. It must be "
+            "finite and not negative, so raise ValueError. The function not_negative in "
+            "arguments.py does this for you."
+        )
         expect_error(
             attempt,
             ValueError,

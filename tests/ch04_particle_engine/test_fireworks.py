@@ -27,18 +27,17 @@ def rounded_bounds(middle: float, reach: float) -> tuple[int, int]:
     return math.ceil(middle - reach), math.floor(middle + reach)
 
 
-def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
+def expect_even(name: str, drawn: list[float], low: float, high: float) -> None:
     """Expect numbers that were drawn evenly between two limits."""
-    about.call = call
     __tracebackhide__ = True
     outside = sum(not low <= number <= high for number in drawn)
-    expect_exactly(outside, 0, then=f": how many are below {low} or above {high}")
+    expect_exactly(outside, 0, then=f"; how many of {name} are below {low} or above {high}")
     # The standard deviation of the mean of n even draws is their range / sqrt(12 n).
     tolerance = 5.0 * (high - low) / math.sqrt(12.0 * len(drawn))
     middle = (low + high) / 2.0
     mean = math.fsum(drawn) / len(drawn)
     least, most = middle - tolerance, middle + tolerance
-    expect_between(mean, least, most, then=": the mean")
+    expect_between(mean, least, most, then=f"; the mean of {name}")
     # A quarter of even draws lies in each outer quarter. The standard deviation is sqrt(n 3 / 16).
     quarter = (high - low) / 4.0
     for part, inside in (
@@ -47,8 +46,8 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
     ):
         spread = 5.0 * math.sqrt(len(drawn) * 3.0 / 16.0)
         least, most = rounded_bounds(len(drawn) / 4.0, spread)
-        name = f": how many are in the {part} quarter of that range"
-        expect_between(inside, least, most, then=name)
+        words = f"; how many of {name} are in the {part} quarter of that range"
+        expect_between(inside, least, most, then=words)
 
 
 # B4.4 A firework from its rule
@@ -58,8 +57,8 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
 def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
-        f"a rule with min_age = 0.5 s and max_age = 1.4 s; make_firework(rule, random) {MANY} "
-        f"times with random = Random({seed}); the ages"
+        f"a rule with min_age = 0.5 s and max_age = 1.4 s; {MANY} calls of make_firework(rule, "
+        f"random), with random = Random({seed})"
     )
     about.cause = (
         "The ages are not spread evenly between min_age and max_age. Draw a new age for each "
@@ -67,7 +66,16 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     )
     about.read = "the docstring of make_firework; book 4.2.1"
     ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
-    expect_even(about.call, ages, 0.5, 1.4)
+    if min(ages) < 0.5:
+        about.cause = (
+            "You draw some ages below min_age. Use min_age as the lower limit of random.uniform."
+        )
+    elif min(ages) == max(ages):
+        about.cause = (
+            "You give every firework the same age. Draw a new age for each one with "
+            "random.uniform(min_age, max_age)."
+        )
+    expect_even("the ages", ages, 0.5, 1.4)
 
 
 @pytest.mark.exercise("B4.4")
@@ -75,11 +83,11 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     seed = rng.randrange(10**6)
     low, high = FIRST[3], FIRST[4]
     about.call = (
-        f"a rule with velocities from {low} to {high}; make_firework(rule, random) {MANY} times "
-        f"with random = Random({seed})"
+        f"a rule with velocities from {low} to {high}; {MANY} calls of make_firework(rule, "
+        f"random), with random = Random({seed})"
     )
     about.read = "the docstring of make_firework; book 4.2.1"
-    call, made = about.call, probes.lit(FIRST, seed, MANY)
+    made = probes.lit(FIRST, seed, MANY)
     columns = {}
     for i, axis in enumerate("XYZ"):
         about.cause = (
@@ -87,16 +95,15 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
             "component with random.uniform and the two limits of its own axis."
         )
         columns[f"the {axis} components"] = drawn = [firework[5 + i] for firework in made]
-        expect_even(f"{call}; the {axis} components of the velocities", drawn, low[i], high[i])
+        expect_even(f"the {axis} components of the velocities", drawn, low[i], high[i])
     ages = [firework[1] for firework in made]
     if min(ages) < max(ages):  # another check tests whether ages are drawn at all
         columns["the ages"] = ages
-    about.call = call
-    about.cause = (
-        "Two of the random numbers depend on each other, probably because you use one draw for "
-        "both. Draw the age and each component of the velocity separately."
-    )
     for one, other in itertools.combinations(columns, 2):
+        about.cause = (
+            f"You use the same random number for {one} and {other}. Draw the age and each "
+            "component of the velocity separately."
+        )
         correlation = statistics.correlation(columns[one], columns[other])
         # The standard deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
@@ -105,10 +112,11 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
 
 
 @pytest.mark.exercise("B4.4")
-def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Random) -> None:
+def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
-        f"make_firework(rule, random) {MANY} times without a parent, with random = Random({seed})"
+        f"{MANY} calls of make_firework(rule, random) without a parent, with random = "
+        f"Random({seed})"
     )
     about.cause = (
         "A firework without a parent starts on the ground, at y = 0 and z = 0. Choose its x at "
@@ -116,6 +124,17 @@ def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Ra
     )
     about.read = "the docstring of make_firework; book 4.2.3"
     places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
+    strange = [place[0] for place in places if place[0] not in (-5.0, 0.0, 5.0)]
+    if strange:
+        about.cause = (
+            f"You start a firework at x = {strange[0]:.6g}, which is not one of the three "
+            "LAUNCH_PLACES. Choose x from them at random."
+        )
+    elif len({*places}) == 1:
+        about.cause = (
+            f"You start every firework at x = {places[0][0]:.6g}. Choose x from the three "
+            "LAUNCH_PLACES at random."
+        )
     for x in (-5.0, 0.0, 5.0):
         # A third is expected, within five standard deviations of sqrt(n 2 / 9).
         spread = 5.0 * math.sqrt(MANY * 2.0 / 9.0)
@@ -126,7 +145,7 @@ def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Ra
 
 
 @pytest.mark.exercise("B4.4")
-def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
+def test_a_firework_gets_the_position_and_velocity_of_its_parent(rng: Random) -> None:
     seed, x, v, own = rng.randrange(10**6), components(rng), components(rng), components(rng)
     data: probes.RuleData = (3, 1.0, 1.0, own, own, 0.5, ())
     about.call = (
@@ -139,25 +158,24 @@ def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
         "A firework with a parent must start at the position of its parent. Copy that position "
         "instead of choosing from LAUNCH_PLACES."
     )
-    expect_close(firework[2:5], x, then=".particle.position")
+    expect_close(firework[2:5], x, then=".particle.position", unit="m")
     about.cause = (
         "You leave out the velocity of the parent. Add it to the velocity that you draw from the "
         "rule."
     )
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
-    expect_close(firework[5:8], wanted, then=".particle.velocity")
+    expect_close(firework[5:8], wanted, then=".particle.velocity", unit="m/s")
     about.cause = (
         "Your function changes the velocity of the parent, so every later firework of this parent "
         "gets a wrong velocity. Add the two velocities in a new vector."
     )
     family = probes.lit(data, seed, 3, (x, v))
-    expect_close(
-        family[2][5:8], wanted, then=", called 3 times; the velocity of the third firework"
-    )
+    third = ", called 3 times; the velocity of the third firework"
+    expect_close(family[2][5:8], wanted, then=third, unit="m/s")
 
 
 @pytest.mark.exercise("B4.4")
-def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng: Random) -> None:
+def test_a_firework_gets_its_type_damping_gravity_and_mass(rng: Random) -> None:
     type, damping = rng.randrange(1, 10), round(rng.uniform(0.1, 0.9), 3)
     data: probes.RuleData = (type, 1.0, 2.0, STILL, STILL, damping, ())
     about.call = (
@@ -166,35 +184,40 @@ def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng
     about.read = "the docstring of make_firework"
     for parent in (None, (components(rng), components(rng))):
         (firework,) = probes.lit(data, 1, 1, parent, parent_mass=4.0)
-        about.cause = "Take the type of the firework and the damping of its particle from the rule."
+        about.cause = "Your firework does not get the type of its rule. Pass that type to Firework."
         expect_close(firework[0], type, then="; firework.type")
+        about.cause = (
+            "Your firework does not get the damping of its rule. Pass that damping to the new "
+            "Particle."
+        )
         expect_close(firework[12], damping, then="; firework.particle.damping")
         about.cause = (
-            "Every firework has a mass of 1 kg and the acceleration GRAVITY, which is (0, -9.81, "
-            "0) m/s^2. Don't take them from the parent."
+            "Your firework does not get the acceleration GRAVITY, which is (0, -9.81, 0) m/s^2. "
+            "Pass GRAVITY to the new Particle."
         )
-        gravity = (0.0, -9.81, 0.0)
-        expect_close(firework[8:11], gravity, then="; firework.particle.acceleration")
+        gravity, name = (0.0, -9.81, 0.0), "; firework.particle.acceleration"
+        expect_close(firework[8:11], gravity, then=name, unit="m/s^2")
+        about.cause = "Every firework has a mass of 1 kg. Don't take the mass from the parent."
         expect_close(firework[11], 1.0, then="; firework.particle.mass")
 
 
 @pytest.mark.exercise("B4.4")
-def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> None:
+def test_every_random_number_comes_from_the_given_generator(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
-        f"make_firework(rule, random) 5 times with random = Random({seed}); the same 5 calls with "
-        f"a new Random({seed})"
+        f"5 calls of make_firework(rule, random) with random = Random({seed}); the same 5 calls "
+        f"with a new Random({seed})"
     )
     about.cause = (
-        "Your fireworks differ although the seed is the same. Draw every number from the argument "
-        "random, not from another generator or from the module random."
+        "You draw numbers from another generator, so the fireworks differ although the seed is the "
+        "same. Draw every number from the argument random."
     )
     about.read = "the docstring of make_firework"
     once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
     differ = sum(a != b for a, b in zip(once, again, strict=True))
-    expect_exactly(differ, 0, then="; how many of these 5 fireworks differ from the first 5")
+    expect_exactly(differ, 0, then="; how many of the second 5 fireworks differ from the first 5")
     about.call = (
-        f"make_firework(rule, random) 5 times with random = Random({seed}); 5 times with "
+        f"5 calls of make_firework(rule, random) with random = Random({seed}); 5 calls with "
         f"Random({seed + 1}); how many velocities are equal"
     )
     about.cause = (

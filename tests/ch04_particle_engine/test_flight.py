@@ -13,6 +13,7 @@ from ch04_particle_engine import ballistics, probes
 from ch04_particle_engine.ballistics import BallisticRange
 from expect import (
     about,
+    blame,
     cause_of,
     expect_close,
     expect_error,
@@ -54,27 +55,29 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 0.0, 100.0),
             4.0,
             False,
-            "You treat a shot at y = 0 as spent, but it is only on the ground. A shot is spent "
-            "if it is below the ground (y < 0).",
+            "You treat a shot at exactly y = 0 as spent. A shot is spent only if it is below the "
+            "ground (y < 0).",
         ),
         (
             (0.0, -0.001, 100.0),
             4.0,
             True,
-            "A shot below the ground (y < 0) is spent, whatever its age and its z. Return True.",
+            "You don't treat this shot as spent, although it is below the ground (y < 0). Each of "
+            "the three conditions (y, age and z) is enough on its own.",
         ),
         (
             (0.0, 1.5, 100.0),
             5.0,
             False,
-            "You treat a shot of exactly 5 s as spent. A shot is spent only when it is older than "
-            "5 s.",
+            "You treat a shot with an age of exactly 5 s as spent. A shot is spent only when it is "
+            "older than 5 s.",
         ),
         (
             (0.0, 1.5, 100.0),
             5.001,
             True,
-            "A shot older than 5 s is spent, wherever it is. Check its age too.",
+            "You ignore the age of the shot. A shot that is older than 5 s is spent, wherever it "
+            "is.",
         ),
         (
             (0.0, 1.5, 150.0),
@@ -94,8 +97,8 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 1.5, 200.001),
             4.0,
             True,
-            "A shot past the end of the range is spent, whatever its height and its age. Check "
-            "its z too.",
+            "You ignore the z of the shot. A shot past the end of the range (z > 200 m) is spent, "
+            "whatever its height and its age.",
         ),
         (
             (300.0, 300.0, -300.0),
@@ -133,10 +136,13 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     at.fire("pistol")
     at.update(h)
     expect_exactly(len(at.shots), 3, then="; the number of shots")
-    for i, (vy, vz) in enumerate(((0.0, 35.0), (30.0, 40.0), (0.0, 35.0))):
+    for i, (vy, vz, a) in enumerate(((0.0, 35.0, -1.0), (30.0, 40.0, -20.0), (0.0, 35.0, -1.0))):
         got = xyz(at.shots[i].particle.position)
         wanted = (0.0, 1.5 + vy * h, vz * h)
-        expect_close(got, wanted, then=f"[{i}].particle.position")
+        twice = by_the_law(1.5, vy, a, 0.99, h, 2)[0], by_the_law(0.0, vz, 0.0, 0.99, h, 2)[0]
+        words = "Your update moves every shot by two time steps. Call integrate only once per shot."
+        blame(got, [((0.0, *twice), words)])
+        expect_close(got, wanted, then=f"[{i}].particle.position", unit="m")
     mistakes = [
         (
             1.0,
@@ -154,7 +160,7 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         "The age of a shot is the time since it was fired. Add the duration to it exactly once "
         "in every update.",
     )
-    expect_close(at.shots[1].age, h, then="[1].age")
+    expect_close(at.shots[1].age, h, then="[1].age", unit="s")
 
 
 @pytest.mark.exercise("B4.3")
@@ -168,7 +174,7 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
         ("fireball", (0.0, 0.0, 10.0), 0.6, 0.9),
     ):
         about.call = (
-            f'r = BallisticRange(); r.fire("{name}"); r.update(1/60) {frames} times; '
+            f'r = BallisticRange(); r.fire("{name}"); r.update(1/60), called {frames} times; '
             "r.shots[0].particle"
         )
         about.cause = (
@@ -186,7 +192,7 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.3")
-def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
+def test_shots_are_removed_in_the_update_that_ends_their_flight() -> None:
     about.read = "the docstring of update; book 4.1.2"
     h = 1.0 / 32.0
     flight = [by_the_law(1.5, 30.0, -20.0, 0.99, h, n)[0] for n in range(200)]
@@ -198,44 +204,45 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
             "artillery",
             h,
             landed,
-            "Your update removes the shot in the wrong step. Remove it in the same update in "
-            "which it falls below y = 0, so call is_spent after integrate.",
+            "Call is_spent after integrate, so that the shot disappears in the update in which it "
+            "falls below y = 0.",
         ),
         (
             "laser",
             h,
             past,
-            "Your update removes the shot in the wrong step. Remove it in the same update in "
-            "which it passes z = 200 m, so call is_spent after integrate.",
+            "Call is_spent after integrate, so that the shot disappears in the update in which it "
+            "passes z = 200 m.",
         ),
         # 40 frames are exactly 5 s, and a shot of 5 s is not too old.
         (
             "fireball",
             1.0 / 8.0,
             41,
-            "Your update removes the shot in the wrong step. Remove it in the same update in "
-            "which its age passes 5 s, so add the duration before you call is_spent.",
+            "Add the duration before you call is_spent, so that the shot disappears in the update "
+            "in which its age passes 5 s.",
         ),
     ):
-        about.cause = cause
+        about.cause = f"You remove the shot in the wrong update. {cause}"
         about.call = (
-            f'r = BallisticRange(); r.fire("{name}"); r.update({frame}) until r.shots is empty; '
-            "the number of updates"
+            f'r = BallisticRange(); r.fire("{name}"); r.update({frame}) until r.shots is empty'
         )
         got = probes.frames_in_flight(name, frame, 200)
-        expect_exactly(got, wanted)
+        if got == wanted + 1:
+            about.cause = f"You remove the shot one update too late. {cause}"
+        expect_exactly(got, wanted, unit="updates")
 
 
 @pytest.mark.exercise("B4.3")
-def test_neighbors_that_are_spent_together_are_dropped_together() -> None:
+def test_spent_shots_next_to_each_other_are_all_removed() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = (
-        f"a range r; a {', a '.join(names)} are fired; r.update(0.5) 5 times; the types of the "
-        "shots after update"
+        f"r = BallisticRange(), which fires {', '.join(names)}; r.update(0.5), called 5 times; the "
+        "types of the shots after update"
     )
     about.cause = (
-        "Some spent shots are still in the list, because a loop that removes an item from its own "
-        "list skips the next one. Build a new list of the shots that stay."
+        "You remove shots from the list while you loop over it, so the loop skips the shot after "
+        "each removed one. Build a new list of the shots that keep flying."
     )
     about.read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)
@@ -278,10 +285,10 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
 @pytest.mark.exercise("B4.3")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
-def test_a_frame_is_positive_and_finite_and_a_refused_one_moves_nothing(bad: float) -> None:
+def test_rejects_an_invalid_duration_and_moves_no_shot(bad: float) -> None:
     about.cause = (
-        "The duration must be positive and finite, even if there are no shots. Check it before the "
-        "loop over the shots."
+        f"The duration is {bad}. It must be positive and finite, even if there are no shots. Check "
+        "it before the loop over the shots, and raise ValueError."
     )
     about.read = "the docstring of update"
     empty, at = BallisticRange(), BallisticRange()

@@ -13,9 +13,20 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import ballistics, grenade, probes
 from draw import components, number
-from expect import about, blame, expect_close, expect_exactly, expect_unchanged, scoped, xyz
+from expect import (
+    about,
+    blame,
+    expect_close,
+    expect_exactly,
+    expect_that,
+    expect_unchanged,
+    scoped,
+    xyz,
+)
 
 BURST_FRAME = 16  # of a quarter of a second each: 4 s
+
+TWELVE = "A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles."
 
 ROUNDED = 1e-12  # some rounding errors of numbers up to 30
 
@@ -25,8 +36,8 @@ def thrown(*, frames: int, others: tuple[str, ...] = ()) -> tuple[str, Any]:
     """Throw a grenade, fire others, and update the range in frames of a quarter of a second."""
     fired = "; ".join(f'r.fire("{name}")' for name in ("grenade", *others))
     about.call = (
-        f"r = BallisticRange(); {fired}; r.update(0.25) {frames} times, which is {0.25 * frames} s "
-        "in total"
+        f"r = BallisticRange(); {fired}; r.update(0.25), called {frames} times, "
+        f"{0.25 * frames} s in total"
     )
     at = ballistics.BallisticRange()
     at.fire("grenade")
@@ -38,7 +49,7 @@ def thrown(*, frames: int, others: tuple[str, ...] = ()) -> tuple[str, Any]:
 
 
 @pytest.mark.exercise("4.1")
-def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
+def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
     x, vx, vz = number(rng), number(rng), number(rng)
     y, drawn = -round(rng.uniform(0.1, 0.9), 3), -round(rng.uniform(2.0, 9.0), 3)
     about.read = "the docstring of bounce"
@@ -53,11 +64,10 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
             "You move the grenade as far above the ground as it was below. Set its y to 0 instead."
         )
         about.cause = (
-            "The grenade is below the ground, so bounce must move it back to the surface. Set its "
-            "y to 0, and leave x and z unchanged."
+            "You leave the grenade below the ground. Set its y to 0, and leave x and z unchanged."
         )
         blame(xyz(p.position), [((x, -y, 3.0), mirrored)])
-        expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position")
+        expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position", unit="m")
         about.cause = (
             "Reverse the Y component of the velocity and multiply it by BOUNCE, which is 0.5. "
             "Multiply X and Z by SLIDE, which is 0.8."
@@ -71,33 +81,33 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
             ((0.8 * vx, -vy, 0.8 * vz), all_of_it),
             (
                 (vx, -0.5 * vy, vz),
-                "You leave the velocity along X and Z unchanged, but a bounce must slow the "
-                "grenade down. Multiply both components by SLIDE, which is 0.8.",
+                "You leave the X and Z components of the velocity unchanged. Multiply both by "
+                "SLIDE, which is 0.8.",
             ),
             (
                 (0.8 * vx, 0.5 * vy, 0.8 * vz),
-                "The grenade still moves down after the bounce. Flip the sign of the Y component "
-                "of its velocity.",
+                "You don't reverse the vertical velocity, so the grenade still moves down after "
+                "the bounce. Flip the sign of its Y component.",
             ),
             (
                 (vx, vy, vz),
-                "The velocity did not change. A grenade that is below the ground and moves "
-                "down must bounce, however slow it is.",
+                f"You ignore a grenade that moves down at {-vy} m/s. Let every grenade bounce that "
+                "is below the ground and moves down.",
             ),
         ]
         blame(xyz(p.velocity), mistakes)
-        expect_close(xyz(p.velocity), wanted, then="; p.velocity")
+        expect_close(xyz(p.velocity), wanted, then="; p.velocity", unit="m/s")
 
 
 @pytest.mark.exercise("4.1")
-def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
+def test_a_grenade_on_or_above_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
-    about(
-        cause="This grenade is on or above the ground, so it must not bounce. Let it bounce only "
-        "if y < 0.",
-        read="the docstring of bounce",
-    )
+    about.read = "the docstring of bounce"
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
+        about.cause = (
+            f"You let a grenade bounce at y = {y}, which is not below the ground. Let it bounce "
+            "only if y < 0."
+        )
         about.call = f"p = Particle(position=Vector3(1, {y}, 3), velocity=Vector3{v}); bounce(p)"
         p = Particle(Vector3(1.0, y, 3.0), Vector3(*v))
         grenade.bounce(p)
@@ -117,7 +127,7 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
 
 
 @pytest.mark.exercise("4.1")
-def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
+def test_a_grenade_that_does_not_move_down_keeps_its_velocity(rng: Random) -> None:
     about.cause = (
         "This grenade is already moving up or is at rest. Move it to y = 0, but change its "
         "velocity only if that points down."
@@ -129,8 +139,12 @@ def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
         p = Particle(Vector3(1.0, -0.5, 3.0), Vector3(*v))
         grenade.bounce(p)
         got = xyz(p.position)
-        expect_close(got, (1.0, 0.0, 3.0), then="; p.position")
-        expect_unchanged("p.velocity", xyz(p.velocity), v)
+        expect_close(got, (1.0, 0.0, 3.0), then="; p.position", unit="m")
+        up = (
+            "You change the velocity of a grenade that does not move down. Change it only if its Y "
+            "component is negative."
+        )
+        expect_unchanged("p.velocity", xyz(p.velocity), v, cause=up)
 
 
 @pytest.mark.exercise("4.1")
@@ -143,24 +157,32 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     )
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
-    about.cause = "A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles."
+    about.cause = TWELVE
     expect_exactly(len(pieces), 12, then="; len(pieces)")
     for piece in pieces:
         about.cause = (
             "The 12 fragments share the mass of the grenade equally. Give each of them a twelfth "
             "of that mass."
         )
-        expect_close(piece[0], mass / 12.0, then="; the mass of a fragment")
-        about.cause = (
-            "Each fragment must have the position, the acceleration and the damping of the "
-            "grenade. Pass all three to the new Particle."
+        whole = (
+            "You give each fragment the whole mass of the grenade. Divide that mass equally among "
+            "the 12 fragments."
         )
-        expect_close(piece[1], damping, then="; the damping of a fragment")
-        expect_close(piece[2:5], x, then="; the position of a fragment")
-        expect_close(piece[8:], a, then="; the acceleration of a fragment")
+        blame(piece[0], [(mass, whole)])
+        expect_close(piece[0], mass / 12.0, then="; the mass of a fragment", unit="kg")
+        for name, got, of_grenade in (
+            ("damping", piece[1], damping),
+            ("position", piece[2:5], x),
+            ("acceleration", piece[8:], a),
+        ):
+            about.cause = (
+                f"Your fragments don't get the {name} of the grenade. Pass its {name} to each new "
+                "Particle."
+            )
+            expect_close(got, of_grenade, then=f"; the {name} of a fragment")
     about.cause = (
-        "The burst changes the total momentum. The velocities of the fragments relative to the "
-        "grenade must add up to 0, so choose them in opposite pairs, for example."
+        "The directions of your fragments don't add up to 0, so the burst changes the total "
+        "momentum. Choose them in opposite pairs, for example."
     )
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
@@ -170,9 +192,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
             "0. Add the grenade's velocity to that of each fragment."
         )
     # The rounding errors of 12 numbers up to 25 x 9 / 12.
-    expect_close(
-        total, wanted, then="; the total momentum of the fragments in kg m/s", tolerance=1e-11
-    )
+    name = "; the total momentum of the fragments"
+    expect_close(total, wanted, then=name, unit="kg m/s", tolerance=1e-11)
 
 
 @pytest.mark.exercise("4.1")
@@ -184,33 +205,21 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     )
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
     about.cause = (
-        "Each fragment must move at FRAGMENT_SPEED, which is 15 m/s, relative to the grenade. "
-        "Normalize its direction before you multiply by this speed."
+        "You don't normalize the direction of this fragment, so its speed is not FRAGMENT_SPEED "
+        "(15 m/s). Normalize the direction before you multiply by the speed."
     )
+    name = "; the speed of a fragment relative to the grenade p"
     for velocity in relative:
-        expect_close(
-            math.hypot(*velocity),
-            15.0,
-            then="; the speed of a fragment relative to the grenade p, in m/s",
-            tolerance=1e-11,
-        )
-    expect_exactly(
-        len(relative),
-        12,
-        then="; len(pieces)",
-        cause="A grenade bursts into 12 fragments (FRAGMENTS). Return a list of 12 particles.",
-    )
+        expect_close(math.hypot(*velocity), 15.0, then=name, unit="m/s", tolerance=1e-11)
+    expect_exactly(len(relative), 12, then="; len(pieces)", cause=TWELVE)
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
     about.cause = (
-        "Two or more fragments fly in the same direction. Give each of the 12 fragments a "
+        "Several of your fragments fly in the same direction. Give each of the 12 fragments a "
         "different direction."
     )
     near = sum(pair < 0.1 for pair in pairs)
-    expect_exactly(
-        near,
-        0,
-        then="; the number of pairs of fragments whose velocities are equal to within 0.1 m/s",
-    )
+    name = "; the number of pairs of fragments with the same velocity, to within 0.1 m/s"
+    expect_exactly(near, 0, then=name)
 
 
 @pytest.mark.exercise("4.1")
@@ -238,31 +247,31 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     frames = BURST_FRAME - 1
-    about.call = (
-        f'r = BallisticRange(); r.fire("grenade"); r.update(0.25) {frames} times; the heights of '
-        "the grenade, one after each update"
-    )
+    about.call = f'r = BallisticRange(); r.fire("grenade"); r.update(0.25), called {frames} times'
     about.cause = (
-        "Your grenade disappears before its fuse has burned down. It must bounce off the ground, "
-        "so call bounce before is_spent."
+        "You remove the grenade when it falls below the ground. Call bounce before is_spent, so "
+        "that it bounces until its fuse has burned down."
     )
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
-    expect_exactly(len(heights), frames, then=": their number")
-    about.cause = (
-        "The grenade never gets to y = 0. Don't let it burst before its fuse of 4 s has burned "
-        "down, and let bounce move it to y = 0 when it lands."
+    expect_exactly(
+        len(heights), frames, then="; the number of updates after which the grenade still flies"
     )
+    about.cause = "The grenade never returns to y = 0. Let bounce move it there when it lands."
     lowest = min(heights)
+    if lowest > ROUNDED and len(thrown(frames=1)[1].shots) > 1:
+        about.cause = "You burst the grenade at once. Burst it when its age reaches FUSE (4 s)."
     # It lands in frame 12 and is put back to exactly 0.
-    expect_close(lowest, 0.0, then=": the lowest one, in m", tolerance=ROUNDED)
+    lowest_of = "; the lowest height of the grenade after an update"
+    expect_close(lowest, 0.0, then=lowest_of, unit="m", tolerance=ROUNDED)
     landed = heights.index(lowest)
     about.cause = (
         "The grenade does not rise again after its bounce. It must leave the ground at half the "
         "speed at which it fell."
     )
-    risen = max(heights[landed:]) > 0.5
-    expect_exactly(risen, True, then=": does one after the bounce exceed 0.5 m?")
+    risen = max(heights[landed:])
+    highest = "; the greatest height after the bounce"
+    expect_that(risen > 0.5, f"{risen:.6g} m", "more than 0.5 m", then=highest)
 
 
 @pytest.mark.exercise("4.1")
@@ -276,23 +285,25 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     types = tuple(shot.type for shot in at.shots)
     expect_exactly(types, ("grenade",), then="; the types of the shots")
     about.cause = (
-        "The grenade is now 4 s old (FUSE), so it must burst. Return 12 shots of the type "
-        "fragment and of age 0 instead of it."
+        "Your grenade does not burst into 12 fragments when its age reaches FUSE, which is 4 s. "
+        "Return 12 shots of the type fragment then."
     )
     about.call, at = thrown(frames=BURST_FRAME)
     types = tuple(shot.type for shot in at.shots)
     if types == ("grenade",) * 12:
         about.cause = (
-            "Your grenade bursts into 12 shots, but they still have the type of the grenade. Give "
-            "each of them the type fragment."
+            "The 12 shots of your burst still have the type grenade. Give each of them the type "
+            "fragment."
         )
-    expect_exactly(types, ("fragment",) * 12, then="; the types of the shots")
+    shown = f"{len(types)} of type {' and '.join(sorted({*types}))}"
+    holds = types == ("fragment",) * 12
+    expect_that(holds, shown, "12 of type fragment", then="; the shots on the range")
     ages = tuple(shot.age for shot in at.shots)
     expect_close(ages, (0.0,) * 12, then="; the ages of the shots in s", tolerance=0.0)
 
 
 @pytest.mark.exercise("4.1")
-def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
+def test_other_shots_fly_on_and_spent_fragments_are_removed() -> None:
     about.read = "the docstrings of update and is_spent"
     about.cause = "Only the grenade bursts, and the fireball flies on."
     about.call, at = thrown(frames=BURST_FRAME, others=("fireball",))
@@ -315,8 +326,8 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
 def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); grenade_after(shot)'
     about.cause = (
-        "This grenade is at z = 201 m, past the end of the range. Call is_spent for grenades too, "
-        "and return an empty list if it is True."
+        "You keep a grenade that is past the end of the range, at z = 201 m. Call is_spent for "
+        "grenades too, and return an empty list if it returns True."
     )
     about.read = "the docstring of grenade_after"
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
@@ -346,11 +357,13 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     shot.age = 4.0
     left = ballistics.grenade_after(shot)
     about.cause = (
-        "The grenade is below the ground when its fuse burns down, so its fragments start there "
-        "too. Call bounce before fragments."
+        "You burst the grenade before it bounces, so its fragments start below the ground. Call "
+        "bounce before fragments."
     )
     heights = [each.particle.position.y for each in left]
-    expect_close(heights, [0.0] * 12, then="; the heights of the 12 fragments in m", tolerance=0.0)
+    expect_close(
+        heights, [0.0] * 12, then="; the heights of the 12 fragments", unit="m", tolerance=0.0
+    )
     about.cause = (
         "The fragments must get the velocity that the grenade has after its bounce, 4 m/s upward "
         "and 4 m/s along Z. Call bounce before fragments."
@@ -367,8 +380,8 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
         'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
     )
     about.cause = (
-        "This grenade is past the end of the range, but its fuse has burned down, so it must "
-        "burst. Check the fuse before you call is_spent."
+        "You call is_spent before you check the fuse, so this grenade disappears without a burst. "
+        "Check the fuse first."
     )
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     shot.age = 6.0

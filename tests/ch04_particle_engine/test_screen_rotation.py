@@ -37,15 +37,16 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
             ),
             (
                 angle + math.pi,
-                "Your angle is half a turn too large. Add or subtract only full turns of 2 pi.",
+                "You add half a turn (pi) to the angle. Add or subtract only full turns of 2 pi.",
             ),
             (
                 angle - math.pi,
-                "Your angle is half a turn too small. Add or subtract only full turns of 2 pi.",
+                "You subtract half a turn (pi) from the angle. Add or subtract only full turns of "
+                "2 pi.",
             ),
         ]
         blame(got, mistakes)
-        expect_close(got, start + 2.5 * turning, tolerance=1e-14)
+        expect_close(got, start + 2.5 * turning, unit="rad", tolerance=1e-14)
 
 
 @pytest.mark.exercise("G4.1")
@@ -79,7 +80,7 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
             ),
         ]
         blame(got, mistakes)
-        expect_between(got, -math.pi, math.pi, tolerance=1e-9)
+        expect_between(got, -math.pi, math.pi, unit="rad", tolerance=1e-9)
         about.cause = (
             "Your angle points in a different direction than start + rate x time. Remove only full "
             "turns of 2 pi, which leave the direction unchanged."
@@ -129,8 +130,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         ),
         (
             math.pi / 2.0,
-            "After a quarter turn, each corner must be where the next one was. Check the direction "
-            "of rotation, which is from X toward Y.",
+            "You rotate the square from Y toward X. Rotate it from X toward Y, so that after a "
+            "quarter turn each corner is where the next one was.",
         ),
         (
             angle,
@@ -140,8 +141,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
     ):
         shown = f"{turned:.6g}" if turned != math.pi / 2.0 else "math.pi / 2"
         about(
-            f"screen_corners(center=({x}, {y}), size={size}, angle={shown}); x and y of each "
-            "corner, in order",
+            f"screen_corners(center=({x}, {y}), size={size}, angle={shown}); x and y of each of "
+            "the four corners, in order",
             cause=cause,
         )
         corners = screen_rotation.screen_corners((x, y), size, turned)
@@ -156,13 +157,13 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         mistakes = [
             (
                 doubled,
-                "Your square is twice as large as it should be, because size is the length of a "
-                "whole side. Each corner is only half a side from the center in x and in y.",
+                "You use size as half a side, so your square is twice as large as it should be. "
+                "But size is the length of a whole side, so use half of it.",
             ),
             (
                 [n - c for n, c in zip(wanted, center, strict=True)],
-                "Your corners are relative to the center. Add the coordinates of the center to "
-                "each of them.",
+                "You leave out the center, so your square lies around the origin. Add the "
+                "coordinates of the center to each corner.",
             ),
             (
                 [*wanted[:2], *wanted[6:], *wanted[4:6], *wanted[2:4]],
@@ -177,47 +178,25 @@ def test_the_corners_of_a_square(rng: Random) -> None:
 @pytest.mark.exercise("G4.1")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
-def test_what_is_drawn_is_finite(bad: float) -> None:
-    about.cause = (
-        "All coordinates, angles, rates and times must be finite, and the size must be positive. "
-        "Check them with finite and positive from arguments.py."
-    )
+def test_rejects_invalid_angles_centers_and_sizes(bad: float) -> None:
     about.read = f"{ANGLE}, and of screen_corners"
-    for call, attempt in (
-        (f"screen_angle({bad}, 1, 1)", lambda: screen_rotation.screen_angle(bad, 1.0, 1.0)),
-        (f"screen_angle(1, {bad}, 1)", lambda: screen_rotation.screen_angle(1.0, bad, 1.0)),
-        (f"screen_angle(1, 1, {bad})", lambda: screen_rotation.screen_angle(1.0, 1.0, bad)),
-        (
-            f"screen_corners(({bad}, 0), 1, 1)",
-            lambda: screen_rotation.screen_corners((bad, 0.0), 1.0, 1.0),
-        ),
-        (
-            f"screen_corners((0, {bad}), 1, 1)",
-            lambda: screen_rotation.screen_corners((0.0, bad), 1.0, 1.0),
-        ),
-        (
-            f"screen_corners((0, 0), {bad}, 1)",
-            lambda: screen_rotation.screen_corners((0.0, 0.0), bad, 1.0),
-        ),
-        (
-            "screen_corners((0, 0), 0, 1)",
-            lambda: screen_rotation.screen_corners((0.0, 0.0), 0.0, 1.0),
-        ),
-        (
-            "screen_corners((0, 0), -1, 1)",
-            lambda: screen_rotation.screen_corners((0.0, 0.0), -1.0, 1.0),
-        ),
-        (
-            f"screen_corners((0, 0), 1, {bad})",
-            lambda: screen_rotation.screen_corners((0.0, 0.0), 1.0, bad),
-        ),
+    angle, corners = screen_rotation.screen_angle, screen_rotation.screen_corners
+    for what, function, data in (
+        ("start", angle, (bad, 1.0, 1.0)),
+        ("rate", angle, (1.0, bad, 1.0)),
+        ("time", angle, (1.0, 1.0, bad)),
+        ("center", corners, ((bad, 0.0), 1.0, 1.0)),
+        ("center", corners, ((0.0, bad), 1.0, 1.0)),
+        ("size", corners, ((0.0, 0.0), bad, 1.0)),
+        ("size", corners, ((0.0, 0.0), 0.0, 1.0)),
+        ("size", corners, ((0.0, 0.0), -1.0, 1.0)),
+        ("angle", corners, ((0.0, 0.0), 1.0, bad)),
     ):
-        about.call = call
+        about.call = f"{'screen_angle' if function is angle else 'screen_corners'}{data}"
+        rule = "positive and finite" if what == "size" else "finite"
+        about.cause = f"The {what} is not {rule}. Raise ValueError for it."
         expect_error(
-            attempt,
+            lambda function=function, data=data: function(*data),
             ValueError,
-            allowed=lambda: (
-                screen_rotation.screen_angle(0.0, 0.0, 0.0),
-                screen_rotation.screen_corners((0.0, 0.0), 1.0, 0.0),
-            ),
+            allowed=lambda: (angle(0.0, 0.0, 0.0), corners((0.0, 0.0), 1.0, 0.0)),
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -10,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch04_particle_engine import targets
 from ch04_particle_engine.targets import TargetBlock
 from draw import Components, components, number
-from expect import about, blame, expect_close, expect_exactly, expect_unchanged, xyz
+from expect import about, blame, expect_close, expect_exactly, expect_that, expect_unchanged, xyz
 
 READ = "the docstring of hit_fraction"
 # A box from (1, 2, 3) to (3, 6, 9): numbers that are exact in binary.
@@ -27,6 +28,15 @@ def words(start: Components, end: Components) -> str:
     )
 
 
+def expect_hit(got: Any, wanted: float | None = None, tolerance: float | None = None) -> None:
+    """Expect this fraction, or any result but None."""
+    __tracebackhide__ = True
+    hit = "a fraction from 0 to 1" if wanted is None else f"{wanted:.6g}"
+    expect_that(got is not None, "None, which means a miss", hit, read=READ)
+    if wanted is not None:
+        expect_close(got, wanted, read=READ, tolerance=tolerance)
+
+
 def fraction(start: Components, end: Components) -> float | None:
     """Return what comes back for this box."""
     box = TargetBlock(Vector3(*CENTER), SIZE, mass=10.0)
@@ -41,31 +51,34 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
         "hit_fraction(start=Vector3(0, 1, 10), end=Vector3(0.1, 1.1, 11.67), block=block)"
     )
     about.cause = (
-        "The path of this shot starts in front of the block and ends behind it, so it hits the "
-        "block. Test the whole path, not just its ends."
-    )
-    block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
-    got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
-    expect_exactly(got is None, False, then="; is the result None, which means a miss?", read=READ)
-    wanted = (z - 0.005 - 10.0) / 1.67
-    about.cause = (
         "Return the fraction of the path after which the shot reaches the near face of the block: "
         "0 at the start of the path, 1 at its end."
     )
+    block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
+    got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
     whole = (
         "You treat the block as twice as thick as it is. The numbers in size are whole sides, so "
         "each face is only half a side from the center."
     )
     blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
-    expect_close(got, wanted, read=READ, tolerance=ROUNDED)
+    if got is None:
+        about.cause = (
+            "You test only the ends of the path, but this path starts in front of the block and "
+            "ends behind it. Test the whole path."
+        )
+    expect_hit(got, (z - 0.005 - 10.0) / 1.67, ROUNDED)
 
 
 @pytest.mark.exercise("4.3b")
-def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
-    about.cause = (
-        "For each axis, compute the fraction at which the path gets between the two faces of the "
-        "box, and the fraction at which it leaves them. It enters the box at the largest of the "
-        "three entry fractions."
+def test_a_path_hits_the_box_where_it_enters() -> None:
+    smallest, last = (
+        f"You return the {which}. Return the largest of the three, because the path must be "
+        "between the faces on all three axes."
+        for which in ("smallest of the three entry fractions", "entry fraction of the last axis")
+    )
+    backward = (
+        "You use the face with the smaller coordinate as the entry, but this path leads backward "
+        "and gets to the other face first. Take the smaller of the two fractions as the entry."
     )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
@@ -77,19 +90,24 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
         ((4.0, 5.0, 16.0), (0.0, 3.0, 0.0), 0.4375),
     ):
         about.call = words(start, end)
-        got = fraction(start, end)
-        expect_exactly(
-            got is None, False, then="; is the result None, which means a miss?", read=READ
+        about.cause = (
+            "The path enters the box when it has come between the two faces on all three axes. "
+            "Return the largest of the three entry fractions."
         )
-        expect_close(got, wanted, read=READ)
+        got = fraction(start, end)
+        if got is None and any(e < s for s, e in zip(start, end, strict=True)):
+            about.cause = backward
+        faces = zip(start, end, CENTER, SIZE, strict=True)
+        entries = [min((c - w - s) / (e - s) for w in (n / 2, -n / 2)) for s, e, c, n in faces]
+        blame(got, [(min(entries), smallest), (max(0.0, entries[2]), last)])
+        expect_hit(got, wanted)
 
 
 @pytest.mark.exercise("4.3b")
-def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
+def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
     about.cause = (
-        "The displacement of this path is 0 along two of the axes, so you cannot divide by it. On "
-        "each of these axes, check whether the path is between the two faces all the time or "
-        "never."
+        "This path does not move along two of the axes, so you cannot divide by its displacement "
+        "there. On these axes, check only whether it is between the two faces."
     )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
@@ -98,14 +116,16 @@ def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     ):
         about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(
-            got is None, False, then="; is the result None, which means a miss?", read=READ
-        )
-        expect_close(got, wanted, read=READ)
+        if got is None:
+            about.cause = (
+                "You treat every path that is parallel to a face of the box as a miss, but this "
+                "path runs between the faces. Return None only if it is outside them."
+            )
+        expect_hit(got, wanted)
 
 
 @pytest.mark.exercise("4.3b")
-def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: Random) -> None:
+def test_a_slanting_path_enters_at_the_last_of_three_faces(rng: Random) -> None:
     about.cause = (
         "On each axis, the path gets between the two faces of the box at some fraction. It enters "
         "the box at the largest of these three fractions."
@@ -123,15 +143,12 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
         )
         block = TargetBlock(Vector3(*center), sizes, mass=10.0)
         got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
-        expect_exactly(
-            got is None, False, then="; is the result None, which means a miss?", read=READ
-        )
         wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
-        expect_close(got, wanted, read=READ, tolerance=ROUNDED)
+        expect_hit(got, wanted, ROUNDED)
 
 
 @pytest.mark.exercise("4.3b")
-def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
+def test_hit_fraction_changes_none_of_its_arguments(rng: Random) -> None:
     start, end, center = components(rng), components(rng), components(rng)
     about.call = f"start, end = Vector3{start}, Vector3{end}; hit_fraction(start, end, block)"
     first, last = Vector3(*start), Vector3(*end)
@@ -149,27 +166,30 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     # Where the first answer counts, so that this is no check of doing nothing.
     inside = Vector3(*center)
     about.call = (
-        "three paths from the center of a block, two identical ones and one in the opposite "
-        "direction; the results of hit_fraction"
+        "three paths that start at the center of a block; the result of hit_fraction for each of "
+        "them"
     )
     other = Vector3(*(2.0 * c - e for c, e in zip(center, end, strict=True)))
     answers = [targets.hit_fraction(inside, there, block) for there in (last, last, other)]
     about.cause = (
-        "A path that starts inside the block hits it at once. Return 0 for it, and never a "
-        "negative fraction."
+        "You return a negative fraction for a path that starts inside the block. Such a path hits "
+        "the block at once, so return 0."
     )
-    expect_exactly(answers[0] is None, False, then="; is the result None, which means a miss?")
+    expect_hit(answers[0])
     expect_close(answers, (0.0, 0.0, 0.0), tolerance=0.0)
 
 
 @pytest.mark.exercise("4.3b")
-def test_a_way_beside_before_or_behind_the_box_misses() -> None:
+def test_a_path_beside_before_or_behind_the_box_misses() -> None:
     for start, end, missed, cause in (
         (
             (3.5, 4.0, 1.0),
             (3.5, 4.0, 9.0),
             True,
-            ("This path runs parallel to Z at x = 3.5, beside the box, so it misses. Return None."),
+            (
+                "You treat a path that is parallel to Z as being between the faces on X, but this "
+                "one runs beside the box, at x = 3.5. Return None."
+            ),
         ),
         (
             (2.9, 4.0, 1.0),
@@ -182,8 +202,8 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
             (1.1, 4.0, 1.0),
             (1.1, 4.0, 9.0),
             False,
-            "This path runs parallel to Z at x = 1.1, which is between the faces at x = 1 and "
-            "x = 3, so it hits the box. Use the distance from the center, which has no sign.",
+            "You treat this path as beside the box, but x = 1.1 is between the faces at x = 1 and "
+            "x = 3. Use the distance from the center without its sign.",
         ),
         (
             (2.0, 1.5, 1.0),
@@ -195,8 +215,8 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
             (2.0, 4.0, 0.0),
             (2.0, 4.0, 2.9),
             True,
-            "This path ends at z = 2.9, before it reaches the box at z = 3, so it misses. Return "
-            "None for a fraction above 1.",
+            "You continue the path beyond its end at z = 2.9, but the box begins only at z = 3. "
+            "Return None for a fraction above 1.",
         ),
         (
             (2.0, 4.0, 9.5),
@@ -215,13 +235,14 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(
-            got is None, missed, then="; is the result None, which means a miss?", read=READ
-        )
+        if missed:
+            expect_exactly(got, None, read=READ)
+        else:
+            expect_hit(got)
 
 
 @pytest.mark.exercise("4.3b")
-def test_a_way_that_cuts_the_corner_misses() -> None:
+def test_a_path_past_a_corner_misses() -> None:
     beside = (
         "This path is between the two faces on X for a while, and later or earlier between those "
         "on Z, but never both at once. It misses, so return None."
@@ -237,33 +258,37 @@ def test_a_way_that_cuts_the_corner_misses() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(
-            got is None, missed, then="; is the result None, which means a miss?", read=READ
-        )
+        if missed:
+            expect_exactly(got, None, read=READ)
+        else:
+            expect_hit(got)
 
 
 @pytest.mark.exercise("4.3b")
-def test_touching_counts_and_so_does_a_start_inside() -> None:
+def test_a_touch_and_a_start_inside_count_as_hits() -> None:
+    along = (
+        "This path runs along a face of the box. A touch counts as a hit, so return the fraction "
+        "at which it first touches the face."
+    )
     for start, end, wanted, cause in (
         (
             (2.0, 4.0, 1.0),
             (2.0, 4.0, 3.0),
             1.0,
-            "This path ends exactly on a face of the box. A touch counts as a hit, so return 1.",
+            "You don't count a path that ends exactly on a face of the box as a hit. A touch "
+            "counts, so return 1.",
         ),
         (
             (3.0, 4.0, 1.0),
             (3.0, 4.0, 9.0),
             0.25,
-            "This path runs along a face of the box. A touch counts as a hit, so return the "
-            "fraction at which it first touches the face.",
+            along,
         ),
         (
             (1.0, 4.0, 1.0),
             (1.0, 4.0, 9.0),
             0.25,
-            "This path runs along a face of the box. A touch counts as a hit, so return the "
-            "fraction at which it first touches the face.",
+            along,
         ),
         (
             (2.0, 4.0, 9.0),
@@ -293,10 +318,7 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(
-            got is None, False, then="; is the result None, which means a miss?", read=READ
-        )
-        expect_close(got, wanted, read=READ, tolerance=0.0)
+        expect_hit(got, wanted, 0.0)
     about(
         words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0)),
         cause="This path has no length and is outside the box, so it misses. Return None.",

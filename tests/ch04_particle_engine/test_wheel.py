@@ -52,7 +52,12 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         )
         wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
         got = xyz(nozzle.position)
-        expect_close(got, wanted, then=".position", tolerance=1e-13)
+        origin = (
+            "You leave out the center of the wheel, so the nozzle rotates around the origin. Add "
+            "the center to its position."
+        )
+        blame(got, [((radius * x, radius * y, 0.0), origin)])
+        expect_close(got, wanted, then=".position", unit="m", tolerance=1e-13)
         about.cause = (
             "The nozzle moves at right angles to the spoke, in the direction from X toward Y. Its "
             "speed is rate x radius."
@@ -64,7 +69,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             (
                 (speed * x, speed * y, 0.0),
                 "Your nozzle moves along the spoke, away from the center. Make its velocity "
-                "perpendicular to the spoke, as for any point on a rotating rim.",
+                "perpendicular to the spoke.",
             ),
             (
                 (speed * y, 0.0 - speed * x, 0.0),
@@ -78,7 +83,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             ),
         ]
         blame(got, mistakes)
-        expect_close(got, wanted, then=".velocity", tolerance=ROUNDED)
+        expect_close(got, wanted, then=".velocity", unit="m/s", tolerance=ROUNDED)
     about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
     about.cause = (
         "Your nozzle method returned the same particle twice, or two particles that share a "
@@ -117,7 +122,7 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
         ),
     ]
     blame(got, mistakes)
-    expect_close(got, (0.0, 2.0 * rate - jet, 0.0), tolerance=ROUNDED)
+    expect_close(got, (0.0, 2.0 * rate - jet, 0.0), unit="m/s", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.4")
@@ -129,7 +134,8 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
         f"wheel.update({h}) twice; wheel.nozzle().position"
     )
     about.cause = (
-        "The wheel must rotate in every update. Add rate x duration to its angle each time."
+        "You don't rotate the wheel by the right angle. Add rate x duration to its angle in every "
+        "update."
     )
     _, wheel = wheel_of((0.0, 5.0, 0.0), 1.0, rate)
     wheel.update(h)
@@ -137,18 +143,20 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
     angle = 2.0 * rate * h
     wanted = (math.cos(angle), 5.0 + math.sin(angle), 0.0)
     got = xyz(wheel.nozzle().position)
-    expect_close(got, wanted, tolerance=ROUNDED)
+    still = "You don't rotate the wheel. Add rate x duration to its angle in every update."
+    blame(got, [((1.0, 5.0, 0.0), still)])
+    expect_close(got, wanted, unit="m", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.4")
-def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
+def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
     about.read = "the docstring of update"
     per_second = rng.randrange(20, 60) + 0.37
     # Sums of frames that are exact in binary, so that no whole spark lies on a rounding.
     for h, frames in ((1.0 / 64.0, 128), (1.0 / 4.0, 8), (2.0, 1)):
         about.call = (
-            f"a wheel that throws {per_second} sparks per second; wheel.update({h}) {frames} "
-            "times, 2 s in total; the number of sparks lit"
+            f"a wheel that throws {per_second} sparks per second; wheel.update({h}), called "
+            f"{frames} times, 2 s in total; the number of sparks lit"
         )
         counts = probes.sparks_of_a_wheel(per_second, h, frames)
         about.cause = (
@@ -162,8 +170,8 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
             )
         if counts[-1] == 0:
             about.cause = (
-                "No spark is lit, probably because you round down in every step, and each step is "
-                "too short for a whole spark. Carry the fraction over to the next step."
+                "You round the number of sparks down in every step, and each step is too short for "
+                "a whole spark. Carry the fraction over to the next step."
             )
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
         about.cause = (
@@ -199,9 +207,9 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
             "light the sparks at the nozzle."
         )
         blame(got, [((2.0, 5.0, 0.0), before)])
-        expect_close(got, wanted, then="; the position of a spark", tolerance=ROUNDED)
+        expect_close(got, wanted, then="; the position of a spark", unit="m", tolerance=ROUNDED)
         got, wanted = xyz(spark.particle.velocity), (-speed * y, speed * x, 0.0)
-        expect_close(got, wanted, then="; the velocity of a spark", tolerance=ROUNDED)
+        expect_close(got, wanted, then="; the velocity of a spark", unit="m/s", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.4")
@@ -245,10 +253,11 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
 @pytest.mark.exercise("4.4")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
-def test_a_wheel_turns_for_a_positive_and_finite_time(bad: float) -> None:
+def test_rejects_an_invalid_duration_and_does_not_rotate(bad: float) -> None:
     about(
         f"a new wheel; wheel.update({bad})",
-        cause="The duration must be positive and finite. Check it before you change anything.",
+        cause=f"The duration is {bad}. It must be positive and finite. Check it before you change "
+        "anything, and raise ValueError.",
     )
     about.read = "the docstring of update"
     _, wheel = wheel_of((0.0, 5.0, 0.0))

@@ -53,8 +53,8 @@ def test_forces_add_up(rng: Random) -> None:
         about.call += f"; p.add_force(Vector3{force})"
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
-        name = "p.force_accumulator, after a force was added"
-        cause = "force_accumulator must return the sum of the forces as a new Vector3."
+        name = f"{about.call}; p.force_accumulator"
+        cause = "force_accumulator does not return a Vector3. Return the sum as a new Vector3."
         got = expect_vector(p.force_accumulator, call=name, cause=cause)
         slips = {
             "This is only the latest force. Add each force to the sum instead of replacing the "
@@ -86,7 +86,7 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
     p = Particle(acceleration=Vector3(0, -10, 0))
     total = p.force_accumulator
-    expect_that(total is not None, "the sum of the forces is None", "Vector3(0, 0, 0)")
+    expect_that(total is not None, "the sum is None", "the sum is Vector3(0, 0, 0)")
     expect_close(xyz(total), ZERO, unit="N")
     about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
     about.cause = "The sum contains forces that were added to other particles. Store it in self, "
@@ -170,8 +170,8 @@ def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about(
         f"p.add_force(Vector3{first}); p.clear_forces()",
-        cause="clear_forces did not clear the sum of the forces. Set it back to zero, as if no "
-        "force had been added.",
+        cause="clear_forces does not clear the sum of the forces. The sum is stored in "
+        "self._forces[0], so clear this entry.",
     )
     about.read = "the docstring of clear_forces"
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9))
@@ -193,7 +193,7 @@ def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
         unit="N",
         cause="The sum must equal the only force that was added.",
     )
-    expect_unmoved(p, "clear_forces has changed p.{}. Change only the sum of the forces.")
+    expect_unmoved(p, "clear_forces has changed p.{}. It must change only the sum of the forces.")
 
 
 @scoped
@@ -210,8 +210,8 @@ def expect_refusal(
         error,
         allowed=lambda: Particle().add_force(Vector3(1.5e308, 1.5e308, 1.0)),
     )
-    about.cause = "add_force raised the error only after it had changed the sum. Check the force "
-    about.cause += "and the new sum before you store the sum."
+    about.cause = "add_force raised the error only after it had stored the new sum. Check the "
+    about.cause += "force and the sum before you store anything."
     got = xyz(p.force_accumulator)
     expect_close(got, so_far, then="; p.force_accumulator", unit="N")
 

@@ -193,8 +193,10 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
     about.read = FALL
     g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
-    about.cause = "Your distance loses digits, because cosh x is nearly 1 for a small x = g t / u. "
-    about.cause += "Compute ln cosh x as math.log1p(2 sinh(x / 2)^2) instead."
+    about.cause = (
+        "Your distance loses digits for this small x = g t / u, because ln cosh x is nearly "
+    )
+    about.cause += "0. Compute it as math.log1p(2 sinh(x / 2)^2)."
     for k2 in (1e-8, 1e-12, 1e-15):
         about.call = f"quadratic_fall(mass=2.0, gravity={g}, k2={k2}, time={time})"
         got = quadratic_fall(2.0, g, k2, time)
@@ -261,10 +263,13 @@ def test_a_fall_of_any_length_is_accurate() -> None:
         cosh, sinh = (x.exp() + (-x).exp()) / 2, (x.exp() - (-x).exp()) / 2
         wanted = (float(8 * sinh / cosh), float(8 * cosh.ln()))
         speed, distance = quadratic_fall(2.0, 8.0, 0.25, float(text))
-        for name, got, exact in (("speed", speed, wanted[0]), ("distance", distance, wanted[1])):
+        for name, got, exact, unit in (
+            ("speed", speed, wanted[0], "m/s"),
+            ("distance", distance, wanted[1], "m"),
+        ):
             tolerance = ROUNDED * exact
             blame(got, [(8.0 * (float(text) - math.log(2.0)), early)])
-            expect_close(got, exact, then=f", the {name}", tolerance=tolerance)
+            expect_close(got, exact, then=f", the {name}", unit=unit, tolerance=tolerance)
 
 
 @pytest.mark.exercise("B5.7")

@@ -42,7 +42,7 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
             ),
             "The mass is missing from the exponent s. It must be s = k1 t / m, where m is the "
             "mass.": (v * math.exp(-s * mass) / (1.0 - ratio * v * math.expm1(-s * mass))),
-            "There is an extra factor in your denominator, the mass. It must be 1 + k2 v (1 - "
+            "Your denominator contains the mass as an extra factor. It must be 1 + k2 v (1 - "
             "e^-s) / k1, where v is the speed at the start.": (
                 v * math.exp(-s) / (1.0 - ratio * mass * v * math.expm1(-s))
             ),
@@ -89,8 +89,8 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
             1e-13,
             k,
             v / (1.0 + k * v * time / mass),
-            "You lose digits in 1 - e^-s, because k1 and s = k1 t / m are nearly 0. Compute it as "
-            "-math.expm1(-s).",
+            "You lose digits, because 1 - e^-s is nearly 0. Compute it as -math.expm1(-s), where s "
+            "is k1 t / m.",
         ),
         (0.0, 0.0, v, "The speed is wrong without drag (k1 = k2 = 0). It must stay the same."),
     ):
@@ -106,8 +106,10 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
 def test_coasting_with_little_linear_drag_is_accurate(rng: Random) -> None:
     about.read = COAST
     v, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng)
-    about.cause = "You lose digits in 1 - e^-s, because s = k1 t / m is small. Compute it as "
-    about.cause += "-math.expm1(-s)."
+    about.cause = (
+        "You lose digits, because 1 - e^-s is nearly 0. Compute it as -math.expm1(-s), where "
+    )
+    about.cause += "s is k1 t / m."
     zero = (
         "You treat a small k1 as 0, and use t / m in place of (1 - e^-s) / k1. Use t / m only if "
     )

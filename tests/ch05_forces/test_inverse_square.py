@@ -48,14 +48,14 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
         ]
         later = math.hypot(*moved)
         slips = {
-            "Your force decreases with 1 / r instead of 1 / r^2, where r is the distance. "
+            "Your force is proportional to 1 / r instead of 1 / r^2, where r is the distance. "
             "Multiply m mu / r^2 by a unit vector.": [part * distance for part in wanted],
-            "Your force decreases with 1 / r^3 instead of 1 / r^2, where r is the distance. "
+            "Your force is proportional to 1 / r^3 instead of 1 / r^2, where r is the distance. "
             "Multiply m mu / r^2 by a unit vector.": [part / distance for part in wanted],
             "You use the position after the step. Compute the force from the current position, "
             "without the velocity.": [-mass * mu * part / later**3 for part in moved],
-            "Your force pushes the particle away from the center. Use center - position as its "
-            "direction.": [-part for part in wanted],
+            "Your force pushes the particle away from the center. Use the vector from the "
+            "particle to the center instead.": [-part for part in wanted],
             "You add an acceleration instead of a force. Multiply it by particle.mass.": [
                 part / mass for part in wanted
             ],
@@ -134,7 +134,7 @@ def test_a_finite_force_is_correct_at_any_distance() -> None:
         p = Particle(Vector3(0, y, 0), mass=1.5)
         InverseSquareGravity(Vector3(), mu).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(got, (0.0, force, 0.0), unit="N")
+        expect_close(got, (0.0, force, 0.0), unit="N", cause=wrong)
 
 
 @pytest.mark.exercise("5.4")

@@ -41,8 +41,8 @@ def test_the_force_is_equally_strong_at_every_distance(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         reach = math.hypot(*xyz(place))
         slips = {
-            "Your force pushes the particle away from the center. Use center - position as its "
-            "direction.": [-part for part in wanted],
+            "Your force pushes the particle away from the center. Use the vector from the "
+            "particle to the center instead.": [-part for part in wanted],
             "Your force grows with the distance, because the vector to the center was not "
             "normalized. Normalize it before you multiply.": [part * distance for part in wanted],
             "You add an acceleration instead of a force. Multiply it by particle.mass.": [

@@ -26,19 +26,20 @@ COPY = "Loop over a copy of the list."
 CHANGES = {
     "remove": (
         "registry.remove(p, g0)",
-        f"Your loop skips a pair, because g0 removes a pair from the list meanwhile. {COPY}",
+        f"Your loop skips g1, because g0 removes its own pair during the loop. {COPY}",
     ),
     "add": (
         "registry.add(p, g0)",
-        f"Your loop also calls a pair that g0 adds meanwhile. {COPY}",
+        f"Your loop also calls the pair that g0 adds during the loop. {COPY}",
     ),
     "remove the second": (
         "registry.remove(p, g1)",
-        f"You skip a pair that g0 removes during the update. It must still act once. {COPY}",
+        "You skip the pair that g0 removes during the update. Loop over a copy of the list, and "
+        "call every pair in it.",
     ),
     "clear": (
         "registry.clear()",
-        f"Your loop ends early, because g0 clears the registry meanwhile. {COPY}",
+        f"Your loop ends early, because g0 clears the registry during the loop. {COPY}",
     ),
 }
 
@@ -83,16 +84,18 @@ def expect_asked(
 @pytest.mark.exercise("B5.3")
 def test_every_pair_is_called_once_per_step(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
-    about.cause = "In each update, call update_force of every pair's generator exactly once. Pass "
-    about.cause += "the particle first and the duration second."
+    about.cause = (
+        "You don't call update_force in the right way. Call it once for every pair, with the "
+    )
+    about.cause += "particle first and the duration second."
     about.read = "book 5.2.2"
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
     slips = {
         "You call the generators only in the first update. A pair must stay registered until "
         "remove or clear removes it.": wanted[:3],
-        "You call the newest pair first. Call the generators in the order in which their pairs "
-        "were added.": [
+        "You call the generator of the newest pair first. Call the generators in the order in "
+        "which their pairs were added.": [
             *wanted[2::-1],
             *wanted[:2:-1],
         ],
@@ -176,8 +179,8 @@ def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
     for i, (_, particle, generator) in enumerate(pairs):
         acts = [*pairs, ("remove", particle, generator), ("update", 0.5)]
-        slip = f"remove took out g0 instead of g{generator}, because you compare generators with "
-        slip += "==. Two different generators can be equal, so compare with `is`."
+        slip = f"remove took out (p{particle}, g0) instead of (p{particle}, g{generator}), because "
+        slip += "you compare generators with ==. Two different generators can be equal, so compare with `is`."
         slips = {slip: [one for one in everyone if one[:2] != (particle, 0)]}
         expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=about.cause, slips=slips)
 

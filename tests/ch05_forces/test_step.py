@@ -51,7 +51,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     p.integrate(h)
     wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
     got = xyz(p.velocity)
-    unused = "kick clears the sum of the forces before it uses it. First move the sum to "
+    unused = "kick clears the sum of the forces before using it. First move the sum to "
     unused += "self._forces[1], where last_acceleration reads it."
     if xyz(p.force_accumulator) != ZERO:
         unused = "kick ignores the force, like the kick of chapter 3. Use a + f / m, which is "
@@ -161,8 +161,8 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
     about(
         cause=(
-            "The force is still there after the step. It acts for one step only, so kick must "
-            "set the sum of the forces to zero."
+            "The force is still there after the step. A force acts for one step only, so kick "
+            "must set the sum of the forces to zero."
         ),
         read="book 5.1",
     )
@@ -227,14 +227,21 @@ def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
 def test_dampings_of_0_and_above_1(rng: Random) -> None:
     v, f = components(rng), components(rng)
     about.read = "the docstring of kick"
-    about.cause = "The damping is 0, so 0^h is 0 and the new velocity must be zero. Compute this "
-    about.cause += "power directly, because 0 has no logarithm."
+    about.cause = (
+        "You take the logarithm of the damping d, which fails for a damping of 0. Compute "
+    )
+    about.cause += "d^h as a power instead."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
     about.call += "p.integrate(0.5); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.0)
     p.add_force(Vector3(*f))
     p.integrate(0.5)
-    expect_close(xyz(p.velocity), ZERO, unit="m/s")
+    got = xyz(p.velocity)
+    about.cause = (
+        "The new velocity is not zero, although the damping d is 0. Multiply it by d^h, which "
+    )
+    about.cause += "is 0."
+    expect_close(got, ZERO, unit="m/s")
     about.cause = "The duration is the int 1 here, which must work just like 1.0."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "
     about.call += "p.integrate(1); p.velocity"

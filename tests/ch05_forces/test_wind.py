@@ -118,9 +118,11 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     # A few roundings of numbers up to 30.
     expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-13)
-    about.cause = "update_force has changed a velocity, because -= works in place. Use -, which "
-    about.cause += "creates a new vector."
+    about.cause = (
+        "You change p.velocity, because -= works in place. Use -, which creates a new vector."
+    )
     expect_unchanged("p.velocity", xyz(p.velocity), v)
+    about.cause = about.cause.replace("p.velocity", "wind.velocity")
     expect_unchanged("wind.velocity", xyz(wind.velocity), w)
 
 
@@ -146,7 +148,7 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
         draw = f"Draw {name} uniformly between -STRONGEST_WIND and STRONGEST_WIND."
         about.cause = f"The wind along {name.upper()} has the wrong range. {draw}"
         if min(blown) >= 0.0 or max(blown) <= 0.0:
-            about.cause = f"Your wind blows to one side only along {name.upper()}. {draw}"
+            about.cause = f"Along {name.upper()}, your wind blows to one side only. {draw}"
         if len(set(map(tuple, drawn))) == 1:
             about.cause = (
                 "All calls give the same wind. Draw with self.random instead of creating a "

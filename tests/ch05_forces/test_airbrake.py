@@ -100,10 +100,8 @@ def test_a_weak_brake_is_linear_drag(rng: Random) -> None:
     about.read = READ
     v, f = components(rng), components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = (
-        "The force of this brake is wrong. It is too weak to stop the particle in one step, "
-    )
-    about.cause += "so its force must be -k v."
+    about.cause = "The force of this brake is wrong. It is too weak to stop the particle in one "
+    about.cause += "step, so its force must be -k v."
     for share in (0.01, 0.5, 0.98):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
@@ -138,10 +136,8 @@ def test_a_strong_brake_stops_the_particle_without_reversing_it(rng: Random) -> 
     about.read = READ
     v = components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = (
-        "Your brake does not stop the particle. Its force must be -v m / h, which stops the "
-    )
-    about.cause += "particle completely in a step of h seconds."
+    about.cause = "Your brake does not stop the particle. Its force must be -v m / h, which stops "
+    about.cause += "the particle completely in a step of h seconds."
     for share in (1.02, 2.02, 1e3, 1e12):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = "
@@ -175,10 +171,8 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
     vectors = {"velocity": Vector3(*v), "acceleration": Vector3(1, 2, 3)}
     p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
     for h in (0.5, 0.25):
-        about.cause = (
-            "The force of this brake is wrong. It is strong enough to stop the particle in "
-        )
-        about.cause += "one step, so its force must be -v m / h."
+        about.cause = "The force of this brake is wrong. It is strong enough to stop the particle "
+        about.cause += "in one step, so its force must be -v m / h."
         p.clear_forces()
         p.add_force(Vector3(*f))
         brake.update_force(p, h)
@@ -189,18 +183,14 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
         blame(got, {cleared: [-v[i] * mass / h for i in range(3)]})
         # Up to a part in 1e12 of 400 N, as FULL says.
         expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-9)
-        about.cause = (
-            "update_force has changed brake.on or brake.k. Don't change them, because only "
-        )
-        about.cause += "the player sets them."
+        about.cause = "update_force has changed brake.on or brake.k. Don't change them, because "
+        about.cause += "only the player sets them."
         expect_exactly((brake.on, brake.k), (True, 1e6), then="; (brake.on, brake.k)")
         about.call += f"; p.clear_forces(); p.add_force(Vector3{f}); brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
-    about.cause = (
-        "Your brake must do nothing to an immovable particle. Don't add a force, and don't "
-    )
-    about.cause += "raise an error."
+    about.cause = "Your brake must do nothing to an immovable particle. Don't add a force, and "
+    about.cause += "don't raise an error."
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)
@@ -213,21 +203,15 @@ def test_no_brake_reverses_the_motion(rng: Random) -> None:
     about.cause = "Rounding makes your limit -v m / h slightly too large, so the step reverses the "
     about.cause += "motion. Multiply the limit by FULL, which is slightly below 1."
     tries = 400
-    about.call = (
-        f"{tries} particles that move along X, each with an Airbrake of k > m / h that is on; "
-    )
-    about.call += (
-        "brake.update_force(p, h) and p.integrate(h) for each; the smallest new velocity, "
-    )
-    about.call += "divided by the old one"
+    about.call = f"{tries} particles that move along X, each with an Airbrake of k > m / h that is "
+    about.call += "on; brake.update_force(p, h) and p.integrate(h) for each; the smallest "
+    about.call += "ratio of the new velocity to the old one"
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
     expect_between(least, 0.0, 1e-9)
-    about.cause = (
-        "Your brake leaves too much of the velocity. Each of these brakes is strong enough "
-    )
-    about.cause += "to stop its particle in one step."
+    about.cause = "Your brake leaves too much of the velocity. Each of these brakes is strong "
+    about.cause += "enough to stop its particle in one step."
     name = about.call.replace("smallest", "largest")
     expect_between(most, 0.0, 1e-9, call=name)
     expect_close(
@@ -247,10 +231,8 @@ def test_a_brake_rejects_a_bad_duration(duration: float) -> None:
         about.call = f"brake = Airbrake(k=2.0); brake.on = {on}; brake.update_force(p, "
         about.call += f"{duration!r})"
         error = TypeError if isinstance(duration, str) else ValueError
-        about.cause = (
-            f"The duration is {duration!r}. It must be a positive, finite number, so raise "
-        )
-        about.cause += f"{error.__name__}{'' if on else ', even if the brake is off'}."
+        about.cause = f"The duration is {duration!r}. It must be a positive, finite number, so "
+        about.cause += f"raise {error.__name__}{'' if on else ', even if the brake is off'}."
         p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)
         expect_error(
             lambda brake=brake, p=p: brake.update_force(p, duration),

@@ -70,10 +70,8 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         blame(v, [(weight / k1, "You treat a small k2 as 0. Include the quadratic drag as well.")])
         expect_close(drag, weight, tolerance=tolerance, unit="N")
         about.call = about.call.partition("; ")[0]
-        about.cause = (
-            "This is the negative solution of the equation k1 v + k2 v^2 = weight. Return "
-        )
-        about.cause += "the positive one."
+        about.cause = "This is the negative solution of the equation k1 v + k2 v^2 = weight. "
+        about.cause += "Return the positive one."
         expect_that(v > 0.0, "a negative speed", "a positive speed")
 
 
@@ -81,10 +79,8 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.read = TERMINAL
     weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
-    about.cause = (
-        "You divide by k2, which is 0 here. Use the form 2 W / (k1 + sqrt(k1^2 + 4 k2 W)), "
-    )
-    about.cause += "where W is the weight."
+    about.cause = "You divide by k2, which is 0 here. Use the form 2 W / (k1 + sqrt(k1^2 + 4 k2 "
+    about.cause += "W)), where W is the weight."
     about.call = f"terminal_speed(weight={weight}, k1={k}, k2=0.0)"
     got = terminal_speed(weight, k, 0.0)
     expect_close(got, weight / k, tolerance=ROUNDED * got, unit="m/s")
@@ -101,10 +97,8 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
     about.read = TERMINAL
     weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
-    about.cause = (
-        "You lose digits, because you subtract k1 from a root that is nearly equal to it. "
-    )
-    about.cause += "Use 2 W / (k1 + sqrt(k1^2 + 4 k2 W)) instead, where W is the weight."
+    about.cause = "You lose digits, because you subtract k1 from a root that is nearly equal to "
+    about.cause += "it. Use 2 W / (k1 + sqrt(k1^2 + 4 k2 W)) instead, where W is the weight."
     for k2 in (1e-6, 1e-10, 1e-14):
         about.call = f"terminal_speed(weight={weight}, k1={k1}, k2={k2})"
         got = terminal_speed(weight, k1, k2)
@@ -121,10 +115,8 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
 @pytest.mark.exercise("B5.7")
 def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     about.read = FALL
-    about.cause = (
-        "The result is wrong. The speed must be u tanh(g t / u) and the distance (u^2 / g) "
-    )
-    about.cause += "ln cosh(g t / u), where u is the terminal speed."
+    about.cause = "The result is wrong. The speed must be u tanh(g t / u) and the distance (u^2 / "
+    about.cause += "g) ln cosh(g t / u), where u is the terminal speed."
     about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=3.0); (speed in m/s, "
     about.call += "distance in m)"
     got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
@@ -172,10 +164,8 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         expect_close(speed, wanted_speed, then=", the speed", unit="m/s", tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
-        about.cause = (
-            "Your distance does not fit your speed. It must be (u^2 / g) ln cosh(g t / u), "
-        )
-        about.cause += "where u is the terminal speed."
+        about.cause = "Your distance does not fit your speed. It must be (u^2 / g) ln cosh(g t / "
+        about.cause += "u), where u is the terminal speed."
         expect_close(
             total, u * u, then=" = (v, x); v^2 + u^2 e^(-2 k2 x / m)", tolerance=ROUNDED * u * u
         )
@@ -193,10 +183,8 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
     about.read = FALL
     g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
-    about.cause = (
-        "Your distance loses digits for this small x = g t / u, because ln cosh x is nearly "
-    )
-    about.cause += "0. Compute it as math.log1p(2 sinh(x / 2)^2)."
+    about.cause = "Your distance loses digits for this small x = g t / u, because ln cosh x is "
+    about.cause += "nearly 0. Compute it as math.log1p(2 sinh(x / 2)^2)."
     for k2 in (1e-8, 1e-12, 1e-15):
         about.call = f"quadratic_fall(mass=2.0, gravity={g}, k2={k2}, time={time})"
         got = quadratic_fall(2.0, g, k2, time)
@@ -230,10 +218,8 @@ def expect_terminal_speed(rng: Random, angles: tuple[float, ...]) -> None:
 
 @pytest.mark.exercise("B5.7")
 def test_a_long_fall_reaches_the_terminal_speed(rng: Random) -> None:
-    about.cause = (
-        "The result of a long fall is wrong. The speed must be the terminal speed u, and the "
-    )
-    about.cause += "distance u t - (u^2 / g) ln 2."
+    about.cause = "The result of a long fall is wrong. The speed must be the terminal speed u, and "
+    about.cause += "the distance u t - (u^2 / g) ln 2."
     expect_terminal_speed(rng, (60.0, 600.0))  # cosh of 711 is too large for a float
 
 
@@ -249,14 +235,10 @@ def test_a_very_long_fall_does_not_overflow(rng: Random) -> None:
 def test_a_fall_of_any_length_is_accurate() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
     about.read = FALL
-    about.cause = (
-        "Your result loses digits at this time. Use a formula for ln cosh x that is accurate "
-    )
-    about.cause += "for this x = g t / u."
-    early = (
-        "You use x - ln 2 in place of ln cosh x too early. At this x = g t / u they still differ, "
-    )
-    early += "so switch at a larger x."
+    about.cause = "Your result loses digits at this time. Use a formula for ln cosh x that is "
+    about.cause += "accurate for this x = g t / u."
+    early = "You use x - ln 2 in place of ln cosh x too early. At this x = g t / u they still "
+    early += "differ, so switch at a larger x."
     for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
         about.call = f"quadratic_fall(mass=2.0, gravity=8.0, k2=0.25, time={text})"
         x = Decimal(text)
@@ -275,18 +257,14 @@ def test_a_fall_of_any_length_is_accurate() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
-    about.cause = (
-        "You don't accept a time of 0, which is valid. At the start of the fall, the speed and "
-    )
-    about.cause += "the distance are 0."
+    about.cause = "You don't accept a time of 0, which is valid. At the start of the fall, the "
+    about.cause += "speed and the distance are 0."
     about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=0.0); (speed in m/s, "
     about.call += "distance in m)"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
     expect_close(got, (0.0, 0.0))
-    about.cause = (
-        "The result is wrong after a very short time t. There is almost no drag yet, so the "
-    )
-    about.cause += "speed is g t and the distance g t^2 / 2."
+    about.cause = "The result is wrong after a very short time t. There is almost no drag yet, so "
+    about.cause += "the speed is g t and the distance g t^2 / 2."
     about.call = "quadratic_fall(mass=2.0, gravity=10.0, k2=0.05, time=1e-6)"
     got = quadratic_fall(2.0, 10.0, 0.05, 1e-6)
     # Drag changes both by one part in 1e12.

@@ -19,10 +19,8 @@ ROUNDED = 1e-12
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     about.read = COAST
-    about.cause = (
-        "The speed is wrong. It must be v e^-s / (1 + k2 v (1 - e^-s) / k1), where v is the "
-    )
-    about.cause += "speed at the start and s = k1 t / m."
+    about.cause = "The speed is wrong. It must be v e^-s / (1 + k2 v (1 - e^-s) / k1), where v is "
+    about.cause += "the speed at the start and s = k1 t / m."
     for _ in range(3):
         v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
         mass, time = positive_number(rng), positive_number(rng, 0.2, 2.0)
@@ -58,10 +56,8 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     name = f"half = coasting_speed({v}, {k1}, {k2}, {mass}, {time} / 2); coasting_speed(half, "
     name += f"{k1}, {k2}, {mass}, {time} / 2)"
     got = coasting_speed(half, k1, k2, mass, time / 2.0)
-    about.cause = (
-        "Your result depends on the time in a wrong way. Coasting twice for half the time "
-    )
-    about.cause += "must give the same speed as coasting once for the whole time."
+    about.cause = "Your result depends on the time in a wrong way. Coasting twice for half the "
+    about.cause += "time must give the same speed as coasting once for the whole time."
     expect_close(got, wanted, call=name, tolerance=1e-10 * v, unit="m/s")
 
 
@@ -106,14 +102,10 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
 def test_coasting_with_little_linear_drag_is_accurate(rng: Random) -> None:
     about.read = COAST
     v, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng)
-    about.cause = (
-        "You lose digits, because 1 - e^-s is nearly 0. Compute it as -math.expm1(-s), where "
-    )
-    about.cause += "s is k1 t / m."
-    zero = (
-        "You treat a small k1 as 0, and use t / m in place of (1 - e^-s) / k1. Use t / m only if "
-    )
-    zero += "k1 is exactly 0."
+    about.cause = "You lose digits, because 1 - e^-s is nearly 0. Compute it as -math.expm1(-s), "
+    about.cause += "where s is k1 t / m."
+    zero = "You treat a small k1 as 0, and use t / m in place of (1 - e^-s) / k1. Use t / m only "
+    zero += "if k1 is exactly 0."
     for power in range(1, 14):
         k1 = 10.0**-power
         about.call = f"coasting_speed(speed={v}, k1={k1}, k2={k2}, mass=1.0, time=1.0)"

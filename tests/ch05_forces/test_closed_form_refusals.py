@@ -17,9 +17,8 @@ def why(names: str, bad: tuple[float, ...], good: tuple[float, ...]) -> str:
     place = next(i for i, number in enumerate(good) if bad[i] != number)
     name = names.split(", ")[place]
     rule = "positive" if "+" in name else "not negative"
-    text = (
-        f"{name.strip('+')} is {bad[place]:g}. It must be finite and {rule}, so raise ValueError."
-    )
+    text = f"{name.strip('+')} is {bad[place]:g}. It must be finite and {rule}, so raise "
+    text += "ValueError."
     return text if name.startswith("k") else f"The {text}"
 
 

@@ -132,10 +132,8 @@ def test_drag_grows_with_the_speed_and_with_its_square() -> None:
 def test_at_rest_there_is_no_drag(rng: Random) -> None:
     about.read = READ
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
-    about.cause = (
-        "You divide by the length of the velocity, which is 0 at rest. There is no drag at "
-    )
-    about.cause += "rest, so return the zero vector."
+    about.cause = "You divide by the length of the velocity, which is 0 at rest. There is no drag "
+    about.cause += "at rest, so return the zero vector."
     about.call = f"v = Vector3(); f = drag_force(v, k1={k1}, k2={k2})"
     v = Vector3()
     force = drag_force(v, k1, k2)
@@ -145,10 +143,8 @@ def test_at_rest_there_is_no_drag(rng: Random) -> None:
     about.cause += "result changes v too. Return a new vector."
     expect_unchanged("v", xyz(v), ZERO, then="; f.x = 99.0")
     about.call = f"drag_force(Vector3(0, 1e-9, 0), k1={k1}, k2={k2})"
-    about.cause = (
-        "You treat a slow particle as if it were at rest. Its drag is small but not zero, "
-    )
-    about.cause += "so compute it as usual."
+    about.cause = "You treat a slow particle as if it were at rest. Its drag is small but not "
+    about.cause += "zero, so compute it as usual."
     got = xyz(drag_force(Vector3(0, 1e-9, 0), k1, k2))
     wanted = (0.0, -k1 * 1e-9 - k2 * 1e-18, 0.0)
     expect_close(got, wanted, unit="N")
@@ -205,10 +201,8 @@ def test_a_fall_reaches_its_terminal_speed() -> None:
         "s: Drag(k1=0.3, k2=0.05).update_force(p, h) and p.integrate(h)",
         read=READ,
     )
-    about.cause = (
-        "The particle does not fall at its terminal speed v after 60 s. The drag that you "
-    )
-    about.cause += "add must then equal the weight: k1 v + k2 v^2 = m g."
+    about.cause = "The particle does not fall at its terminal speed v after 60 s. The drag that "
+    about.cause += "you add must then equal the weight: k1 v + k2 v^2 = m g."
     _, velocity = with_drag(ZERO, 0.3, 0.05, 2.0, 1.0 / 60.0, 3600, gravity=9.81)
     wanted = (0.0, -17.034969428476803, 0.0)
     # What is left after a minute, e^-60, is far below rounding.
@@ -237,10 +231,8 @@ def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
         "k2=0.05).update_force(p, h) and p.integrate(h)",
         read=READ,
     )
-    about.cause = (
-        "The fall is too far from the exact one, so the drag is wrong. With k1 = 0 it must "
-    )
-    about.cause += "be -k2 |v| v, where |v| is the speed."
+    about.cause = "The fall is too far from the exact one, so the drag is wrong. With k1 = 0 it "
+    about.cause += "must be -k2 |v| v, where |v| is the speed."
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
     speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]

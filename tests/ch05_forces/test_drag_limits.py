@@ -24,10 +24,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         positive_number(rng),
         positive_number(rng, 1.0, 90.0),
     )
-    about.cause = (
-        "The limits are wrong. A step of h seconds multiplies the velocity by 1 - (k1 + k2 "
-    )
-    about.cause += "|v|) h / m, which must be 0 at the first limit and -1 at the second."
+    about.cause = "The limits are wrong. A step of h seconds multiplies the velocity by 1 - (k1 + "
+    about.cause += "k2 |v|) h / m, which must be 0 at the first limit and -1 at the second."
     for one, two, rate in (
         (k1, 0.0, k1 / mass),
         (0.0, k2, k2 * speed / mass),
@@ -63,9 +61,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         )
         why = named(got, about.cause, slips)
         expect_close(got, (1.0 / rate, 2.0 / rate), cause=why)
-    about.cause = (
-        "You treat a very small drag as 0. It is not 0, so compute the two limits as usual."
-    )
+    about.cause = "You treat a very small drag as 0. It is not 0, so compute the two limits as "
+    about.cause += "usual."
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
     expect_close(
         got,
@@ -94,10 +91,8 @@ def test_without_drag_no_step_is_too_long() -> None:
         )
         got = [*drag_limits(*arguments)]
         expect_exactly(got, [math.inf, math.inf])
-    about.cause = (
-        "The limits are wrong. Here (k1 + k2 |v|) / m is 1 per second, so they must be 1 s "
-    )
-    about.cause += "and 2 s."
+    about.cause = "The limits are wrong. Here (k1 + k2 |v|) / m is 1 per second, so they must be 1 "
+    about.cause += "s and 2 s."
     got = drag_limits(1.0, 0.5, 2.0, 2.0)
     expect_close(
         got,
@@ -112,10 +107,8 @@ def test_steps_slightly_shorter_and_longer_than_the_limits(rng: Random) -> None:
     k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)
     k2 = round(positive_number(rng, 0.3, 3.0) * k1 / speed, 6)  # both parts of the drag count
     about.call = f"drag_limits(k1={k1}, k2={k2}, mass={mass}, speed={speed})"
-    about.cause = (
-        "The limits are wrong. A step of h seconds multiplies the velocity v by 1 - (k1 + "
-    )
-    about.cause += "k2 |v|) h / m, which must be 0 at the first limit and -1 at the second."
+    about.cause = "The limits are wrong. A step of h seconds multiplies the velocity v by 1 - (k1 "
+    about.cause += "+ k2 |v|) h / m, which must be 0 at the first limit and -1 at the second."
     first, second = drag_limits(k1, k2, mass, speed)
     for limit, share, wanted, cause in (
         (
@@ -177,9 +170,8 @@ def test_drag_limits_rejects_bad_arguments() -> None:
     ):
         (i,) = (i for i in range(4) if bad[i] != good[i])
         about.cause = f"{('k1', 'k2', 'The mass', 'The speed')[i]} is {bad[i]:g}. It must be "
-        about.cause += (
-            f"finite and {'positive' if i == 2 else 'not negative'}, so raise ValueError."
-        )
+        about.cause += f"finite and {'positive' if i == 2 else 'not negative'}, so raise "
+        about.cause += "ValueError."
         expect_error(
             lambda bad=bad: drag_limits(*bad),
             ValueError,

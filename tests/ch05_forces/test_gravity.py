@@ -68,10 +68,8 @@ def test_gravity_keeps_earlier_forces(rng: Random) -> None:
     f, g, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     about.call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = "
     about.call += f"Gravity(Vector3{g}); gravity.update_force(p, 0.5) twice; p.force_accumulator"
-    about.cause = (
-        "The earlier forces are missing from the sum. Add the weight with add_force, which "
-    )
-    about.cause += "keeps them, and clear nothing."
+    about.cause = "The earlier forces are missing from the sum. Add the weight with add_force, "
+    about.cause += "which keeps them, and clear nothing."
     about.read = "the docstring of ForceGenerator"
     p, gravity = Particle(mass=mass), Gravity(Vector3(*g))
     p.add_force(Vector3(*f))
@@ -99,10 +97,8 @@ def test_a_new_gravity_applies_from_the_next_call(rng: Random) -> None:
     wanted = tuple(2.0 * second[i] for i in range(3))
     expect_close(xyz(p.force_accumulator), wanted, unit="N")
     got = xyz(gravity.acceleration)
-    about.cause = (
-        "You change gravity.acceleration, because *= works in place. Use *, which creates "
-    )
-    about.cause += "a new vector."
+    about.cause = "You change gravity.acceleration, because *= works in place. Use *, which "
+    about.cause += "creates a new vector."
     expect_unchanged("gravity.acceleration", got, second)
 
 
@@ -110,20 +106,16 @@ def test_a_new_gravity_applies_from_the_next_call(rng: Random) -> None:
 def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
     g = components(rng)
     about.read = "book 5.2.3"
-    about.cause = (
-        "You add a force to an immovable particle, whose weight would be infinite. Add it "
-    )
-    about.cause += "only if has_finite_mass is True."
+    about.cause = "You add a force to an immovable particle, whose weight would be infinite. Add "
+    about.cause += "it only if has_finite_mass is True."
     for gravity in (g, (0.0, -10.0, 0.0)):
         about.call = f"p = Particle(mass=math.inf); Gravity(Vector3{gravity}).update_force(p, 0.5)"
         p = Particle(mass=math.inf)
         Gravity(Vector3(*gravity)).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         expect_close(got, ZERO, then="; p.force_accumulator", unit="N")
-    about.cause = (
-        "You add no force to a particle with a huge but finite mass. Check has_finite_mass "
-    )
-    about.cause += "instead of comparing the mass with a limit."
+    about.cause = "You add no force to a particle with a huge but finite mass. Check "
+    about.cause += "has_finite_mass instead of comparing the mass with a limit."
     about.call = "p = Particle(mass=1e300); Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)"
     p = Particle(mass=1e300)
     Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)

@@ -84,10 +84,8 @@ def expect_asked(
 @pytest.mark.exercise("B5.3")
 def test_every_pair_is_called_once_per_step(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
-    about.cause = (
-        "You don't call update_force in the right way. Call it once for every pair, with the "
-    )
-    about.cause += "particle first and the duration second."
+    about.cause = "You don't call update_force in the right way. Call it once for every pair, with "
+    about.cause += "the particle first and the duration second."
     about.read = "book 5.2.2"
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
@@ -126,10 +124,8 @@ def test_one_generator_may_act_on_several_particles() -> None:
 
 @pytest.mark.exercise("B5.3")
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
-    about.cause = (
-        "Your registry treats a pair that was added twice as one pair. Keep both, so that "
-    )
-    about.cause += "the generator acts twice."
+    about.cause = "Your registry treats a pair that was added twice as one pair. Keep both, so "
+    about.cause += "that the generator acts twice."
     about.read = "the docstring of add"
     about.call = "registry.add(p, g); registry.add(p, g); registry.update_forces(0.5); number of "
     about.call += "calls of g.update_force"
@@ -156,10 +152,8 @@ def test_remove_undoes_one_call_of_add() -> None:
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
     why = about.cause
     if got == [(1, 1, 0.5)]:
-        why = (
-            "One call of remove took out all three pairs (p0, g0). Stop after the first pair that "
-        )
-        why += "matches."
+        why = "One call of remove took out all three pairs (p0, g0). Stop after the first pair "
+        why += "that matches."
     elif got == sorted(everyone):
         why = "remove took out no pair. Find the first pair with this particle and this generator, "
         why += "and remove it."
@@ -171,16 +165,14 @@ def test_remove_undoes_one_call_of_add() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
-    about.cause = (
-        "remove took out the wrong pair. Compare both the particle and the generator with "
-    )
-    about.cause += "`is`."
+    about.cause = "remove took out the wrong pair. Compare both the particle and the generator "
+    about.cause += "with `is`."
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
     for i, (_, particle, generator) in enumerate(pairs):
         acts = [*pairs, ("remove", particle, generator), ("update", 0.5)]
         slip = f"remove took out (p{particle}, g0) instead of (p{particle}, g{generator}), because "
-        slip += "you compare generators with ==. Two different generators can be equal, so compare with `is`."
+        slip += "you compare generators with ==. Different generators can be equal, so use `is`."
         slips = {slip: [one for one in everyone if one[:2] != (particle, 0)]}
         expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=about.cause, slips=slips)
 
@@ -207,10 +199,8 @@ def test_clear_removes_all_pairs() -> None:
 @pytest.mark.exercise("B5.3")
 def test_immovable_particles_are_skipped() -> None:
     about.read = "the docstring of update_forces"
-    about.cause = (
-        "You call generators for the immovable particle p1, which no force can move. Skip "
-    )
-    about.cause += "its pairs, but don't remove them."
+    about.cause = "You call generators for the immovable particle p1, which no force can move. "
+    about.cause += "Skip its pairs, but don't remove them."
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 1, 1), ("add", 2, 0), ("update", 0.5)]
     wanted = [(0, 0, 0.5), (2, 0, 0.5)]
     slips = {
@@ -228,10 +218,8 @@ def test_immovable_particles_are_skipped() -> None:
 @pytest.mark.exercise("B5.3")
 def test_the_registry_keeps_earlier_forces(rng: Random) -> None:
     by_hand, first, second = components(rng), components(rng), components(rng)
-    about.call = (
-        f"p.add_force(Vector3{by_hand}); registry.add(p, g) for two generators g, with the "
-    )
-    about.call += f"forces {first} N and {second} N; registry.update_forces(0.5); "
+    about.call = f"p.add_force(Vector3{by_hand}); registry.add(p, g) for two generators g, with "
+    about.call += f"the forces {first} N and {second} N; registry.update_forces(0.5); "
     about.call += "p.force_accumulator"
     about(
         cause="The sum of the forces is wrong. It must contain the force from add_force and the "

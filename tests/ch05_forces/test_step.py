@@ -227,20 +227,16 @@ def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
 def test_dampings_of_0_and_above_1(rng: Random) -> None:
     v, f = components(rng), components(rng)
     about.read = "the docstring of kick"
-    about.cause = (
-        "You take the logarithm of the damping d, which fails for a damping of 0. Compute "
-    )
-    about.cause += "d^h as a power instead."
+    about.cause = "You take the logarithm of the damping d, which fails for a damping of 0. "
+    about.cause += "Compute d^h as a power instead."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
     about.call += "p.integrate(0.5); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.0)
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     got = xyz(p.velocity)
-    about.cause = (
-        "The new velocity is not zero, although the damping d is 0. Multiply it by d^h, which "
-    )
-    about.cause += "is 0."
+    about.cause = "The new velocity is not zero, although the damping d is 0. Multiply it by d^h, "
+    about.cause += "which is 0."
     expect_close(got, ZERO, unit="m/s")
     about.cause = "The duration is the int 1 here, which must work just like 1.0."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "

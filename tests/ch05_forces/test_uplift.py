@@ -97,15 +97,11 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
 def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
     about.read = READ
     origin, force = components(rng), components(rng)
-    about.cause = (
-        "You include the height in the distance, but the column has no upper or lower end. "
-    )
-    about.cause += "Measure the distance only in X and Z."
+    about.cause = "You include the height in the distance, but the column has no upper or lower "
+    about.cause += "end. Measure the distance only in X and Z."
     if lifted(origin, 2.0, force, (origin[0] + 1.0, 500.0, origin[2] - 1.0))[1] != ZERO:
-        about.cause = (
-            "Your force acts only above self.origin, but the column has no lower end. Don't "
-        )
-        about.cause += "compare the heights."
+        about.cause = "Your force acts only above self.origin, but the column has no lower end. "
+        about.cause += "Don't compare the heights."
     for height in (-500.0, 0.0, 500.0):
         place = (origin[0] + 1.0, height, origin[2] - 1.0)
         about.call, got = lifted(origin, 2.0, force, place)
@@ -119,17 +115,13 @@ def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     about.read = READ
     force = components(rng)
-    about.cause = (
-        "Your force does not act exactly on the edge of the column, which counts as inside. "
-    )
-    about.cause += "Compare with <= instead of <."
+    about.cause = "Your force does not act exactly on the edge of the column, which counts as "
+    about.cause += "inside. Compare with <= instead of <."
     for place in ((4.0, 7.0, 6.0), (1.0, 7.0, -3.0), (-4.0, 7.0, 2.0)):  # 3, 4, 5 and along an axis
         about.call, got = lifted((1.0, 0.0, 2.0), 5.0, force, place)
         expect_close(got, force, unit="N")
-    about.cause = (
-        "Your force does not act if the radius is 0. The column is then a vertical line, and "
-    )
-    about.cause += "a particle exactly on it counts as inside."
+    about.cause = "Your force does not act if the radius is 0. The column is then a vertical line, "
+    about.cause += "and a particle exactly on it counts as inside."
     about.call, got = lifted((1.0, 0.0, 2.0), 0.0, force, (1.0, 7.0, 2.0))
     expect_close(got, force, unit="N")
 
@@ -150,10 +142,8 @@ def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     # One rounding of numbers up to 20.
     expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-13)
-    about.cause = (
-        "update_force has changed a vector that it must only read. Use - and *, which create "
-    )
-    about.cause += "new vectors."
+    about.cause = "update_force has changed a vector that it must only read. Use - and *, which "
+    about.cause += "create new vectors."
     expect_unchanged("uplift.force", xyz(uplift.force), force)
     expect_unchanged("uplift.origin", xyz(uplift.origin), (0, 1, 0))
     expect_unchanged("p.position", xyz(p.position), (1, 2, 1))

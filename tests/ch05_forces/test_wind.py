@@ -92,10 +92,8 @@ def test_a_particle_that_moves_with_the_air_feels_no_force(rng: Random) -> None:
     about.cause += "drag at v - w, not at w - v."
     about.call, got = blow(ZERO, (2.0, 0.0, 0.0), 0.5, 0.25)
     expect_close(got, (2.0, 0.0, 0.0), unit="N")
-    about.cause = (
-        "The force is wrong in still air. It must be ordinary drag, against the velocity of "
-    )
-    about.cause += "the particle."
+    about.cause = "The force is wrong in still air. It must be ordinary drag, against the velocity "
+    about.cause += "of the particle."
     about.call, got = blow((0.0, 0.0, 2.0), ZERO, 0.5, 0.25)
     expect_close(got, (0.0, 0.0, -2.0), unit="N")
 
@@ -106,10 +104,8 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     f, v, w = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(k1=0.5, "
     about.call += f"k2=0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
-    about.cause = (
-        "The sum of the forces is wrong. Add the drag with add_force, which keeps the other "
-    )
-    about.cause += "forces, and clear nothing."
+    about.cause = "The sum of the forces is wrong. Add the drag with add_force, which keeps the "
+    about.cause += "other forces, and clear nothing."
     p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
     p.add_force(Vector3(*f))
     wind.velocity = Vector3(*w)
@@ -118,9 +114,8 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     # A few roundings of numbers up to 30.
     expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-13)
-    about.cause = (
-        "You change p.velocity, because -= works in place. Use -, which creates a new vector."
-    )
+    about.cause = "You change p.velocity, because -= works in place. Use -, which creates a new "
+    about.cause += "vector."
     expect_unchanged("p.velocity", xyz(p.velocity), v)
     about.cause = about.cause.replace("p.velocity", "wind.velocity")
     expect_unchanged("wind.velocity", xyz(wind.velocity), w)
@@ -150,10 +145,8 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
         if min(blown) >= 0.0 or max(blown) <= 0.0:
             about.cause = f"Along {name.upper()}, your wind blows to one side only. {draw}"
         if len(set(map(tuple, drawn))) == 1:
-            about.cause = (
-                "All calls give the same wind. Draw with self.random instead of creating a "
-            )
-            about.cause += "new Random with the same seed in every call."
+            about.cause = "All calls give the same wind. Draw with self.random instead of creating "
+            about.cause += "a new Random with the same seed in every call."
         elif not any(blown[1:]):
             about.cause = f"Your wind never blows along {name.upper()}. {draw}"
         elif max(map(abs, blown)) > 10.0:
@@ -170,9 +163,8 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     about.cause = "Weak winds are too rare or too common. Draw x and z independently of each other."
     speeds = [math.hypot(x, z) for x, _, z in drawn]
     if max(speeds) - min(speeds) < 1e-9:
-        about.cause = (
-            "Your wind always has the same speed. Draw x and z independently of each other."
-        )
+        about.cause = "Your wind always has the same speed. Draw x and z independently of each "
+        about.cause += "other."
     elif all(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in drawn):
         about.cause = "You use the same random number for x and z. Draw a separate number for each."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
@@ -183,10 +175,8 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     about.cause += "other."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_between(same, 130, 270, then="; number of winds in which x and z have the same sign")
-    about.cause = (
-        "In some winds, x and z have the same absolute value. Draw a separate random number "
-    )
-    about.cause += "for each of them."
+    about.cause = "In some winds, x and z have the same absolute value. Draw a separate random "
+    about.cause += "number for each of them."
     if all(x == round(x) and z == round(z) for x, _, z in drawn):
         about.cause = "You draw whole numbers. Draw floats with self.random.uniform."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
@@ -220,21 +210,16 @@ def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     seed = rng.randrange(1000)
     about.call = f"a = SniperRange({seed}); b = SniperRange({seed}); c = SniperRange({seed + 1}); "
     about.call += "six times: a.change_wind(), b.change_wind() and c.change_wind()"
-    about.cause = (
-        "Two ranges with the same seed have different winds. Draw with self.random, which "
-    )
-    about.cause += "was created from the seed."
+    about.cause = "Two ranges with the same seed have different winds. Draw with self.random, "
+    about.cause += "which was created from the seed."
     first, second, other = winds([seed, seed, seed + 1], 6)
     same = sum(a == b for a, b in zip(first, second, strict=True))
     expect_exactly(same, 7, then="; number of winds that are equal in a and b", unit="winds")
-    about.cause = (
-        "Ranges with different seeds have the same winds. Draw with self.random, which was "
-    )
-    about.cause += "created from the seed."
+    about.cause = "Ranges with different seeds have the same winds. Draw with self.random, which "
+    about.cause += "was created from the seed."
     same = sum(a == b for a, b in zip(first, other, strict=True))
     expect_exactly(same, 0, then="; number of winds that are equal in a and c", unit="winds")
-    about.cause = (
-        "Some calls of change_wind gave an earlier wind again. Draw a new wind in every call."
-    )
+    about.cause = "Some calls of change_wind gave an earlier wind again. Draw a new wind in every "
+    about.cause += "call."
     kinds = len({tuple(w) for w in first})
     expect_exactly(kinds, 7, then="; number of different winds in a", unit="winds")

@@ -108,14 +108,10 @@ def test_a_force_that_is_not_finite_raises_an_error() -> None:
 @pytest.mark.robust
 def test_a_finite_force_is_correct_at_any_distance() -> None:
     about.read = READ
-    small = (
-        "You raise an error, although the force is finite here. Compute the force as (m / r) (mu / "
-    )
-    small += "r), and raise the error only if this is not finite."
-    wrong = (
-        "A power of r does not fit in a float here. Compute the force as (m / r) (mu / r) instead "
-    )
-    wrong += "of m mu / r^2."
+    small = "You raise an error, although the force is finite here. Compute the force as (m / r) "
+    small += "(mu / r), and raise the error only if this is not finite."
+    wrong = "A power of r does not fit in a float here. Compute the force as (m / r) (mu / r) "
+    wrong += "instead of m mu / r^2."
     large = "You compute r^2, which is too large for a float at this distance. Compute the force "
     large += "as (m / r) (mu / r) instead of m mu / r^2."
     for y, mu, force in (
@@ -178,10 +174,8 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     pulls += "mu with its sign."
     blame(got, {pulls: (force[0] - 3.0, force[1], force[2])})
     expect_close(got, wanted, then="; p.force_accumulator", unit="N")
-    about.cause = (
-        "You change gravity.center, because -= works in place. Use -, which creates a new "
-    )
-    about.cause += "vector."
+    about.cause = "You change gravity.center, because -= works in place. Use -, which creates a "
+    about.cause += "new vector."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
     about.cause = about.cause.replace("gravity.center", "p.position")
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))

@@ -138,10 +138,8 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     pulls += "negative. Use the strength with its sign."
     blame(got, {pulls: (force[0] - 10.0, force[1], force[2])})
     expect_close(got, wanted, then="; p.force_accumulator", unit="N")
-    about.cause = (
-        "You change gravity.center, because -= works in place. Use -, which creates a new "
-    )
-    about.cause += "vector."
+    about.cause = "You change gravity.center, because -= works in place. Use -, which creates a "
+    about.cause += "new vector."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
     about.cause = about.cause.replace("gravity.center", "p.position")
     expect_unchanged("p.position", xyz(p.position), (3, 0, 0))

@@ -53,7 +53,7 @@ def test_forces_add_up(rng: Random) -> None:
         about.call += f"; p.add_force(Vector3{force})"
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
-        name = f"{about.call}; p.force_accumulator"
+        name = "p.force_accumulator, after a force was added"
         cause = "force_accumulator does not return a Vector3. Return the sum as a new Vector3."
         got = expect_vector(p.force_accumulator, call=name, cause=cause)
         slips = {

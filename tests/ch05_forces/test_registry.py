@@ -25,20 +25,20 @@ COPY = "Loop over a copy of the list."
 # What g0 does to the registry during an update, as in probes.py and in words, and the mistake.
 CHANGES = {
     "remove": (
-        "registry.remove(p, g0)",
+        "removes the pair (p, g0)",
         f"Your loop skips g1, because g0 removes its own pair during the loop. {COPY}",
     ),
     "add": (
-        "registry.add(p, g0)",
+        "adds another pair (p, g0)",
         f"Your loop also calls the pair that g0 adds during the loop. {COPY}",
     ),
     "remove the second": (
-        "registry.remove(p, g1)",
+        "removes the pair (p, g1)",
         "You skip the pair that g0 removes during the update. Loop over a copy of the list, and "
         "call every pair in it.",
     ),
     "clear": (
-        "registry.clear()",
+        "clears the registry",
         f"Your loop ends early, because g0 clears the registry during the loop. {COPY}",
     ),
 }
@@ -65,8 +65,10 @@ def expect_asked(
     about.cause = cause
     about.call = "".join(f"p{i} is immovable; " for i in immovable)
     for name, *numbers in acts:
-        if name in ("add", "remove"):
-            about.call += f"registry.{name}(p{numbers[0]}, g{numbers[1]}); "
+        if name == "add":  # not as a call, because the student is to open the function under test
+            about.call += f"the pair (p{numbers[0]}, g{numbers[1]}) is added; "
+        elif name == "remove":
+            about.call += f"registry.remove(p{numbers[0]}, g{numbers[1]}); "
         elif name == "free":
             about.call += f"p{numbers[0]}.inverse_mass = 1.0; "
         elif name == "clear":
@@ -146,8 +148,9 @@ def test_remove_undoes_one_call_of_add() -> None:
         cause="The same pair (p0, g0) was added three times, so it must act three times. Every "
         "call of add registers another pair.",
     )
-    about.call = "registry.add(p0, g0) three times; registry.add(p1, g1); registry.remove(p0, g0); "
-    about.call += "registry.update_forces(0.5); all calls of update_force, sorted"
+    about.call = "the pair (p0, g0) is added three times; the pair (p1, g1) is added; "
+    about.call += "registry.remove(p0, g0); registry.update_forces(0.5); all calls of "
+    about.call += "update_force, sorted"
     got = [*map(tuple, sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)])))]
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
     why = about.cause
@@ -218,9 +221,8 @@ def test_immovable_particles_are_skipped() -> None:
 @pytest.mark.exercise("B5.3")
 def test_the_registry_keeps_earlier_forces(rng: Random) -> None:
     by_hand, first, second = components(rng), components(rng), components(rng)
-    about.call = f"p.add_force(Vector3{by_hand}); registry.add(p, g) for two generators g, with "
-    about.call += f"the forces {first} N and {second} N; registry.update_forces(0.5); "
-    about.call += "p.force_accumulator"
+    about.call = f"p.add_force(Vector3{by_hand}); two pairs (p, g) are added, with generators of "
+    about.call += f"{first} N and {second} N; registry.update_forces(0.5); p.force_accumulator"
     about(
         cause="The sum of the forces is wrong. It must contain the force from add_force and the "
         "forces of both generators.",
@@ -249,7 +251,7 @@ def test_a_generator_may_change_the_registry_during_an_update() -> None:
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
         change, about.cause = CHANGES[what]
         about.call = "a registry with the pairs (p, g0), (p, g1) and (p, g2), in which "
-        about.call += f"g0.update_force calls {change}; registry.update_forces(0.5); "
+        about.call += f"g0.update_force {change}; registry.update_forces(0.5); "
         about.call += "registry.update_forces(0.5); number of generators called"
         got = asked_while_it_changes(what)
         came, right = (f"{a} in the first update, {b} in the second" for a, b in (got, (3, second)))
@@ -272,7 +274,7 @@ def test_an_update_rejects_a_bad_duration(duration: float) -> None:
     )
     for immovable in (False, True):
         got = asked_after_a_refusal(duration, immovable)
-        about.call = f"registry.add(p, g); registry.update_forces({duration!r})"
+        about.call = f"the pair (p, g) is added; registry.update_forces({duration!r})"
         about.cause = f"The duration is {duration!r}, so raise {error.__name__} before the loop, "
         about.cause += "whatever pairs there are."
         expect_that(got < 100, "no error", error.__name__)
@@ -285,8 +287,8 @@ def test_an_update_rejects_a_bad_duration(duration: float) -> None:
 @pytest.mark.exercise("B5.3")
 @pytest.mark.robust
 def test_an_error_of_a_generator_reaches_the_caller() -> None:
-    about.call = "registry.add(p, g) with a g whose update_force raises ArithmeticError; "
-    about.call += "registry.update_forces(0.5)"
+    about.call = "a registry with one pair (p, g), in which g.update_force raises "
+    about.call += "ArithmeticError; registry.update_forces(0.5)"
     about.cause = "update_forces hides an error that the generator raises. Don't catch it, so that "
     about.cause += "it reaches the caller."
     about.read = "the docstring of update_forces"

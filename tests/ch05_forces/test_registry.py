@@ -63,7 +63,8 @@ def expect_asked(
     ``slips`` are the calls that likely mistakes make.
     """
     about.cause = cause
-    about.call = "".join(f"p{i} is immovable; " for i in immovable)
+    about.call = "particles p0, p1, p2 and generators g0, g1, g2; "
+    about.call += "".join(f"p{i} is immovable; " for i in immovable)
     for name, *numbers in acts:
         if name == "add":  # not as a call, because the student is to open the function under test
             about.call += f"the pair (p{numbers[0]}, g{numbers[1]}) is added; "
@@ -148,9 +149,9 @@ def test_remove_undoes_one_call_of_add() -> None:
         cause="The same pair (p0, g0) was added three times, so it must act three times. Every "
         "call of add registers another pair.",
     )
-    about.call = "the pair (p0, g0) is added three times; the pair (p1, g1) is added; "
-    about.call += "registry.remove(p0, g0); registry.update_forces(0.5); all calls of "
-    about.call += "update_force, sorted"
+    about.call = "particles p0, p1 and generators g0, g1; the pair (p0, g0) is added three times; "
+    about.call += "the pair (p1, g1) is added; registry.remove(p0, g0); "
+    about.call += "registry.update_forces(0.5); all calls of update_force, sorted"
     got = [*map(tuple, sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)])))]
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
     why = about.cause
@@ -274,7 +275,8 @@ def test_an_update_rejects_a_bad_duration(duration: float) -> None:
     )
     for immovable in (False, True):
         got = asked_after_a_refusal(duration, immovable)
-        about.call = f"the pair (p, g) is added; registry.update_forces({duration!r})"
+        about.call = "a pair (p, g) of a particle and a generator is added; "
+        about.call += f"registry.update_forces({duration!r})"
         about.cause = f"The duration is {duration!r}, so raise {error.__name__} before the loop, "
         about.cause += "whatever pairs there are."
         expect_that(got < 100, "no error", error.__name__)
@@ -287,7 +289,7 @@ def test_an_update_rejects_a_bad_duration(duration: float) -> None:
 @pytest.mark.exercise("B5.3")
 @pytest.mark.robust
 def test_an_error_of_a_generator_reaches_the_caller() -> None:
-    about.call = "a registry with one pair (p, g), in which g.update_force raises "
+    about.call = "a pair (p, g) of a particle and a generator is added; g.update_force raises "
     about.call += "ArithmeticError; registry.update_forces(0.5)"
     about.cause = "update_forces hides an error that the generator raises. Don't catch it, so that "
     about.cause += "it reaches the caller."

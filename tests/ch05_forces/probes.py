@@ -54,7 +54,7 @@ class Recorder:
             if known is particle:
                 self.calls.append((i, self.index, duration))
                 return
-        raise TypeError(f"update_force takes the particle before the duration, got {particle!r}")
+        raise ValueError(f"update_force takes the particle before the duration, got {particle!r}")
 
 
 def asked(immovable: Sequence[int], acts: Sequence[tuple]) -> list[Call]:

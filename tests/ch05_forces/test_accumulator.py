@@ -17,6 +17,7 @@ from expect import (
     expect_close,
     expect_error,
     expect_exactly,
+    expect_that,
     expect_unchanged,
     expect_vector,
     scoped,
@@ -31,14 +32,13 @@ ROUNDED = 1e-13
 @scoped
 def expect_unmoved(p: Particle, cause: str) -> None:
     """Expect the position, the velocity and the acceleration that the particle was made with."""
-    about.cause = cause
-    state = (*xyz(p.position), *xyz(p.velocity), *xyz(p.acceleration))
-    expect_unchanged(
-        "the state of p (position, velocity, acceleration)",
-        state,
-        (1, 2, 3, 4, 5, 6, 7, 8, 9),
-        read="the docstrings of add_force and clear_forces",
-    )
+    about.read = "the docstrings of add_force and clear_forces"
+    for name, now, before in (
+        ("position", xyz(p.position), (1, 2, 3)),
+        ("velocity", xyz(p.velocity), (4, 5, 6)),
+        ("acceleration", xyz(p.acceleration), (7, 8, 9)),
+    ):
+        expect_unchanged(f"p.{name}", now, before, cause=cause.format(name))
 
 
 @pytest.mark.exercise("B5.1")
@@ -54,30 +54,26 @@ def test_forces_add_up(rng: Random) -> None:
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
         name = "p.force_accumulator, after a force was added"
-        cause = "force_accumulator must return the sum of the forces as a new Vector3."
+        cause = "force_accumulator does not return a Vector3. Return the sum as a new Vector3."
         got = expect_vector(p.force_accumulator, call=name, cause=cause)
         slips = {
             "This is only the latest force. Add each force to the sum instead of replacing the "
             "sum.": force,
-            "This is the sum divided by the mass, which is an acceleration. Store the sum of "
-            "the forces itself, in N, because the step divides it by the mass later.": [
-                t / 4.0 for t in total
+            "You divide the force by the mass. Add the force itself, because the step divides "
+            "the sum by the mass later.": [t / 4.0 for t in total],
+            "Your sum has the wrong sign, because you subtract the force. Add it instead.": [
+                -part for part in total
             ],
-            (
-                "Your sum has the wrong sign, perhaps because add_force subtracts the force. "
-                "Add it instead."
-            ): [-part for part in total],
             "You swapped y and z. Add x to x, y to y and z to z.": (total[0], total[2], total[1]),
-            "A force was added, but p.force_accumulator is still zero. Store the sum in "
-            "self._forces[0], and let force_accumulator return what is stored there.": ZERO,
+            "The sum is still zero after a force was added. force_accumulator must return the "
+            "sum that add_force stores in self._forces[0].": ZERO,
         }
         blame(got, slips)
-        expect_close(got, total, then="; p.force_accumulator, in N", tolerance=ROUNDED)
+        expect_close(got, total, then="; p.force_accumulator", unit="N", tolerance=ROUNDED)
         expect_unmoved(
             p,
-            "add_force has changed the position, the velocity or the acceleration. A force has "
-            "no effect until the next step, so add_force must change only the sum of the "
-            "forces.",
+            "add_force has changed p.{}. A force has no effect until the next step, so change "
+            "only the sum of the forces.",
         )
 
 
@@ -86,35 +82,37 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     force = components(rng)
     opposite = (-force[0], -force[1], -force[2])
     about.read = "the docstring of force_accumulator"
-    about.cause = "No force has been added yet, so the sum must be Vector3(0, 0, 0), not None."
-    about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator, in N"
+    about.cause = "No force has been added yet. The sum must then be the zero vector, not None."
+    about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
     p = Particle(acceleration=Vector3(0, -10, 0))
-    expect_close(xyz(p.force_accumulator), ZERO)
-    about.call = (
-        f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator, in N"
-    )
-    about.cause = "The two forces are opposite, so their sum must be zero. Store the sum of each "
-    about.cause += "particle in self, not in the class, where all particles would share it."
+    total = p.force_accumulator
+    expect_that(total is not None, "the sum is None", "the sum is Vector3(0, 0, 0)")
+    expect_close(xyz(total), ZERO, unit="N")
+    about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
+    about.cause = "The sum contains forces that were added to other particles. Store it in self, "
+    about.cause += "not in the class, where all particles share it."
     p.add_force(Vector3(*force))
     first = xyz(p.force_accumulator)
     p.add_force(Vector3(*opposite))
-    expect_close(xyz(p.force_accumulator), ZERO)
-    about.call = f"p.add_force(Vector3{force}); p.force_accumulator, in N"
+    expect_close(xyz(p.force_accumulator), ZERO, unit="N")
+    about.call = f"p.add_force(Vector3{force}); p.force_accumulator"
     about.cause = "Only one force has been added, so the sum must equal that force."
-    expect_close(first, force)
+    expect_close(first, force, unit="N")
 
 
 @pytest.mark.exercise("B5.1")
-def test_a_force_is_only_read(rng: Random) -> None:
+def test_add_force_does_not_change_its_argument(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"f = Vector3{first}; p.add_force(f)"
-    about.cause = "The sum must not change when the caller changes the vector f later. Copy the "
-    about.cause += "components of the force instead of storing the vector itself."
+    about.cause = "You store the vector f itself, so the sum changes when the caller changes f. "
+    about.cause += "Store the three components instead."
     about.read = "the docstring of add_force"
     p, f = Particle(), Vector3(*first)
     p.add_force(f)
     f.x = 99.0
-    expect_close(xyz(p.force_accumulator), first, then="; f.x = 99.0; p.force_accumulator, in N")
+    expect_close(
+        xyz(p.force_accumulator), first, then="; f.x = 99.0; p.force_accumulator", unit="N"
+    )
     about.call = f"p.add_force(Vector3{second}); f = Vector3{first}; p.add_force(f)"
     p, f = Particle(), Vector3(*first)
     p.add_force(Vector3(*second))
@@ -123,20 +121,20 @@ def test_a_force_is_only_read(rng: Random) -> None:
         "f",
         xyz(f),
         first,
-        cause="add_force has changed the vector f that it was called with. It must only read f, so "
-        "don't use += or any other method that works in place on it.",
+        cause="add_force has changed its argument f, because += works in place. Use +, which "
+        "creates a new vector.",
     )
     wanted = tuple(first[i] + second[i] for i in range(3))
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.1")
-def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
+def test_the_sum_is_a_new_vector(rng: Random) -> None:
     force = components(rng)
     about.call = f"p.add_force(Vector3{force}); total = p.force_accumulator; total.x = 99.0"
-    about.cause = "A change of the vector that force_accumulator returned must not change the "
-    about.cause += "particle. Return a new vector from every call."
+    about.cause = "force_accumulator returned a vector that belongs to the particle, so the "
+    about.cause += "caller could change the sum. Return a new vector from every call."
     about.read = "the docstring of force_accumulator"
     p = Particle()
     p.add_force(Vector3(*force))
@@ -144,16 +142,15 @@ def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
     expect_close(
         xyz(total),
         force,
-        call="p.force_accumulator",
-        cause="The sum is wrong even before the caller changes it. It must equal the force that "
-        "was added.",
+        call=about.call.rpartition(";")[0],
+        cause="The sum must equal the only force that was added.",
     )
     total.x = 99.0
-    expect_close(xyz(p.force_accumulator), force, then="; p.force_accumulator, in N")
+    expect_close(xyz(p.force_accumulator), force, then="; p.force_accumulator", unit="N")
 
 
 @pytest.mark.exercise("B5.1")
-def test_two_particles_have_forces_of_their_own(rng: Random) -> None:
+def test_each_particle_has_its_own_forces(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"p.add_force(Vector3{first}); q.add_force(Vector3{second})"
     about.cause = "Each particle needs its own sum of forces. Store the sum in self, not in the "
@@ -163,45 +160,40 @@ def test_two_particles_have_forces_of_their_own(rng: Random) -> None:
     p.add_force(Vector3(*first))
     q.add_force(Vector3(*second))
     got = xyz(p.force_accumulator)
-    expect_close(got, first, then="; p.force_accumulator, in N")
+    expect_close(got, first, then="; p.force_accumulator", unit="N")
     got = xyz(q.force_accumulator)
-    expect_close(got, second, then="; q.force_accumulator, in N")
+    expect_close(got, second, then="; q.force_accumulator", unit="N")
 
 
 @pytest.mark.exercise("B5.1")
-def test_forces_can_be_dropped(rng: Random) -> None:
+def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about(
         f"p.add_force(Vector3{first}); p.clear_forces()",
-        cause="The sum of the forces is not zero after clear_forces. Set it back to "
-        "zero, as if no force had ever been added.",
+        cause="clear_forces does not clear the sum of the forces. The sum is stored in "
+        "self._forces[0], so clear this entry.",
     )
     about.read = "the docstring of clear_forces"
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9))
     p.add_force(Vector3(*first))
     before = xyz(p.force_accumulator)
     p.clear_forces()
-    expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator, in N")
+    expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator", unit="N")
     p.clear_forces()
     p.add_force(Vector3(*second))
     about.call = f"{about.call}; p.clear_forces(); p.add_force(Vector3{second})"
     about.cause = "clear_forces must set the sum to zero, even if it is called twice in a row. "
     about.cause += "The force that is added after that is then the whole sum."
     got = xyz(p.force_accumulator)
-    expect_close(got, second, then="; p.force_accumulator, in N")
-    name = f"p.add_force(Vector3{first}); p.force_accumulator, in N"
+    expect_close(got, second, then="; p.force_accumulator", unit="N")
     expect_close(
         before,
         first,
-        call=name,
-        cause="The sum was wrong even before it was cleared. It must equal the force that was "
-        "added.",
+        call=f"p.add_force(Vector3{first}); p.force_accumulator",
+        unit="N",
+        cause="The sum must equal the only force that was added.",
     )
-    expect_unmoved(
-        p,
-        "clear_forces has changed something other than the sum of the forces. It must leave "
-        "everything else about the particle alone.",
-    )
+    expect_unmoved(p, "clear_forces has changed p.{}. It must change only the sum of the forces.")
 
 
 @scoped
@@ -218,18 +210,18 @@ def expect_refusal(
         error,
         allowed=lambda: Particle().add_force(Vector3(1.5e308, 1.5e308, 1.0)),
     )
-    about.cause = "add_force raised an error, but it changed the sum anyway. Check both the force "
-    about.cause += "and the new sum before you store anything."
+    about.cause = "add_force raised the error only after it had stored the new sum. Check the "
+    about.cause += "force and the sum before you store anything."
     got = xyz(p.force_accumulator)
-    expect_close(got, so_far, then="; p.force_accumulator, in N")
+    expect_close(got, so_far, then="; p.force_accumulator", unit="N")
 
 
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_force_must_be_finite(bad: float) -> None:
-    about.cause = "A force with an infinite or NaN component must be rejected with a ValueError. "
-    about.cause += "Check it with finite_vector from arguments.py."
+    about.cause = f"A component of the force is {bad}, so raise ValueError. The function "
+    about.cause += "finite_vector in arguments.py does this for you."
     for numbers in ((bad, 2.0, 3.0), (1.0, bad, 3.0), (1.0, 2.0, bad)):
         about.call = f"p.add_force(Vector3{numbers})"
         expect_refusal((4.0, 5.0, 6.0), about.call, Vector3(*numbers), ValueError)
@@ -238,8 +230,8 @@ def test_a_force_must_be_finite(bad: float) -> None:
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 def test_the_sum_must_be_finite() -> None:
-    about.cause = "Each force is finite, but their sum is too large for a float. Check that the "
-    about.cause += "new sum is finite before you store it."
+    about.cause = "Both forces are finite, but their sum is too large for a float. Check the new "
+    about.cause += "sum with finite_vector before you store it."
     for i in range(3):
         for large in (1e308, -1e308):
             force = tuple(large if i == j else 0.0 for j in range(3))
@@ -251,19 +243,19 @@ def test_the_sum_must_be_finite() -> None:
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 def test_a_force_must_be_a_vector() -> None:
-    about.cause = "The argument is not a Vector3, so it must be rejected with a TypeError. Check "
-    about.cause += "it with finite_vector from arguments.py."
     for bad in (3.0, (1.0, 2.0, 3.0), None, "up"):
+        about.cause = f"The force is {bad!r}, which is not a Vector3, so raise TypeError. The "
+        about.cause += "function finite_vector in arguments.py does this for you."
         expect_refusal((4.0, 5.0, 6.0), f"p.add_force({bad!r})", bad, TypeError)
 
 
 @pytest.mark.exercise("B5.1", weight=0.5)
-def test_what_changes_the_sum_returns_nothing(rng: Random) -> None:
+def test_add_force_and_clear_forces_return_none(rng: Random) -> None:
     force = components(rng)
     about(
         f"p.add_force(Vector3{force})",
-        cause="add_force and clear_forces change the particle in place, so they must "
-        "return None. Leave out the return statement.",
+        cause="add_force changes the particle in place, so it must return None. Leave out the "
+        "return statement.",
     )
     about.read = "the docstrings of add_force and clear_forces"
     p = Particle()
@@ -273,7 +265,9 @@ def test_what_changes_the_sum_returns_nothing(rng: Random) -> None:
     expect_close(
         total,
         force,
-        then="; p.force_accumulator, in N",
+        then="; p.force_accumulator",
+        unit="N",
         cause="Only one force has been added, so the sum must equal that force.",
     )
-    expect_exactly(p.clear_forces(), None, call="p.clear_forces()")
+    about("p.clear_forces()", cause=about.cause.replace("add_force", "clear_forces"))
+    expect_exactly(p.clear_forces(), None)

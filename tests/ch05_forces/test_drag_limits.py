@@ -24,8 +24,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         positive_number(rng),
         positive_number(rng, 1.0, 90.0),
     )
-    about.cause = "A step of h seconds multiplies the velocity v by 1 - (k1 + k2 |v|) h / m. "
-    about.cause += "Solve for the h at which this factor is 0 (first limit) and -1 (second limit)."
+    about.cause = "The limits are wrong. A step of h seconds multiplies the velocity by 1 - (k1 + "
+    about.cause += "k2 |v|) h / m, which must be 0 at the first limit and -1 at the second."
     for one, two, rate in (
         (k1, 0.0, k1 / mass),
         (0.0, k2, k2 * speed / mass),
@@ -39,12 +39,12 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             "the mass.": rate * mass,
             "You divide by the mass. A heavier particle tolerates a longer step, so multiply "
             "by the mass instead.": rate * mass**2,
-            "You use k1 + k2 without the speed. The quadratic drag depends on the speed, so "
-            "multiply k2 by the speed.": (one + two) / mass,
-            "You multiply both k1 and k2 by the speed. Only the quadratic part needs this, so "
-            "use k1 + k2 |v|, where |v| is the speed.": (one + two) * speed / mass,
+            "You use k1 + k2, without the speed. Multiply k2 by the speed |v|, which gives k1 + "
+            "k2 |v|.": (one + two) / mass,
+            "You multiply both k1 and k2 by the speed |v|. Multiply only k2 by it, which gives "
+            "k1 + k2 |v|.": (one + two) * speed / mass,
             "You use k1 + 2 k2 |v|, the derivative of the drag. Use the drag divided by the "
-            "speed, which is k1 + k2 |v|.": (one + 2.0 * two * speed) / mass,
+            "speed |v|, which is k1 + k2 |v|.": (one + 2.0 * two * speed) / mass,
         }
         slips = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
         slips["You return the two limits in the wrong order. Return the smaller one first."] = (
@@ -52,8 +52,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             1.0 / rate,
         )
         slips[
-            "Your two limits are equal. The first limit stops the particle, and the second "
-            "reverses its full velocity, so the second must be twice the first."
+            "Your two limits are equal. A step of the second limit reverses the full velocity, so "
+            "it must be twice the first."
         ] = (1.0 / rate, 1.0 / rate)
         slips["Your second limit is the square of the first. It must be twice the first."] = (
             1.0 / rate,
@@ -61,7 +61,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         )
         why = named(got, about.cause, slips)
         expect_close(got, (1.0 / rate, 2.0 / rate), cause=why)
-    about.cause = "Here the drag is very small, but it is not 0. Compute the two limits as usual."
+    about.cause = "You treat a very small drag as 0. It is not 0, so compute the two limits as "
+    about.cause += "usual."
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
     expect_close(
         got,
@@ -70,24 +71,28 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     )
     about(
         f"drag_limits(k1={k1}, k2={k2}, mass={mass}, speed=0.0); (first limit, second limit) in s",
-        cause="Here the speed is 0, so only k1 counts. The limits are m / k1 and 2 m / "
-        "k1, where m is the mass.",
+        cause="The limits are wrong for a speed of 0. Only k1 has an effect then, so they must be "
+        "m / k1 and 2 m / k1.",
     )
     got = drag_limits(k1, k2, mass, 0.0)
     expect_close(got, (mass / k1, 2.0 * mass / k1))
 
 
 @pytest.mark.exercise("B5.8")
-def test_without_drag_no_frame_is_too_long() -> None:
+def test_without_drag_no_step_is_too_long() -> None:
     about.read = LIMITS
-    about.cause = "Without drag no time step is too long. Return math.inf for both limits instead "
-    about.cause += "of dividing by 0."
+    about.cause = "There is no drag here, so no time step is too long. Return math.inf for both "
+    about.cause += "limits."
     for arguments in ((0.0, 0.0, 2.0, 5.0), (0.0, 0.5, 2.0, 0.0)):
-        about.call = "drag_limits(k1={}, k2={}, mass={}, speed={}), in s".format(*arguments)
+        about.call = (
+            "drag_limits(k1={}, k2={}, mass={}, speed={}); (first limit, second limit) in s".format(
+                *arguments
+            )
+        )
         got = [*drag_limits(*arguments)]
         expect_exactly(got, [math.inf, math.inf])
-    about.cause = "Here (k1 + k2 |v|) / m is 1 per second, where |v| is the speed. The limits are "
-    about.cause += "therefore 1 s and 2 s."
+    about.cause = "The limits are wrong. Here (k1 + k2 |v|) / m is 1 per second, so they must be 1 "
+    about.cause += "s and 2 s."
     got = drag_limits(1.0, 0.5, 2.0, 2.0)
     expect_close(
         got,
@@ -97,47 +102,48 @@ def test_without_drag_no_frame_is_too_long() -> None:
 
 
 @pytest.mark.exercise("B5.8")
-def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> None:
+def test_steps_slightly_shorter_and_longer_than_the_limits(rng: Random) -> None:
     about.read = LIMITS
     k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)
     k2 = round(positive_number(rng, 0.3, 3.0) * k1 / speed, 6)  # both parts of the drag count
     about.call = f"drag_limits(k1={k1}, k2={k2}, mass={mass}, speed={speed})"
-    about.cause = "A step of h seconds multiplies the velocity v by 1 - (k1 + k2 |v|) h / m. This "
-    about.cause += "factor must be 0 at the first limit and -1 at the second."
+    about.cause = "The limits are wrong. A step of h seconds multiplies the velocity v by 1 - (k1 "
+    about.cause += "+ k2 |v|) h / m, which must be 0 at the first limit and -1 at the second."
     first, second = drag_limits(k1, k2, mass, speed)
     for limit, share, wanted, cause in (
         (
             first,
             0.98,
             "slower",
-            "A step slightly shorter than your first limit must slow the particle down without "
-            "reversing its motion.",
+            "Your first limit is too long. A step slightly shorter than it must slow the particle "
+            "down without reversing its motion.",
         ),
         (
             first,
             1.02,
             "reversed and slower",
-            "A step slightly longer than your first limit must reverse the motion.",
+            "Your first limit is too short. A step slightly longer than it must reverse the "
+            "motion.",
         ),
         (
             second,
             0.98,
             "reversed and slower",
-            "After a step slightly shorter than your second limit, the particle must move "
-            "backward and slower than before the step.",
+            "Your second limit is wrong. After a step slightly shorter than it, the particle must "
+            "move backward, but slower than before.",
         ),
         (
             second,
             1.02,
             "reversed and faster",
-            "After a step slightly longer than your second limit, the particle must move "
-            "backward and faster than before the step.",
+            "Your second limit is too short. After a step slightly longer than it, the particle "
+            "must move backward and faster than before.",
         ),
     ):
         about.cause = cause
         h = limit * share
-        name = f"{about.call}, in s; the motion after a step of {h:.6g} s with Drag(k1={k1}, "
-        name += f"k2={k2}), compared with the motion before it"
+        name = f"{about.call} = ({first:.6g}, {second:.6g}) s; the motion after one step of "
+        name += f"{h:.6g} s with Drag(k1={k1}, k2={k2}), compared with the motion before it"
         _, velocity = with_drag((speed, 0.0, 0.0), k1, k2, mass, h, 1)
         v = velocity[0] / speed
         kind = "reversed and faster" if v < -1.0 else "reversed and slower" if v < 0.0 else "slower"
@@ -147,10 +153,9 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
 
 @pytest.mark.exercise("B5.8")
 @pytest.mark.robust
-def test_limits_need_numbers_that_mean_something() -> None:
+def test_drag_limits_rejects_bad_arguments() -> None:
     about.read = LIMITS
-    about.cause = "One of these arguments is not valid, so raise ValueError. Check each argument "
-    about.cause += "with one of the functions in arguments.py, which raise the error for you."
+    good = (0.3, 0.05, 2.0, 5.0)
     for bad in (
         (-0.3, 0.05, 2.0, 5.0),
         (0.3, -0.05, 2.0, 5.0),
@@ -163,9 +168,13 @@ def test_limits_need_numbers_that_mean_something() -> None:
         (0.3, 0.05, math.nan, 5.0),
         (0.3, 0.05, 2.0, math.nan),
     ):
+        (i,) = (i for i in range(4) if bad[i] != good[i])
+        about.cause = f"{('k1', 'k2', 'The mass', 'The speed')[i]} is {bad[i]:g}. It must be "
+        about.cause += f"finite and {'positive' if i == 2 else 'not negative'}, so raise "
+        about.cause += "ValueError."
         expect_error(
             lambda bad=bad: drag_limits(*bad),
             ValueError,
             call="drag_limits(k1={}, k2={}, mass={}, speed={})".format(*bad),
-            allowed=lambda: drag_limits(0.3, 0.05, 2.0, 5.0),
+            allowed=lambda: drag_limits(*good),
         )

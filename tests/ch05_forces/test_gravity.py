@@ -23,60 +23,53 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
     about.read = "book 3.2, Eq. 3.4"
     for mass in (round(rng.uniform(2.0, 90.0), 3), 0.125):
         about.call = "p = Particle(velocity=Vector3(5, 6, 7), acceleration=Vector3(1, 2, 3), "
-        about.call += (
-            f"{mass=}); Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator, in N"
-        )
-        about.cause = "The force must be the weight m g, with all three components of g. Compute "
-        about.cause += "it, and add it with add_force."
+        about.call += f"{mass=}); Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator"
+        about.cause = "The force is not the weight m g. Multiply all three components of g by the "
+        about.cause += "mass, and nothing else."
         vectors = {"velocity": Vector3(5, 6, 7), "acceleration": Vector3(1, 2, 3)}
         p = Particle(**vectors, mass=mass)
         gravity = Gravity(Vector3(*g))
         gravity.update_force(p, 0.5)
         wanted = tuple(mass * g[i] for i in range(3))
         slips = {
-            "You add g, which is an acceleration. Multiply it by the mass to get the weight, "
-            "which is a force.": g,
-            ("You add g / m, but the weight is m g. Multiply by the mass instead of dividing."): [
+            "You add the acceleration g instead of a force. Multiply it by the mass to get the "
+            "weight.": g,
+            "You add g / m, but the weight is m g. Multiply by the mass instead of dividing.": [
                 g[i] / mass for i in range(3)
             ],
             "You add m g times the duration. Add m g itself, because the step multiplies it by "
             "the duration later.": [mass * g[i] * 0.5 for i in range(3)],
             "Your force points opposite to g. The vector g already points in the direction of "
             "the weight, so don't add a minus sign.": [-mass * g[i] for i in range(3)],
-            "Your force has only a y component, but g may point in any direction. Multiply the "
-            "whole vector g by the mass.": (
-                0.0,
-                mass * g[1],
-                0.0,
-            ),
+            "You use only the y component of g. Gravity may point in any direction, so multiply "
+            "the whole vector g by the mass.": (0.0, mass * g[1], 0.0),
             "update_force added no force to the particle. Compute the weight m g, and pass it "
             "to particle.add_force.": ZERO,
         }
         got = xyz(p.force_accumulator)
         blame(got, slips)
-        expect_close(got, wanted)
-        about.cause = "update_force changed the acceleration or the velocity of the particle. It "
-        about.cause += "must only add a force, and then the step changes the velocity."
-        got = xyz(p.acceleration)
-        expect_unchanged("p.acceleration", got, (1, 2, 3))
-        got = xyz(p.velocity)
-        expect_unchanged("p.velocity", got, (5, 6, 7))
+        state = {"acceleration": (1, 2, 3), "velocity": (5, 6, 7)}
+        for name, before in state.items():
+            if got == ZERO and xyz(getattr(p, name)) != before:
+                about.cause = f"You change p.{name} instead of adding a force. Pass the weight m g "
+                about.cause += "to particle.add_force."
+        expect_close(got, wanted, unit="N")
+        for name, before in state.items():
+            about.cause = f"update_force changed p.{name}. It must only add a force."
+            expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
         got = xyz(gravity.acceleration)
-        about.cause = "The vector gravity.acceleration has changed, perhaps because you "
-        about.cause += "multiplied it with *=, which works in place. Use *, which creates a new "
-        about.cause += "vector."
+        about.cause = "You change gravity.acceleration, because *= works in place. Use *, which "
+        about.cause += "creates a new vector."
         expect_unchanged("gravity.acceleration", got, g)
 
 
 @pytest.mark.exercise("B5.4")
-def test_gravity_adds_to_the_other_forces_of_the_frame(rng: Random) -> None:
+def test_gravity_keeps_earlier_forces(rng: Random) -> None:
     f, g, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     about.call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = "
-    about.call += (
-        f"Gravity(Vector3{g}); gravity.update_force(p, 0.5) twice; p.force_accumulator, in N"
-    )
-    about.cause = "The sum must contain the force that was added first, and the weight twice. Use "
-    about.cause += "add_force, which adds the weight to the other forces."
+    about.call += f"Gravity(Vector3{g}); gravity.update_force(p, 0.5) twice; p.force_accumulator"
+    about.cause = "The earlier forces are missing from the sum. Add the weight with add_force, "
+    about.cause += "which keeps them, and clear nothing."
     about.read = "the docstring of ForceGenerator"
     p, gravity = Particle(mass=mass), Gravity(Vector3(*g))
     p.add_force(Vector3(*f))
@@ -85,27 +78,27 @@ def test_gravity_adds_to_the_other_forces_of_the_frame(rng: Random) -> None:
     wanted = tuple(f[i] + 2 * mass * g[i] for i in range(3))
     got = xyz(p.force_accumulator)
     # Three roundings of numbers up to 200.
-    expect_close(got, wanted, tolerance=1e-12)
+    expect_close(got, wanted, tolerance=1e-12, unit="N")
 
 
 @pytest.mark.exercise("B5.4")
-def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
+def test_a_new_gravity_applies_from_the_next_call(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
-    about.call += "gravity.update_force(Particle(mass=2.0), 0.5)"
+    about.call += "p = Particle(mass=2.0); gravity.update_force(p, 0.5); p.force_accumulator"
     about(
-        cause="The check gives the generator a new acceleration after creating it. Read "
-        "self.acceleration in every call of update_force.",
+        cause="You use the acceleration that the generator had at first. Read self.acceleration in "
+        "every call of update_force.",
         read="the docstring of Gravity",
     )
     p, gravity = Particle(mass=2.0), Gravity(Vector3(*first))
     gravity.acceleration = Vector3(*second)
     gravity.update_force(p, 0.5)
     wanted = tuple(2.0 * second[i] for i in range(3))
-    expect_close(xyz(p.force_accumulator), wanted)
+    expect_close(xyz(p.force_accumulator), wanted, unit="N")
     got = xyz(gravity.acceleration)
-    about.cause = "update_force has changed gravity.acceleration. Compute the weight with *, "
-    about.cause += "which creates a new vector."
+    about.cause = "You change gravity.acceleration, because *= works in place. Use *, which "
+    about.cause += "creates a new vector."
     expect_unchanged("gravity.acceleration", got, second)
 
 
@@ -113,31 +106,31 @@ def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
 def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
     g = components(rng)
     about.read = "book 5.2.3"
-    about.cause = "An immovable particle has infinite mass, so its weight would be infinite or "
-    about.cause += "NaN. Check has_finite_mass first, and add no force if it is False."
+    about.cause = "You add a force to an immovable particle, whose weight would be infinite. Add "
+    about.cause += "it only if has_finite_mass is True."
     for gravity in (g, (0.0, -10.0, 0.0)):
         about.call = f"p = Particle(mass=math.inf); Gravity(Vector3{gravity}).update_force(p, 0.5)"
         p = Particle(mass=math.inf)
         Gravity(Vector3(*gravity)).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(got, ZERO, then="; p.force_accumulator, in N")
-    about.cause = "The mass is huge but finite, so the particle has a weight. Check "
+        expect_close(got, ZERO, then="; p.force_accumulator", unit="N")
+    about.cause = "You add no force to a particle with a huge but finite mass. Check "
     about.cause += "has_finite_mass instead of comparing the mass with a limit."
     about.call = "p = Particle(mass=1e300); Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)"
     p = Particle(mass=1e300)
     Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, (0.0, -1e301, 0.0), then="; p.force_accumulator, in N")
+    expect_close(got, (0.0, -1e301, 0.0), then="; p.force_accumulator", unit="N")
 
 
 @pytest.mark.exercise("B5.4")
-def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> None:
+def test_gravity_has_the_same_effect_as_a_constant_acceleration(rng: Random) -> None:
     g, mass, damping = components(rng), round(rng.uniform(2.0, 90.0), 3), 0.75
     h, frames = 1.0 / 64.0, 192
-    about.call = f"a particle p of {mass} kg with damping {damping} that falls for 3 s with "
-    about.call += f"Gravity(Vector3{g}); p.position, in m"
-    about.cause = "A step divides the weight m g by m again. The particle must therefore move "
-    about.cause += "exactly as if g were its own acceleration."
+    about.call = f"p = Particle(mass={mass}, damping={damping}); for 3 s, in steps of h = 1/64 s: "
+    about.call += f"Gravity(Vector3{g}).update_force(p, h) and p.integrate(h); p.position"
+    about.cause = "The particle does not move as if g were its own acceleration. Add exactly the "
+    about.cause += "weight m g in every step."
     about.read = "book 5.3"
     (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)
     # The sum of the geometric series of v' = (v + g h) D, D = d^h.
@@ -147,9 +140,9 @@ def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> 
     way = h * h * kept * (frames - gone) / (1.0 - kept)
     wanted = tuple(g[i] * way for i in range(3))
     # 200 roundings of numbers up to 50.
-    expect_close(by_force, wanted, tolerance=1e-11)
-    expect_close(by_force, built_in, tolerance=1e-11)
-    name = f"{about.call.partition(';')[0]}; p.velocity, in m/s"
+    expect_close(by_force, wanted, tolerance=1e-11, unit="m")
+    expect_close(by_force, built_in, tolerance=1e-11, unit="m")
+    about.call = about.call.replace("p.position", "p.velocity")
     wanted = tuple(g[i] * speed for i in range(3))
-    expect_close(velocity, wanted, call=name, tolerance=1e-11)
-    expect_close(velocity, built_in_velocity, call=name, tolerance=1e-11)
+    expect_close(velocity, wanted, tolerance=1e-11, unit="m/s")
+    expect_close(velocity, built_in_velocity, tolerance=1e-11, unit="m/s")

@@ -26,16 +26,15 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
 
 
 @pytest.mark.exercise("5.4")
-def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> None:
+def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
     about.read = READ
     center, way = components(rng), direction(rng)
     mass, mu = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.5, 1.0, 20.0, 4000.0, 1e6):
-        about.cause = "The force must have the size m mu / r^2, where r is the distance from the "
-        about.cause += "center. It must point from the particle's current position toward the "
-        about.cause += "center."
+        about.cause = "The force is wrong. It must point toward the center, and its size must be "
+        about.cause += "m mu / r^2, where r is the distance from the center."
         place = away_from(center, way, distance)
-        about.call = f"a particle p of {mass} kg, {distance} m from the center; "
+        about.call = f"a particle p of {mass} kg, {distance:g} m from the center; "
         about.call += f"InverseSquareGravity(center=Vector3{center}, mu={mu}).update_force(p, 0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
         InverseSquareGravity(Vector3(*center), mu).update_force(p, 0.5)
@@ -44,35 +43,37 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         got = xyz(p.force_accumulator)
         x, y, z = xyz(place)
         reach = math.hypot(x, y, z)
+        moved = [
+            part - c + 0.5 * v for part, c, v in zip((x, y, z), center, (5, 6, 7), strict=True)
+        ]
+        later = math.hypot(*moved)
         slips = {
-            "Your force is proportional to 1 / r, but it must be proportional to 1 / r^2, "
-            "where r is the distance from the center. Check the power of r, and normalize "
-            "the direction.": [part * distance for part in wanted],
-            "Your force is proportional to 1 / r^3, but it must be proportional to 1 / r^2, "
-            "where r is the distance from the center. Check the power of r.": [
-                part / distance for part in wanted
-            ],
+            "Your force is proportional to 1 / r instead of 1 / r^2, where r is the distance. "
+            "Multiply m mu / r^2 by a unit vector.": [part * distance for part in wanted],
+            "Your force is proportional to 1 / r^3 instead of 1 / r^2, where r is the distance. "
+            "Multiply m mu / r^2 by a unit vector.": [part / distance for part in wanted],
+            "You use the position after the step. Compute the force from the current position, "
+            "without the velocity.": [-mass * mu * part / later**3 for part in moved],
             "Your force pushes the particle away from the center. Use the vector from the "
-            "particle to the center as its direction.": [-part for part in wanted],
-            "Your force does not depend on the mass, so it is really an acceleration. Multiply "
-            "it by particle.mass.": [part / mass for part in wanted],
-            "Your force pulls the particle toward the point (0, 0, 0). Measure both the "
-            "direction and the distance from self.center instead.": [
+            "particle to the center instead.": [-part for part in wanted],
+            "You add an acceleration instead of a force. Multiply it by particle.mass.": [
+                part / mass for part in wanted
+            ],
+            "Your force pulls the particle toward the point (0, 0, 0). Use self.center instead.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
         blame(got, slips)
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
-        expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12 * size)
-        about.cause = "update_force has changed the position or the center, perhaps because you "
-        about.cause += "used -= or normalize, which work in place. Use - and normalized, which "
-        about.cause += "create new vectors."
+        expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-12 * size)
+        about.cause = "You change the position of the particle, because -= works in place. Use -, "
+        about.cause += "which creates a new vector."
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
 @pytest.mark.exercise("5.4")
 @pytest.mark.robust
-def test_at_the_center_there_is_no_finite_force() -> None:
+def test_a_force_that_is_not_finite_raises_an_error() -> None:
     about.read = READ
     for x, mu, mass in (
         (0.0, 5.0, 1.0),
@@ -83,11 +84,11 @@ def test_at_the_center_there_is_no_finite_force() -> None:
     ):
         about.call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
         about.call += f"InverseSquareGravity(center=Vector3(), mu={mu}).update_force(p, 0.5)"
-        about.cause = "The particle is so close to the center that the force m mu / r^2 is too "
-        about.cause += "large for a float. Raise ArithmeticError."
+        about.cause = "The force m mu / r^2 is too large for a float so close to the center. Raise "
+        about.cause += "ArithmeticError before you add it."
         if x == 0.0:
-            about.cause = "The particle is exactly at the center, so the force has no direction. "
-            about.cause += "Raise ArithmeticError."
+            about.cause = "The particle is exactly at the center, where the force has no "
+            about.cause += "direction. Raise ArithmeticError."
         p = Particle(Vector3(x, 0, 0), mass=mass)
         p.add_force(Vector3(1, 2, 3))
         expect_error(
@@ -97,18 +98,22 @@ def test_at_the_center_there_is_no_finite_force() -> None:
                 Particle(Vector3(0, 1, 0)), 0.5
             ),
         )
-        about.cause = "update_force raised an error, but only after it added a force. Check that "
+        about.cause = "update_force raised the error only after it had added a force. Check that "
         about.cause += "the force is finite before you add it."
         got = xyz(p.force_accumulator)
-        expect_close(got, (1, 2, 3), then="; p.force_accumulator, in N")
+        expect_close(got, (1, 2, 3), then="; p.force_accumulator", unit="N")
 
 
 @pytest.mark.exercise("5.4", weight=0.5)
 @pytest.mark.robust
-def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
+def test_a_finite_force_is_correct_at_any_distance() -> None:
     about.read = READ
-    about.cause = "The force fits in a float here, but r^2 or r^3 does not. Compute (m / r) (mu / "
-    about.cause += "r) instead, and multiply it by a unit vector."
+    small = "You raise an error, although the force is finite here. Compute the force as (m / r) "
+    small += "(mu / r), and raise the error only if this is not finite."
+    wrong = "A power of r does not fit in a float here. Compute the force as (m / r) (mu / r) "
+    wrong += "instead of m mu / r^2."
+    large = "You compute r^2, which is too large for a float at this distance. Compute the force "
+    large += "as (m / r) (mu / r) instead of m mu / r^2."
     for y, mu, force in (
         (1e-120, 2.0, -3e240),
         (1e-150, 2e-50, -3e250),
@@ -118,35 +123,38 @@ def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
     ):
         about.call = f"p = Particle(Vector3(0, {y}, 0), mass=1.5); "
         about.call += f"InverseSquareGravity(center=Vector3(), mu={mu}).update_force(p, 0.5); "
-        about.call += "p.force_accumulator, in N"
+        about.call += "p.force_accumulator"
+        about.cause = large if y > 1.0 else small
         p = Particle(Vector3(0, y, 0), mass=1.5)
         InverseSquareGravity(Vector3(), mu).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(got, (0.0, force, 0.0))
+        expect_close(got, (0.0, force, 0.0), unit="N", cause=wrong)
 
 
 @pytest.mark.exercise("5.4")
-def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
+def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
     about.read = READ
     about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
     about.call += "InverseSquareGravity(center=Vector3(), mu=10.0).update_force(p, 0.5); "
-    about.call += "p.force_accumulator, in N"
-    about.cause = "An immovable particle has infinite mass, so the force would be infinite or "
-    about.cause += "NaN. Check has_finite_mass first, and add no force if it is False."
+    about.call += "p.force_accumulator"
+    about.cause = "You add a force to an immovable particle, which would be infinite. Return first "
+    about.cause += "if has_finite_mass is False."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(xyz(p.force_accumulator), ZERO)
+    expect_close(xyz(p.force_accumulator), ZERO, unit="N")
     p.position = Vector3()
-    about.cause = "An immovable particle gets no force, not even at the center. Check "
-    about.cause += "has_finite_mass before you check the distance."
+    about.cause = "You check the distance before the mass. Check has_finite_mass first, because an "
+    about.cause += "immovable particle gets no force even at the center."
+    name = about.call
+    about.call = name.replace("(0, 2, 0)", "()")
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
-    name = about.call.replace("(0, 2, 0)", "()")
-    expect_close(xyz(p.force_accumulator), ZERO, call=name)
-    about.call = about.call.replace("math.inf", "4.0")
-    about.cause = "The mass of this particle is finite, so the force must act on it."
+    expect_close(xyz(p.force_accumulator), ZERO, unit="N")
+    about.call = name.replace("math.inf", "4.0")
+    about.cause = "Your force does not act on this particle, although its mass is finite. Skip "
+    about.cause += "only immovable particles."
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(xyz(p.force_accumulator), (0, -10.0, 0))
+    expect_close(xyz(p.force_accumulator), (0, -10.0, 0), unit="N")
 
 
 @pytest.mark.exercise("5.4")
@@ -155,46 +163,54 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     force = components(rng)
     about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= InverseSquareGravity(center=Vector3(), mu=-6.0); gravity.update_force(p, 0.5)"
-    about.cause = "With a negative mu the center pushes the particle away. Use mu with its sign, "
-    about.cause += "and add the force to the earlier one with add_force."
+    about.cause = "The force is wrong for a negative mu. It must push the particle away from the "
+    about.cause += "center, and earlier forces must stay."
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 3.0, force[1], force[2])
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, then="; p.force_accumulator, in N")
-    about.cause = "update_force has changed the center or the position, which it must only read. "
-    about.cause += "Compute with new vectors instead."
+    pulls = "Your force still pulls the particle toward the center, although mu is negative. Use "
+    pulls += "mu with its sign."
+    blame(got, {pulls: (force[0] - 3.0, force[1], force[2])})
+    expect_close(got, wanted, then="; p.force_accumulator", unit="N")
+    about.cause = "You change gravity.center, because -= works in place. Use -, which creates a "
+    about.cause += "new vector."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
+    about.cause = about.cause.replace("gravity.center", "p.position")
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "The check changes gravity.center and gravity.mu between two calls of "
-    about.cause += "update_force. Read self.center and self.mu in every call."
+    about.cause = "You use the first center or mu, which have changed since then. Read self.center "
+    about.cause += "and self.mu in every call."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, (0.5, 0, 0), then="; p.force_accumulator, in N")
+    expect_close(got, (0.5, 0, 0), then="; p.force_accumulator", unit="N")
 
 
 @pytest.mark.exercise("5.4")
-def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) -> None:
+def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
     about.read = READ
     mass, center = round(rng.uniform(2.0, 9.0), 3), components(rng)
-    about.call = "a particle p, 0.4 m from the center and moving at 2 m/s at right angles to it; "
-    about.call += "1 s of InverseSquareGravity with mu = 1"
-    about.cause = "With a force of m mu / r^2 toward the center, the particle moves on Kepler's "
-    about.cause += "ellipse. If another check of this force fails too, fix that one first."
+    about.call = "a particle p, 0.4 m from the center, moving at 2 m/s at right angles to it; for "
+    about.call += "1 s: InverseSquareGravity(center, mu=1).update_force(p, h) and p.integrate(h)"
+    about.cause = "The particle leaves its exact orbit, so the force is wrong. It must be m mu / "
+    about.cause += "r^2 toward the center, where r is the distance."
     exact = (-0.62894818, 0.79966473, 0.0)
     ends = [orbit(ELLIPSE, 1.0, mass, 1.0 / n, n, center)[0] for n in (1000, 2000)]
     errors = [math.dist(end, exact) for end in ends]
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
     expect_between(
-        errors[0], -0.008, 0.008, then="; error of p.position in m with steps of 1/1000 s"
+        errors[0],
+        -0.008,
+        0.008,
+        then="; distance of p from its exact position, with steps of h = 1/1000 s",
+        unit="m",
     )
-    about.cause = "With the right force, half the time step gives half the error. Check that the "
-    about.cause += "force is m mu / r^2 at every distance r."
+    about.cause = "Steps of half the length don't halve the error, so the force is wrong. It must "
+    about.cause += "be m mu / r^2 at every distance r."
     expect_close(
         errors[0] / errors[1],
         2.0,
@@ -206,12 +222,13 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
 
 @pytest.mark.exercise("5.4")
 def test_the_orbit_closes() -> None:
-    about(
-        "a particle, 0.4 m from the center and moving at 2 m/s at right angles to it; ", read=READ
+    about("a particle p, 0.4 m from the center, moving at 2 m/s at right angles to it; ", read=READ)
+    about.call += (
+        "for one orbit, 2 pi s: InverseSquareGravity(center, mu=1).update_force(p, h) and "
     )
-    about.call += "one orbit by InverseSquareGravity with mu = 1, which takes 2 pi s"
-    about.cause = "With a force proportional to 1 / r^2 the particle returns to where it started, "
-    about.cause += "apart from the error of the steps. Check the power of r in your force."
+    about.call += "p.integrate(h)"
+    about.cause = "The orbit does not end where it started, so the force is wrong. It must be "
+    about.cause += "m mu / r^2 at every distance r."
     counts = (10_000, 20_000)
     ends = [orbit(ELLIPSE, 1.0, 1.0, PERIOD / n, n, ZERO)[0] for n in counts]
     gaps = [math.dist(end, ELLIPSE[0]) for end in ends]

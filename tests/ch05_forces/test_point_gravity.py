@@ -24,15 +24,15 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
 
 
 @pytest.mark.exercise("5.3")
-def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> None:
+def test_the_force_is_equally_strong_at_every_distance(rng: Random) -> None:
     about.read = READ
     center, way = components(rng), direction(rng)
     mass, strength = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.1, 1.0, 25.0, 4000.0):
         place = away_from(center, way, distance)
-        about.cause = "The force must point toward the center, and its size must be m times the "
-        about.cause += "strength at any distance, so normalize the direction."
-        about.call = f"a particle p of {mass} kg, {distance} m from the center; "
+        about.cause = "The force is wrong. It must point toward the center, and its size must be m "
+        about.cause += "times the strength at every distance."
+        about.call = f"a particle p of {mass} kg, {distance:g} m from the center; "
         about.call += f"PointGravity(center=Vector3{center}, strength={strength}).update_force(p, "
         about.call += "0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
@@ -42,24 +42,24 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         reach = math.hypot(*xyz(place))
         slips = {
             "Your force pushes the particle away from the center. Use the vector from the "
-            "particle to the center as its direction.": [-part for part in wanted],
+            "particle to the center instead.": [-part for part in wanted],
             "Your force grows with the distance, because the vector to the center was not "
-            "normalized. Use the unit vector.": [part * distance for part in wanted],
-            "Your force does not depend on the mass, so it is really an acceleration. Multiply "
-            "it by particle.mass.": [part / mass for part in wanted],
-            "Your force is proportional to 1 / r^2, where r is the distance, as in exercise "
-            "5.4. In this exercise the force is equally strong at every distance, so don't "
-            "divide by r.": [part / distance**2 for part in wanted],
-            "Your force pulls the particle toward the point (0, 0, 0). Measure both the "
-            "direction and the distance from self.center instead.": [
+            "normalized. Normalize it before you multiply.": [part * distance for part in wanted],
+            "You add an acceleration instead of a force. Multiply it by particle.mass.": [
+                part / mass for part in wanted
+            ],
+            "Your force decreases with the square of the distance. It must be equally strong at "
+            "every distance, so don't divide by the square.": [
+                part / distance**2 for part in wanted
+            ],
+            "Your force pulls the particle toward the point (0, 0, 0). Use self.center instead.": [
                 -mass * strength * part / reach for part in xyz(place)
             ],
         }
         blame(got, slips)
-        expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=ROUNDED)
-        about.cause = "update_force has changed the position or the center, perhaps because you "
-        about.cause += "used -= or normalize, which work in place. Use - and normalized, which "
-        about.cause += "create new vectors."
+        expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=ROUNDED)
+        about.cause = "You change the position of the particle, because -= works in place. Use -, "
+        about.cause += "which creates a new vector."
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
@@ -72,52 +72,53 @@ def expect_full_strength(y: float, cause: str) -> None:
     p = Particle(Vector3(0, y, 0))
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, (0, -10.0, 0), then="; p.force_accumulator, in N")
+    expect_close(got, (0, -10.0, 0), then="; p.force_accumulator", unit="N")
 
 
 @pytest.mark.exercise("5.3")
-def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
+def test_point_gravity_is_zero_only_at_the_center(rng: Random) -> None:
     about.read = READ
     center = components(rng)
     about.call = f"p = Particle(Vector3{center}); PointGravity(center=Vector3{center}, "
     about.call += "strength=10.0).update_force(p, 0.5)"
-    about.cause = "The particle is exactly at the center, so the force has no direction. Add no "
-    about.cause += "force, and don't divide by the distance of 0."
+    about.cause = "The particle is exactly at the center, and you divide by its distance, which is "
+    about.cause += "0. Add no force there."
     p = Particle(Vector3(*center))
     PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, ZERO, then="; p.force_accumulator, in N")
+    expect_close(got, ZERO, then="; p.force_accumulator", unit="N")
     expect_full_strength(
         1e-9,
-        "The particle is very close to the center but not exactly there, so the force must "
-        "still have its full strength.",
+        "You add no force very close to the center. The force must have its full strength "
+        "everywhere except exactly at the center.",
     )
 
 
 @pytest.mark.exercise("5.3")
 @pytest.mark.robust
-def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
-    about.cause = "The distance from the center is tiny but not 0. Only its square rounds to 0, "
-    about.cause += "so check magnitude() instead of the squared magnitude."
+def test_a_distance_whose_square_rounds_to_zero() -> None:
+    about.cause = "You use the square of the distance, which rounds to 0 here. Use magnitude(), "
+    about.cause += "because the distance itself is not 0."
     expect_full_strength(1e-170, about.cause)
 
 
 @pytest.mark.exercise("5.3")
-def test_point_gravity_leaves_an_immovable_particle_alone() -> None:
+def test_point_gravity_skips_an_immovable_particle() -> None:
     about(
         "p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(center=Vector3(), ", read=READ
     )
-    about.call += "strength=10.0).update_force(p, 0.5); p.force_accumulator, in N"
-    about.cause = "An immovable particle has infinite mass, so the force would be infinite or "
-    about.cause += "NaN. Check has_finite_mass first, and add no force if it is False."
+    about.call += "strength=10.0).update_force(p, 0.5); p.force_accumulator"
+    about.cause = "You add a force to an immovable particle, which would be infinite. Add it only "
+    about.cause += "if has_finite_mass is True."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(xyz(p.force_accumulator), ZERO)
+    expect_close(xyz(p.force_accumulator), ZERO, unit="N")
     about.call = about.call.replace("math.inf", "4.0")
-    about.cause = "The mass of this particle is finite, so the force must act on it."
+    about.cause = "Your force does not act on this particle, although its mass is finite. Skip "
+    about.cause += "only immovable particles."
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(xyz(p.force_accumulator), (0, -40.0, 0))
+    expect_close(xyz(p.force_accumulator), (0, -40.0, 0), unit="N")
 
 
 @pytest.mark.exercise("5.3")
@@ -126,24 +127,28 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     force, center = components(rng), (7.0, 0.0, 0.0)
     about.call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= PointGravity(center=Vector3(), strength=-5.0); gravity.update_force(p, 0.5)"
-    about.cause = "With a negative strength the center pushes the particle away. Use the strength "
-    about.cause += "with its sign, and add the force to the earlier one with add_force."
+    about.cause = "The force is wrong for a negative strength. It must push the particle away from "
+    about.cause += "the center, and earlier forces must stay."
     p, gravity = Particle(Vector3(3, 0, 0), mass=2.0), PointGravity(Vector3(), -5.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 10.0, force[1], force[2])
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, then="; p.force_accumulator, in N")
-    about.cause = "update_force has changed the center or the position, which it must only read. "
-    about.cause += "Compute with new vectors instead."
+    pulls = "Your force still pulls the particle toward the center, although the strength is "
+    pulls += "negative. Use the strength with its sign."
+    blame(got, {pulls: (force[0] - 10.0, force[1], force[2])})
+    expect_close(got, wanted, then="; p.force_accumulator", unit="N")
+    about.cause = "You change gravity.center, because -= works in place. Use -, which creates a "
+    about.cause += "new vector."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
+    about.cause = about.cause.replace("gravity.center", "p.position")
     expect_unchanged("p.position", xyz(p.position), (3, 0, 0))
     about.call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "The check changes gravity.center and gravity.strength between two calls of "
-    about.cause += "update_force. Read self.center and self.strength in every call."
+    about.cause = "You use the first center or strength, which have changed since then. Read "
+    about.cause += "self.center and self.strength in every call."
     gravity.center, gravity.strength = Vector3(*center), 1.5
     p.clear_forces()
     gravity.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(got, (3.0, 0, 0), then="; p.force_accumulator, in N")
+    expect_close(got, (3.0, 0, 0), then="; p.force_accumulator", unit="N")

@@ -36,44 +36,44 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     wanted = tuple(a[i] + f[i] / mass for i in range(3))
     got = xyz(p.last_acceleration)
     slips = {
-        "This is only the constant acceleration. In kick, store the forces that the step uses "
-        "in self._forces[1], where last_acceleration reads them.": a,
+        "This is only the constant acceleration, without the forces of the last step. kick "
+        "must store them in self._forces[1], and last_acceleration must read them there.": a,
         "This is a + f, so the mass is missing. Divide the force f by the mass.": [
             a[i] + f[i] for i in range(3)
         ],
-        (
-            "This is a + f m, but a force f causes the acceleration f / m. Divide by the mass "
-            "m instead of multiplying."
-        ): [a[i] + f[i] * mass for i in range(3)],
-        "This is only f / m. Add the constant acceleration to it.": [f[i] / mass for i in range(3)],
+        "This is a + f m. Divide the force f by the mass m instead of multiplying.": [
+            a[i] + f[i] * mass for i in range(3)
+        ],
+        "This is only f / m. Add the constant acceleration a.": [f[i] / mass for i in range(3)],
     }
     blame(got, slips)
-    expect_close(got, wanted, then="; p.last_acceleration, in m/s^2", tolerance=ROUNDED)
-    about.cause = "The force that was added last is meant for the next step, so it must not "
-    about.cause += "change the acceleration of the last one. Store the forces of the last step "
-    about.cause += "separately."
+    expect_close(got, wanted, then="; p.last_acceleration", unit="m/s^2", tolerance=ROUNDED)
+    about.cause = "last_acceleration contains a force that no step has used yet. Return only the "
+    about.cause += "acceleration of the last step."
     p.add_force(Vector3(*g))
     got = xyz(p.last_acceleration)
     expect_close(
         got,
         wanted,
-        then=f"; p.add_force(Vector3{g}); p.last_acceleration, in m/s^2",
+        then=f"; p.add_force(Vector3{g}); p.last_acceleration",
+        unit="m/s^2",
         tolerance=ROUNDED,
     )
-    about.cause = "clear_forces has changed last_acceleration. It must clear only the forces for "
-    about.cause += "the next step, not those of the last one."
+    about.cause = "clear_forces has changed last_acceleration. Clear only the forces for the next "
+    about.cause += "step, not those of the last one."
     p.clear_forces()
     got = xyz(p.last_acceleration)
     expect_close(
-        got, wanted, then="; p.clear_forces(); p.last_acceleration, in m/s^2", tolerance=ROUNDED
+        got, wanted, then="; p.clear_forces(); p.last_acceleration", unit="m/s^2", tolerance=ROUNDED
     )
-    about.cause = "No force acted in the last step. last_acceleration must therefore be the "
-    about.cause += "constant acceleration alone."
+    about.cause = "last_acceleration contains a force of an earlier step. No force acted in the "
+    about.cause += "last one, so return the constant acceleration alone."
     p.integrate(0.5)
     expect_close(
         xyz(p.last_acceleration),
         a,
-        then="; p.integrate(0.5); p.last_acceleration, in m/s^2",
+        then="; p.integrate(0.5); p.last_acceleration",
+        unit="m/s^2",
         tolerance=ROUNDED,
     )
 
@@ -82,28 +82,28 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
 def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Random) -> None:
     a, f = components(rng), components(rng)
     about.call = f"p = Particle(acceleration=Vector3{a}); p.add_force(Vector3{f}); "
-    about.call += "p.last_acceleration"
+    about.call += "last = p.last_acceleration"
     about(
-        cause="No step has used the force yet. last_acceleration must therefore still be "
-        "the constant acceleration.",
+        cause="last_acceleration contains a force that no step has used yet. Return only the "
+        "constant acceleration before the first step.",
         read="the docstring of last_acceleration",
     )
     p = Particle(acceleration=Vector3(*a))
     p.add_force(Vector3(*f))
     last = p.last_acceleration
-    expect_close(xyz(last), a)
+    expect_close(xyz(last), a, unit="m/s^2")
     last.x = 99.0
-    about.cause = "A change of the vector that last_acceleration returned must not change the "
-    about.cause += "particle. Return a new vector from every call."
-    expect_unchanged("p.acceleration", xyz(p.acceleration), a, then=".x = 99.0")
+    about.cause = "last_acceleration returned a vector that belongs to the particle, so the caller "
+    about.cause += "could change it. Return a new vector from every call."
+    expect_unchanged("p.acceleration", xyz(p.acceleration), a, then="; last.x = 99.0")
     p.integrate(0.5)
     last = p.last_acceleration
     last.x = 99.0
     wanted = tuple(a[i] + f[i] for i in range(3))
-    name = f"{about.call[: about.call.rindex(';')]}; p.integrate(0.5); p.last_acceleration.x = "
-    name += "99.0; p.last_acceleration, in m/s^2"
+    name = f"{about.call[: about.call.rindex(';')]}; p.integrate(0.5); last = "
+    name += "p.last_acceleration; last.x = 99.0; p.last_acceleration"
     got = xyz(p.last_acceleration)
-    expect_close(got, wanted, call=name, tolerance=ROUNDED)
+    expect_close(got, wanted, call=name, tolerance=ROUNDED, unit="m/s^2")
 
 
 @pytest.mark.exercise("B5.2")
@@ -113,8 +113,8 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     about.call = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
     about.call += f"mass=math.inf); p.add_force(Vector3{f}); p.integrate({h})"
     about(
-        cause="An immovable particle must not move. Check the inverse mass before you "
-        "change the position or the velocity.",
+        cause="Your step changed an immovable particle. Check its inverse mass before you change "
+        "the position or the velocity.",
         read="the docstring of kick",
     )
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
@@ -122,26 +122,25 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     p.integrate(h)
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
-    about.cause = "The forces on the immovable particle were not cleared. Clear them in every "
-    about.cause += "step, because otherwise they add up until the particle becomes movable."
+    about.cause = "kick does not clear the forces on an immovable particle. Clear them in every "
+    about.cause += "step, or they add up until the particle becomes movable."
     got = xyz(p.force_accumulator)
-    expect_close(got, ZERO, then="; p.force_accumulator, in N")
-    about.cause = "Forces don't accelerate an immovable particle. Its last_acceleration must "
-    about.cause += "therefore be the constant acceleration alone."
-    expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration, in m/s^2")
+    expect_close(got, ZERO, then="; p.force_accumulator", unit="N")
+    about.cause = "last_acceleration contains a force on an immovable particle. Multiply the "
+    about.cause += "force by the inverse mass, which is 0 here."
+    expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration", unit="m/s^2")
     p.mass = mass
     p.add_force(Vector3(*f))
     p.integrate(h)
-    about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity, in "
-    about.call += "m/s"
+    about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
     about.cause = "The particle now has a finite mass, so it must move. Only the second force may "
-    about.cause += "act on it, because the step before has cleared the first."
+    about.cause += "act on it, because the first step cleared the first force."
     wanted = tuple(v[i] + (a[i] + f[i] / mass) * h for i in range(3))
-    expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
+    expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED, unit="m/s")
 
 
 @pytest.mark.exercise("B5.2")
-def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
+def test_forces_act_in_kick_and_not_in_drift(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.2, 0.8), 3)
     words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
@@ -150,42 +149,44 @@ def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     about(f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)", read="the docstring of kick")
     p.add_force(Vector3(*f))
     p.drift(h / 2.0)
-    about.cause = "drift changed the velocity or the forces. It must change only the position, "
-    about.cause += "because the forces act in kick."
+    about.cause = "drift changed the velocity or the forces. Change only the position, because "
+    about.cause += "the forces act in kick."
     expect_unchanged("p.velocity", xyz(p.velocity), v)
     got = xyz(p.force_accumulator)
-    expect_close(got, f, then="; p.force_accumulator, in N")
+    expect_close(got, f, then="; p.force_accumulator", unit="N")
     about.call += f"; p.kick({h})"
     before = xyz(p.position)
     p.kick(h)
-    about.cause = "kick must change only the velocity, to (v + (a + f / m) h) d^h. Here f is the "
-    about.cause += "force, m the mass, h the duration and d the damping."
+    about.cause = "kick changed the position. Change only the velocity, because drift moves the "
+    about.cause += "particle."
     expect_unchanged("p.position", xyz(p.position), before)
+    about.cause = "The velocity after kick is wrong. It must be v + (a + f / m) h, where f is the "
+    about.cause += "force, m the mass and h the duration."
     total = [a[i] + f[i] / mass for i in range(3)]
     wanted = tuple(v[i] + total[i] * h for i in range(3))
     got = xyz(p.velocity)
-    expect_close(got, wanted, then="; p.velocity, in m/s", tolerance=ROUNDED)
-    about.cause = "The forces are still there after kick. Each force acts only once, so kick must "
-    about.cause += "set their sum to zero."
+    expect_close(got, wanted, then="; p.velocity", unit="m/s", tolerance=ROUNDED)
+    about.cause = "The force is still there after kick. It acts only once, so set the sum of the "
+    about.cause += "forces to zero."
     got = xyz(p.force_accumulator)
-    expect_close(got, ZERO, then="; p.force_accumulator, in N")
-    about.cause = "last_acceleration must be the acceleration that the last kick used. A drift "
-    about.cause += "after the kick must not change it."
+    expect_close(got, ZERO, then="; p.force_accumulator", unit="N")
+    about.cause = "The drift after the kick changed last_acceleration. Keep the acceleration that "
+    about.cause += "the last kick used."
     about.call += f"; p.drift({h} / 2)"
     p.drift(h / 2.0)
     got = xyz(p.last_acceleration)
-    expect_close(got, total, then="; p.last_acceleration, in m/s^2", tolerance=ROUNDED)
+    expect_close(got, total, then="; p.last_acceleration", unit="m/s^2", tolerance=ROUNDED)
     about.cause = "With a constant force, drift for h / 2, kick for h and drift for h / 2 must "
     about.cause += "give the exact position. Check by how much each of them moves the particle."
     wanted = tuple(x[i] + v[i] * h + total[i] * h * h / 2.0 for i in range(3))
     got = xyz(p.position)
-    expect_close(got, wanted, then="; p.position, in m", tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.position", unit="m", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
-def test_a_refused_step_keeps_the_forces(duration: float) -> None:
+def test_a_step_with_a_bad_duration_changes_nothing(duration: float) -> None:
     about.read = "the docstring of kick"
     error = TypeError if isinstance(duration, str) else ValueError
     x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
@@ -193,19 +194,19 @@ def test_a_refused_step_keeps_the_forces(duration: float) -> None:
         words = f"p = Particle(position=Vector3{x}, velocity=Vector3{v}, acceleration=Vector3{a}, "
         words += f"mass={mass})"
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
-        about.cause = "The duration must be positive and finite. Check it in integrate before "
-        about.cause += "anything else."
+        about.cause = f"The duration is {duration!r}. It must be a positive, finite number, so "
+        about.cause += f"raise {error.__name__}."
         about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
         p.add_force(Vector3(*f))
         expect_error(
             lambda p=p: p.integrate(duration), error, allowed=lambda: Particle().integrate(0.5)
         )
-        about.cause = "integrate raised an error because of the duration, but it changed the "
-        about.cause += "particle anyway. Check the duration before you change anything."
+        about.cause = "integrate raised the error only after it had changed the particle. Check "
+        about.cause += "the duration before you change anything."
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.velocity", xyz(p.velocity), v)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
         got = xyz(p.force_accumulator)
-        expect_close(got, f, then="; p.force_accumulator, in N")
+        expect_close(got, f, then="; p.force_accumulator", unit="N")
         got = xyz(p.last_acceleration)
-        expect_close(got, a, then="; p.last_acceleration, in m/s^2")
+        expect_close(got, a, then="; p.last_acceleration", unit="m/s^2")

@@ -18,6 +18,7 @@ from expect import (
     expect_between,
     expect_close,
     expect_exactly,
+    expect_that,
     expect_unchanged,
     named,
     scoped,
@@ -33,8 +34,8 @@ CHANGE = "the docstring of change_wind"
 def blow(v: Components, w: Components, k1: float, k2: float) -> tuple[str, object]:
     """Let the wind act on a particle; return the words and the force."""
     about.call = f"p = Particle(velocity=Vector3{v}, mass=4.0); wind = Wind(k1={k1}, k2={k2}); "
-    about.call += f"wind.velocity = Vector3{w}; wind.update_force(p, 0.5); p.force_accumulator, in "
-    about.call += "N"
+    about.call += f"wind.velocity = Vector3{w}; wind.update_force(p, 0.5); "
+    about.call += "p.force_accumulator"
     p, wind = Particle(velocity=Vector3(*v), mass=4.0), Wind(k1, k2)
     wind.velocity = Vector3(*w)
     wind.update_force(p, 0.5)
@@ -47,8 +48,8 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     about.read = READ
     v, w = components(rng), components(rng)
     k1, k2 = round(rng.uniform(0.2, 0.9), 3), round(rng.uniform(0.2, 0.9), 3)
-    about.cause = "Drag depends on the velocity relative to the air, u = v - w, where w is the "
-    about.cause += "wind. The force must be -u (k1 + k2 |u|)."
+    about.cause = "The force is wrong. It must be the drag at the velocity v - w, where v is the "
+    about.cause += "velocity of the particle and w that of the wind."
     u = [v[i] - w[i] for i in range(3)]
 
     def drag(a: Sequence[float], one: float, two: float) -> list[float]:
@@ -59,20 +60,14 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         wanted = drag(u, one, two)
         still, blown = drag(v, one, two), drag(w, one, two)
         slips = {
-            "This is the drag in still air. Subtract the velocity of the wind from the "
-            "velocity of the particle first.": still,
-            (
-                "This is the force on a particle at rest, because you use the wind alone. "
-                "Subtract the velocity of the wind from the velocity of the particle."
-            ): [-part for part in blown],
-            "You add the velocity w of the wind to the velocity v of the particle. Drag "
-            "depends on the velocity relative to the air, so use v - w.": drag(
-                [v[i] + w[i] for i in range(3)], one, two
-            ),
-            "Your force points in the wrong direction, because it was computed with w - v. Use "
-            "v - w, where v is the velocity of the particle and w that of the wind.": [
-                -part for part in wanted
-            ],
+            "You ignore the wind. Subtract the velocity of the wind from the velocity of the "
+            "particle before you compute the drag.": still,
+            "You use the wind alone, as if the particle were at rest. Subtract the velocity of "
+            "the wind from the velocity of the particle.": [-part for part in blown],
+            "You add the velocity w of the wind to the velocity v of the particle. Subtract it, "
+            "because drag depends on v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
+            "Your force has the wrong sign, because it was computed with w - v. Use v - w, where "
+            "v is the velocity of the particle and w that of the wind.": [-part for part in wanted],
             "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by the "
             "square of the speed.": drag(u, two, one),
             "You add two drags, one for the particle's velocity v and one for the wind's "
@@ -82,35 +77,35 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 700.
-        expect_close(got, wanted, cause=why, tolerance=1e-11)
+        expect_close(got, wanted, cause=why, tolerance=1e-11, unit="N")
 
 
 @pytest.mark.exercise("P4.2a")
-def test_what_moves_with_the_air_feels_nothing(rng: Random) -> None:
+def test_a_particle_that_moves_with_the_air_feels_no_force(rng: Random) -> None:
     about.read = READ
     v = components(rng)
-    about.cause = "The particle moves along with the wind, so its velocity relative to the air is "
-    about.cause += "0. No force must act on it."
+    about.cause = "You add a force to a particle that moves along with the wind. Its velocity "
+    about.cause += "relative to the air is zero, so no force must act on it."
     about.call, got = blow(v, v, 0.5, 0.25)
-    expect_close(got, ZERO)
-    about.cause = "The wind must push a particle at rest in the direction of the wind. Use v - w "
-    about.cause += "as the relative velocity, and check the sign of the force."
+    expect_close(got, ZERO, unit="N")
+    about.cause = "The wind must push a particle at rest in the direction of the wind. Compute the "
+    about.cause += "drag at v - w, not at w - v."
     about.call, got = blow(ZERO, (2.0, 0.0, 0.0), 0.5, 0.25)
-    expect_close(got, (2.0, 0.0, 0.0))
-    about.cause = "The air is still, so the force must be ordinary drag, against the particle's "
-    about.cause += "velocity."
+    expect_close(got, (2.0, 0.0, 0.0), unit="N")
+    about.cause = "The force is wrong in still air. It must be ordinary drag, against the velocity "
+    about.cause += "of the particle."
     about.call, got = blow((0.0, 0.0, 2.0), ZERO, 0.5, 0.25)
-    expect_close(got, (0.0, 0.0, -2.0))
+    expect_close(got, (0.0, 0.0, -2.0), unit="N")
 
 
 @pytest.mark.exercise("P4.2a")
-def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
+def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     about.read = READ
     f, v, w = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(k1=0.5, "
     about.call += f"k2=0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
-    about.cause = "update_force must add the force with add_force, which keeps the other forces. "
-    about.cause += "It must not change the velocity of the particle or of the wind."
+    about.cause = "The sum of the forces is wrong. Add the drag with add_force, which keeps the "
+    about.cause += "other forces, and clear nothing."
     p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
     p.add_force(Vector3(*f))
     wind.velocity = Vector3(*w)
@@ -118,31 +113,45 @@ def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
     wanted = tuple(f[i] - 0.5 * (v[i] - w[i]) for i in range(3))
     got = xyz(p.force_accumulator)
     # A few roundings of numbers up to 30.
-    expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-13)
+    expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-13)
+    about.cause = "You change p.velocity, because -= works in place. Use -, which creates a new "
+    about.cause += "vector."
     expect_unchanged("p.velocity", xyz(p.velocity), v)
+    about.cause = about.cause.replace("p.velocity", "wind.velocity")
     expect_unchanged("wind.velocity", xyz(wind.velocity), w)
 
 
 @pytest.mark.exercise("P4.2a")
-def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
+def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
-    about.call = f"range = SniperRange({seed}); range.change_wind() 400 times"
+    about.call = f"range = SniperRange({seed}); 400 times: range.change_wind()"
     about.cause = "Each call of change_wind must draw a new wind. Call self.random.uniform once "
     about.cause += "for x and once for z."
     (seen,) = winds([seed], 400)
+    drawn = seen[1:]
     expect_exactly(
         len(seen),
         401,
         call=f"{about.call}; number of winds",
-        cause="Draw exactly one wind in each call to change_wind.",
+        cause="Draw exactly one wind in each call of change_wind.",
     )
     about.cause = "Your wind has a vertical component, but it must be horizontal. Set y to 0."
     highest = max(abs(y) for _, y, _ in seen)
-    expect_close(highest, 0.0, then="; the largest |y| of all winds, in m/s")
+    expect_close(highest, 0.0, then="; the largest |y| of all winds", unit="m/s")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
-        about.cause = f"Draw the {name} component uniformly between -STRONGEST_WIND and "
-        about.cause += "STRONGEST_WIND, which is 10 m/s."
+        draw = f"Draw {name} uniformly between -STRONGEST_WIND and STRONGEST_WIND."
+        about.cause = f"The wind along {name.upper()} has the wrong range. {draw}"
+        if min(blown) >= 0.0 or max(blown) <= 0.0:
+            about.cause = f"Along {name.upper()}, your wind blows to one side only. {draw}"
+        if len(set(map(tuple, drawn))) == 1:
+            about.cause = "All calls give the same wind. Draw with self.random instead of creating "
+            about.cause += "a new Random with the same seed in every call."
+        elif not any(blown[1:]):
+            about.cause = f"Your wind never blows along {name.upper()}. {draw}"
+        elif max(map(abs, blown)) > 10.0:
+            about.cause = "You add the new wind to the old one, so it gets too strong. Replace the "
+            about.cause += "old wind."
         # Of 401 uniform numbers in 20 none lies in the last of either side once in 10^8 runs, and
         # their mean is beyond 2 more seldom: 7 times its deviation.
         for what, got, low, high in (
@@ -150,14 +159,14 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
             ("largest", max(blown), 9.0, 10.0),
             ("mean", sum(blown) / len(blown), -2.0, 2.0),
         ):
-            why = about.cause
-            if abs(got) > 10.0:
-                why = "A component of the wind is larger than 10 m/s, perhaps because you add the "
-                why += f"new wind to the old one. {about.cause}"
-            expect_between(
-                got, low, high, then=f"; the {what} {name} of all winds, in m/s", cause=why
-            )
+            expect_between(got, low, high, then=f"; the {what} {name} of all winds", unit="m/s")
     about.cause = "Weak winds are too rare or too common. Draw x and z independently of each other."
+    speeds = [math.hypot(x, z) for x, _, z in drawn]
+    if max(speeds) - min(speeds) < 1e-9:
+        about.cause = "Your wind always has the same speed. Draw x and z independently of each "
+        about.cause += "other."
+    elif all(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in drawn):
+        about.cause = "You use the same random number for x and z. Draw a separate number for each."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
     expect_between(weak, 27, 131, then="; number of winds below 5 m/s")
@@ -166,15 +175,16 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.cause += "other."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_between(same, 130, 270, then="; number of winds in which x and z have the same sign")
-    about.cause = "In some winds, x and z have the same absolute value. Draw a random float for "
-    about.cause += "each of them, and don't round it, because two such numbers are almost never "
-    about.cause += "equal."
+    about.cause = "In some winds, x and z have the same absolute value. Draw a separate random "
+    about.cause += "number for each of them."
+    if all(x == round(x) and z == round(z) for x, _, z in drawn):
+        about.cause = "You draw whole numbers. Draw floats with self.random.uniform."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then="; number of winds with |x| = |z|")
 
 
 @pytest.mark.exercise("P4.2a")
-def test_the_wind_stays_the_same_generator() -> None:
+def test_change_wind_keeps_the_wind_object() -> None:
     about.read = CHANGE
     about.call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
     about.cause = "change_wind created a new Wind object, but the registry still holds the old "
@@ -188,32 +198,28 @@ def test_the_wind_stays_the_same_generator() -> None:
     expect_close(at.wind.k1, 0.5, then="; range.wind.k1")
     now = xyz(at.wind.velocity)
     gap = tuple(now[i] - after[i] for i in range(3))
-    expect_close(gap, ZERO, then="; range.wind.velocity minus wind.velocity")
-    about.cause = "The wind has the same velocity as before. Draw a new one, and store it in "
+    expect_close(gap, ZERO, then="; range.wind.velocity - wind.velocity", unit="m/s")
+    about.cause = "change_wind did not change the wind. Draw a new velocity, and store it in "
     about.cause += "self.wind.velocity."
-    expect_exactly(after == before, False, then="; range.wind.velocity is the same as before")
+    expect_that(after != before, "the velocity of the wind stays the same", "a new velocity")
 
 
 @pytest.mark.exercise("P4.2a")
-def test_the_wind_follows_the_seed_of_its_range(rng: Random) -> None:
+def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
-    about.call = f"SniperRange({seed}) twice and SniperRange({seed + 1}) once; change_wind() six "
-    about.call += "times for each of the three ranges"
-    about.cause = "The same seed must always give the same winds. Draw with self.random, which "
-    about.cause += "was created from the seed, instead of the random module."
+    about.call = f"a = SniperRange({seed}); b = SniperRange({seed}); c = SniperRange({seed + 1}); "
+    about.call += "six times: a.change_wind(), b.change_wind() and c.change_wind()"
+    about.cause = "Two ranges with the same seed have different winds. Draw with self.random, "
+    about.cause += "which was created from the seed."
     first, second, other = winds([seed, seed, seed + 1], 6)
     same = sum(a == b for a, b in zip(first, second, strict=True))
-    expect_exactly(
-        same, 7, then="; number of winds that are the same in the two ranges with the same seed"
-    )
-    about.cause = "Two different seeds gave the same winds. Draw with self.random, which was "
-    about.cause += "created from the seed of the range."
+    expect_exactly(same, 7, then="; number of winds that are equal in a and b", unit="winds")
+    about.cause = "Ranges with different seeds have the same winds. Draw with self.random, which "
+    about.cause += "was created from the seed."
     same = sum(a == b for a, b in zip(first, other, strict=True))
-    expect_exactly(
-        same, 0, then="; number of winds that are the same in ranges with different seeds"
-    )
-    about.cause = "Some calls of change_wind gave the same wind again. Draw a new wind in every "
+    expect_exactly(same, 0, then="; number of winds that are equal in a and c", unit="winds")
+    about.cause = "Some calls of change_wind gave an earlier wind again. Draw a new wind in every "
     about.cause += "call."
     kinds = len({tuple(w) for w in first})
-    expect_exactly(kinds, 7, then="; number of different winds of the first range")
+    expect_exactly(kinds, 7, then="; number of different winds in a", unit="winds")

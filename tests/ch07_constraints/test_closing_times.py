@@ -26,7 +26,7 @@ def test_when_a_gap_closes(rng: Random) -> None:
         (5.0, 0.0, -10.0, 1.0, rest),
         (15.0, 10.0, -10.0, 3.0,
          "The body first moves away and then falls back to the ground. Return the positive "
-         "solution, when it comes back."),
+         "solution of the equation."),
         (40.0, -10.0, -10.0, 2.0,
          "The negative solution is in the past. Return the positive one."),
         (6.0, -5.0, 2.0, 2.0,
@@ -54,8 +54,10 @@ def test_when_a_gap_closes(rng: Random) -> None:
                    ]  # fmt: skip
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
-            which = "negative" if other < 0.0 else "other"
-            why = f"You returned the {which} solution of the quadratic equation. {cause}"
+            why = f"You returned the other solution of the quadratic equation. {cause}"
+            if other < 0.0:
+                why = "You returned the negative solution of the quadratic equation, which is in "
+                why += "the past. Return the positive one."
             mistakes.append((other, why if other else cause))
         if not v:
             half = wanted / math.sqrt(2.0)

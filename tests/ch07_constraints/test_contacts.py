@@ -78,16 +78,9 @@ def test_the_world_does_not_move(rng: Random) -> None:
         about.cause += "second velocity to subtract. Return va . n, where n is the contact's "
         about.cause += "normal."
         got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
-        blame(
-            got,
-            [
-                (
-                    -dot(v, n),
-                    "The sign is wrong: your result is positive when the particle approaches. "
-                    "Return va . n, where n is the contact's normal.",
-                )
-            ],
-        )
+        why = "The sign is wrong: your result is positive when the particle approaches. Return va "
+        why += ". n, where n is the contact's normal."
+        blame(got, [(-dot(v, n), why)])
         expect_close(got, dot(v, n), tolerance=1e-13, unit="m/s")
 
 
@@ -142,33 +135,20 @@ def test_a_closing_contact_bounces(rng: Random) -> None:
         got = Contact(a, b, Vector3(*n), restitution).velocity_after()
         wanted = -restitution * closing
         mistakes = [
-            (
-                -wanted,
-                "The sign is wrong: a negative result means that the particles still approach "
-                "after the bounce. Return -c v_s, where c is the restitution and v_s the "
-                "separating velocity before the bounce.",
-            ),
-            (
-                -closing,
-                "You left out the restitution c, so the bounce loses no speed. Return -c v_s, "
-                "where v_s is the separating velocity before the bounce.",
-            ),
-            (
-                closing,
-                "You returned v_s, the separating velocity before the bounce. Return the one after "
-                "it, which is -c v_s with the restitution c.",
-            ),
-            (
-                wanted - closing,
-                "You returned the change in the separating velocity during the bounce. Return its "
-                "value after the bounce, which is minus the restitution times its value before.",
-            ),
-            (
-                0.0,
-                f"You returned 0, but the particles approach at {-closing} m/s. Slow contacts "
-                "bounce too: return -c v_s with the restitution c.",
-            ),
-        ]
+            (-wanted,
+             "The sign is wrong: a negative result means that the particles still approach after "
+             "the bounce. Return -c v_s, where c is the restitution and v_s the separating "
+             "velocity before the bounce."),
+            (-closing, "You left out the restitution c, so the bounce loses no speed. Return -c "
+                       "v_s, where v_s is the separating velocity before the bounce."),
+            (closing, "You returned v_s, the separating velocity before the bounce. Return the one "
+                      "after it, which is -c v_s with the restitution c."),
+            (wanted - closing,
+             "You returned the change in the separating velocity. Return its value after the "
+             "bounce, which is minus the restitution times its value before."),
+            (0.0, f"You returned 0, but the particles approach at {-closing} m/s. Slow contacts "
+                  "bounce too: return -c v_s with the restitution c."),
+        ]  # fmt: skip
         if closing < -1e-3:  # below, all of these are near 0
             blame(got, mistakes)
         expect_close(got, wanted, tolerance=1e-12, unit="m/s")

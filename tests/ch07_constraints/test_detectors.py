@@ -162,19 +162,19 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
             0.75,
             1.500001,
             None,
-            "They are more than two radii apart, so they don't touch.",
+            "Their centers are more than two radii apart.",
         ),
         (
             0.75,
             1.25,
             0.25,
-            "Their centers are 1.25 m apart, less than two radii (1.5 m), so they touch.",
+            "Their centers are 1.25 m apart, less than two radii (1.5 m), so they need one.",
         ),
         (
             4.0,
             0.5,
             7.5,
-            "Their centers are 0.5 m apart, less than two radii (8 m), so they touch.",
+            "Their centers are 0.5 m apart, less than two radii (8 m), so they need one.",
         ),
     ):
         about.cause = cause
@@ -222,23 +222,23 @@ def expect_pairs(
     ``size`` is two radii, and the particles with the indices in ``walls`` are immovable.
     """
     seen, pairs = ([(a, b) for a, b, *_ in contacts] for contacts in (got, wanted))
-    found = {frozenset(pair) for pair in seen}
+    found, two = {frozenset(pair) for pair in seen}, "[a, b]" in about.call
     if len(found) < len(seen):
         about.cause = "You returned two contacts for the same pair of particles. Return only one "
         about.cause += "contact for each pair."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
-        one, other = "ab" if "[a, b]" in about.call else missing[0]
-        about.cause = f"You returned no contact between {one} and {other}. {about.cause}"
-        if walls & {one, other}:
-            about.cause = f"You returned no contact between particles {one} and {other}. Only one "
-            about.cause += "of them is immovable, so the contact can move the other one."
+        both = "a and b" if two else "particles {} and {}".format(*missing[0])
+        about.cause = f"You returned no contact between {both}. {about.cause}"
+        if walls & {*missing[0]}:
+            about.cause = f"You returned no contact between {both}, but only one of them is "
+            about.cause += "immovable. Skip a pair only if both particles are immovable."
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
-        one, other = "ab" if "[a, b]" in about.call else extra[0]
-        about.cause = f"You returned a contact between {one} and {other}, which don't touch."
-        if {one, other} <= walls:
-            about.cause = f"You returned a contact between particles {one} and {other}, but both "
-            about.cause += "are immovable, so no contact can move them. Skip such pairs."
+        both = "a and b" if two else "particles {} and {}".format(*extra[0])
+        about.cause = f"You returned a contact between {both}, which don't touch."
+        if {*extra[0]} <= walls:
+            about.cause = f"You returned a contact between {both}, but both are immovable, so no "
+            about.cause += "contact can move them. Skip such pairs."
     else:
         about.cause = "You returned the right pairs in the wrong order. Sort them by the indices "
         about.cause += "of their particles, with the smaller index first in each pair."
@@ -286,8 +286,8 @@ def test_every_pair_is_found_once(rng: Random) -> None:
         walls = {3, 4, 5, 6}
         about.call = f"{count} particles in a cube with an edge of {2 * size:g} m, where particles "
         about.call += f"3 to 6 are immovable; ParticlePairs(particles, radius={radius}).contacts()"
-        about.cause = "They touch, so they need a contact. Your search never compares them: it "
-        about.cause += "must reach every pair that can touch."
+        about.cause = "Your search doesn't compare them, although they touch. Extend it to every "
+        about.cause += "pair that can touch."
         particles = [
             Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
             for i, place in enumerate(places)

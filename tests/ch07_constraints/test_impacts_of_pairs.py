@@ -176,7 +176,7 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     speed = positive_number(rng, 1.0, 3.0)
     places = [0.0, 30.0, 3.0, 7.0, 32.5, 9.5]
     speeds = [0.0, speed, 0.0, 0.0, -speed, -speed]
-    about.call = f"six spheres at x = {places} with velocities of {speeds} m/s along x; pairs = "
+    about.call = f"six spheres at x = {places}; their velocities along x are {speeds} m/s; pairs = "
     about.call += "ParticlePairs(spheres, radius=1.0); pairs.next_impact(9.0)"
     about.cause = "You found no impact, although spheres 1 and 4 meet. Compute the time for every "
     about.cause += "pair of spheres, not only for neighbors in the list."
@@ -185,8 +185,8 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     impact = expect_impact(pairs.next_impact(9.0))
     ((a, b, normal, _, _),) = told([impact[1]], particles)
     names = [f"sphere {i}" for i in range(6)]
-    about.cause = "You returned an impact, but not the earliest one, which is between spheres 1 "
-    about.cause += "and 4. Compare the times of all pairs."
+    about.cause = "You returned a later impact than that of spheres 1 and 4. Compare the times of "
+    about.cause += "all pairs, and return the earliest impact."
     expect_particles((a, b), (1, 4), names)
     expect_close(impact[0], 0.25 / speed, then=TIME, unit="s")
     about.cause = "The normal is wrong. Use the unit vector from the second sphere of the pair to "

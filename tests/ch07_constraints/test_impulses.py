@@ -209,8 +209,8 @@ def test_a_resting_particle_does_not_bounce(rng: Random) -> None:
     about.call = f"particle a with velocity ({side}, {-9.0 * h}, 0) and acceleration (0, -9, 0); c "
     about.call += f"= Contact(a, None, normal=Vector3(0, 1, 0), restitution={c}, "
     about.call += f"penetration=0.125); c.resolve_velocity({h})"
-    about.cause = "You let the velocity bounce that gravity has added in this time step. Pass the "
-    about.cause += "duration to velocity_after, which leaves this velocity out."
+    about.cause = "Your bounce includes the velocity that gravity has added in this time step. "
+    about.cause += "Pass the duration to velocity_after, which leaves this velocity out."
     a = Particle(None, Vector3(side, -9.0 * h, 0.0), Vector3(0.0, -9.0, 0.0), mass=3.0)
     Contact(a, None, Vector3(*UP), c, 0.125).resolve_velocity(h)
     got = xyz(a.velocity)

@@ -73,13 +73,13 @@ def expect_contacts(
         why = f"Your normal points the wrong way. {about.cause}"
         why = cause_of(normal, [(back, why)], about.cause)
         expect_close(normal, right[2], then=f"; the normal of {which}", cause=why, tolerance=1e-15)
-        why = "The contact has the wrong restitution. "
-        why += "Pass the restitution of the link to it." if right[3] else "It should be 0 here."
+        why = "The contact has the wrong restitution. Create it with "
+        why += "the restitution of the link." if right[3] else "a restitution of 0."
         expect_close(restitution, right[3], then=f"; the restitution of {which}", cause=why)
         depths = [
-            (-right[4], "The penetration has the wrong sign. It must be "
-                        + ("positive, because" if right[4] > 0.0 else "negative, unless")
-                        + " the link violates this limit."),
+            (-right[4], "The penetration has the wrong sign. The distance "
+                        + ("violates this limit, so it must be positive." if right[4] > 0.0 else
+                           "doesn't violate this limit, so it must be negative.")),
             (far, "You used the whole distance between the ends as the penetration. Use only its "
                   "difference from the limit."),
         ]  # fmt: skip
@@ -117,8 +117,8 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
         pair[0].mass = math.inf
         told_ends = told_ends.replace("a at", "a (immovable) at")
     end = "the anchor" if anchored else "b"
-    to_the_end = f"The cable is taut and pulls a toward {end}. Use the unit vector from a to {end} "
-    to_the_end += "as the normal."
+    to_the_end = f"The cable is taut and pulls a toward {end}. Use the normalized offset from a "
+    to_the_end += f"to {end} as the normal."
     before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),
@@ -145,8 +145,8 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, "
     about.call += f"max_length={1.25 * length}); c.contacts()"
-    about.cause = "The distance between the ends is less than max_length, so the cable is slack. "
-    about.cause += "Return no contact."
+    about.cause = "You returned a contact for a slack cable: the distance between its ends is less "
+    about.cause += "than max_length. Return no contact."
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):
@@ -196,46 +196,25 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     back = (-n[0], -n[1], -n[2])
     both = "You returned two contacts, as the book's text suggests, but one of them does nothing "
     both += "(E-9). Return only the contact that pulls or pushes."
-    two = [
-        (2, both),
-        (
-            1,
-            "You returned a contact, but the rod has exactly the right length and needs none. "
-            "Return an empty list.",
-        ),
-    ]
+    none = "You returned a contact, but the rod has exactly the right length and needs none. "
+    none += "Return an empty list."
+    pulls = f"stretched and pulls a toward {end}. Return a contact whose normal points from a to "
+    pulls += f"{end}."
+    pushes = f"compressed and pushes a away from {end}. Return a contact whose normal points from "
+    pushes += f"{end} to a."
+    tiny = length / 1024.0
     for rod, wanted, cause in (
-        (
-            0.75 * length,
-            [(0, other, n, 0.0, 0.25 * length)],
-            f"The rod is stretched and pulls a toward {end}. Return a contact whose normal points "
-            f"from a to {end}.",
-        ),
-        (
-            1.25 * length,
-            [(0, other, back, 0.0, 0.25 * length)],
-            f"The rod is compressed and pushes a away from {end}. Return a contact whose normal "
-            f"points from {end} to a.",
-        ),
-        (
-            1023.0 / 1024.0 * length,
-            [(0, other, n, 0.0, length / 1024.0)],
-            f"The rod is slightly stretched and pulls a toward {end}. Return a contact whose "
-            f"normal points from a to {end}.",
-        ),
-        (
-            1025.0 / 1024.0 * length,
-            [(0, other, back, 0.0, length / 1024.0)],
-            f"The rod is slightly compressed and pushes a away from {end}. Return a contact whose "
-            f"normal points from {end} to a.",
-        ),
-        (length, [], "The rod has exactly the right length, so it should not have a contact."),
+        (0.75 * length, [(0, other, n, 0.0, 0.25 * length)], f"The rod is {pulls}"),
+        (1.25 * length, [(0, other, back, 0.0, 0.25 * length)], f"The rod is {pushes}"),
+        (1023.0 * tiny, [(0, other, n, 0.0, tiny)], f"The rod is slightly {pulls}"),
+        (1025.0 * tiny, [(0, other, back, 0.0, tiny)], f"The rod is slightly {pushes}"),
+        (length, [], none),
     ):
         about(cause=cause)
         about.call = f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, length={rod}); "
         about.call += "r.contacts()"
         link = make(*pair, rod)
-        expect_contacts(about.call, link, pair, wanted, two, length)
+        expect_contacts(about.call, link, pair, wanted, [(2, both)], length)
         about.call += f"; r.length = {0.5 * length}; r.contacts()"
         about.cause = "The rod's length has changed since the first call. Read it again on every "
         about.cause += "call."
@@ -396,7 +375,8 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
         about.cause += "Their normals and penetrations have opposite signs."
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
         rod = TwoSidedRod(*pair, share * length)
-        one = [(1, f"You returned only one contact. {about.cause}")]
+        one = [(1, "You returned only one contact. Return two contacts in every case: one that "
+                   "pulls and one that pushes.")]  # fmt: skip
         expect_contacts(about.call, rod, pair, wanted, one)
         about.call += f"; r.length = {0.5 * length}; r.contacts()"
         about.cause = "The rod's length has changed since the first call. Read it again on every "

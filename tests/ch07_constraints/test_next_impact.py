@@ -76,9 +76,8 @@ def test_the_first_impact_on_the_ground(rng: Random) -> None:
         (3, "The normal of the contact is wrong. Use (0, 1, 0), which points out of the ground."),
         (5, "The contact has the wrong restitution. Pass the restitution of the detector when you "
         "create the contact."),
-        (6,
-         "You used a penetration other than 0. The contact describes the moment of the impact, "
-         "when the sphere just touches the ground."),
+        (6, "You used the current penetration. The contact describes the moment of the impact, "
+            "when the sphere just touches the ground, so use 0."),
     ):  # fmt: skip
         if seen[part] != wanted[part]:
             about.cause = cause
@@ -201,8 +200,8 @@ def test_pairs_reject_invalid_durations_and_accelerations() -> None:
     about.read = PAIRS
     pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]
     expect_durations("ParticlePairs([a, b], radius=1.0)", ParticlePairs(pair, 1.0))
-    about.cause = "You accepted two different accelerations, but your equation is only for a "
-    about.cause += "straight relative path. Raise ValueError, even if the particles move apart."
+    about.cause = "You accepted two different accelerations, but the equation holds only if they "
+    about.cause += "are equal. Raise ValueError, even if the particles move apart."
     for velocity, one, other, force, mass in (
         (-1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
         (1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),

@@ -114,8 +114,8 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
 def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     about.read = "E-27, and the docstring of Contact.resolve_penetration"
     p, q, n = components(rng), components(rng), direction(rng)
-    gap = "You moved the particles, although the penetration is negative, which means that there "
-    gap += "is a gap between them. Move nothing, however small the gap is."
+    gap = "You closed a gap: a negative penetration means that the particles don't touch. Don't "
+    gap += "move them, however small the gap is."
     for depth, mass, cause in (
         (0.0, 2.0,
          "You moved the particles, but the penetration is 0, so they just touch. Don't move "
@@ -224,7 +224,7 @@ def test_a_resting_body_stays_on_the_ground() -> None:
         about.call += f"of {restitution}"
         sinks = "The body sinks into the ground, because you resolve only its velocity. "
         sinks += "Contact.resolve should call resolve_velocity and then resolve_penetration."
-        jumps = "You let the velocity bounce that gravity adds in each time step. Pass the "
+        jumps = "The bounce includes the velocity that gravity adds in each time step. Pass the "
         jumps += "duration to resolve_velocity, which leaves this velocity out."
         about.cause = sinks
         heights, fastest = lying(restitution, generated, 900, 1.0 / 60.0)

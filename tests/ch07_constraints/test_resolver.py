@@ -225,8 +225,8 @@ def test_only_closing_contacts_are_resolved(rng: Random) -> None:
         bodies = [(ZERO, v, 2.0)]
         used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
         if used == 9 and depth == 0.0:
-            about.cause = "You didn't measure the closing speed along the contact's normal, so a "
-            about.cause += "resolution doesn't change it. Use the contact's separating velocity."
+            about.cause = "You didn't measure the closing speed along the contact's normal, so "
+            about.cause += "resolving it doesn't help. Use the contact's separating velocity."
         expect_exactly(used, wanted, then="; the returned number", unit="resolutions")
         got = -dot(after[0][1], n)
         left = 0.0 if wanted else closing
@@ -279,8 +279,8 @@ def test_each_resolution_gets_the_duration() -> None:
     about.call = "particles a and b, both with velocity (0, -4, 0) and acceleration (0, -4, 0); "
     about.call += "their contacts with the ground, with a restitution of 0.75; "
     about.call += "resolver.resolve_velocities(contacts, 9, duration) with a duration of"
-    about.cause = "You let the velocity bounce that gravity has added in the time step. Pass the "
-    about.cause += "duration to Contact.resolve_velocity, which leaves this velocity out."
+    about.cause = "Your bounces include the velocity that gravity has added in the time step. "
+    about.cause += "Pass the duration to Contact.resolve_velocity, which leaves this velocity out."
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
         contacts = [(0, -1, UP, 0.75, 0.0), (1, -1, UP, 0.75, 0.0)]
         bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]

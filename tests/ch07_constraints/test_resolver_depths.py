@@ -167,16 +167,16 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             about.cause += "contact.particle along this contact's own normal, and add that of "
             about.cause += "contact.other."
             if q == end == -1 and p == 0:
-                about.cause = "Both contacts are with the ground, so contact.other is None and "
-                about.cause += "hasn't moved. Skip contact.other if it is None."
+                about.cause = "You updated this contact for contact.other, which is None, but the "
+                about.cause += "ground hasn't moved. Skip contact.other if it is None."
             elif wanted == -5.0:
                 about.cause = "You updated a contact whose particles haven't moved. Compare "
                 about.cause += "particles with `is`, and skip contact.other if it is None."
             elif got == -5.0:
                 about.cause = "You didn't update this contact, although a particle of it has "
                 about.cause += "moved. Check both contact.particle and contact.other."
-            name = f"; the penetration of the contact of {names[p]} and {names[q]}, which was -5 m "
-            name += "before"
+            name = f"; the penetration of another contact, between {names[p]} and {names[q]}, "
+            name += "which was -5 m before"
             expect_close(got, wanted, then=name, tolerance=1e-14, unit="m")
 
 

@@ -371,8 +371,8 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         depth = (1.0 - share) * length
         about.call = f"{told_ends}; r = TwoSidedRod(a, b, length={share * length}); r.contacts()"
-        about.cause = "Return two contacts in every case: the first pulls and the second pushes. "
-        about.cause += "Their normals and penetrations have opposite signs."
+        about.cause = "The first contact pulls and the second one pushes, so their normals and "
+        about.cause += "penetrations have opposite signs."
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
         rod = TwoSidedRod(*pair, share * length)
         one = [(1, "You returned only one contact. Return two contacts in every case: one that "

@@ -46,8 +46,8 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     without = (wanted[0], 9.0 + v[1] * h, wanted[2])
     mistakes = [
         ((0.0, 9.0, 0.0),
-         ("The particle hasn't moved. When there is no further impact, move it for the rest of "
-         "the step.")),
+         "The particle hasn't moved. When there is no further impact, move it for the rest of the "
+         "step."),
         (without,
          "You left out the term a t^2 / 2, as explicit Euler does. Use p + v t + a t^2 / 2."),
         ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]),
@@ -79,10 +79,8 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         while t <= 3.0:
             times.append(t)
             t += 2.0 * e ** len(times)
-        about.cause = (
-            "You missed an impact of this step. After each impact, call next_impact again "
-        )
-        about.cause += "for the rest of the step."
+        about.cause = "You missed an impact of this step. After each impact, call next_impact "
+        about.cause += "again for the rest of the step."
         ball = [((0.0, 5.0, 0.0), ZERO, 2.0)]
         seen, found, asked, _ = flown(ball, DOWN, 0.0, (e, None), h, frames)
         if len(found) > len(times):
@@ -182,10 +180,8 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
         expect_close(time, times[most], then="; error.time", tolerance=1e-12, unit="s")
         place, velocity = seen[0][0]
         speed = -10.0 * 0.5**most
-        about.cause = (
-            "You left the ball at the time of the last allowed impact. Move all particles to "
-        )
-        about.cause += "the time of the next impact before you raise the error."
+        about.cause = "You left the ball at the time of the last allowed impact. Move all "
+        about.cause += "particles to the time of the next impact before you raise the error."
         damped = "You applied the damping before you raised TooManyImpacts. It belongs to the end "
         damped += "of a complete step, so raise the error first."
         blame(velocity[1], [(speed * 0.5 ** times[most], damped)])
@@ -215,9 +211,8 @@ def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
         wanted = tuple(speed if i >= 5 - count else 0.0 for i in range(5))
         name = "the final velocities along the row"
         expect_close(got, wanted, tolerance=1e-13, then=name, unit="m/s")
-        expect_exactly(
-            len(found), count * (5 - count), then="the number of impacts", unit="impacts"
-        )
+        right = count * (5 - count)
+        expect_exactly(len(found), right, then="the number of impacts", unit="impacts")
 
 
 @pytest.mark.exercise("B7.12")
@@ -320,10 +315,8 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     about.cause = "The acceleration of q is f / m = 8 N / 2 kg = 4 m/s^2. Use "
     about.cause += "the last_acceleration of each particle when you move it."
     bounces = about.call
-    about.call = (
-        "particles p, q and r; q (2 kg, damping 0.25) is at rest at (9, 90, 0) with a force "
-    )
-    about.call += f"of (8, 0, 0) N; time_division_step([p, q, r], ground, {h}); "
+    about.call = "particles p, q and r; q (2 kg, damping 0.25) is at rest at (9, 90, 0) with a "
+    about.call += f"force of (8, 0, 0) N; time_division_step([p, q, r], ground, {h}); "
     still = "Particle q hasn't moved, although a force of 8 N acts on it. Call kick(0.0) on every "
     still += "particle at the start of the step, not only on the first one."
     blame(falling[0], [((9.0, 90.0, 0.0), still)])
@@ -331,10 +324,8 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     expect_close(falling[1], (1.0, 0.0, 0.0), then="q.velocity", tolerance=1e-13, unit="m/s")
     about.cause = "You changed an immovable particle, or left forces on it. Call kick(0.0) on it, "
     about.cause += "but don't move it."
-    about.call = (
-        "an immovable particle p at (9, 9, 9) with velocity (1, 2, 3) and force (1, 2, 3); "
-    )
-    about.call += f"time_division_step([p], ground, {h}); "
+    about.call = "an immovable particle p at (9, 9, 9) with velocity (1, 2, 3) and force (1, 2, "
+    about.call += f"3); time_division_step([p], ground, {h}); "
     expect_close(fixed[0], (9.0, 9.0, 9.0), then="p.position", tolerance=9e-13, unit="m")
     expect_close(fixed[1], (1.0, 2.0, 3.0), then="p.velocity", tolerance=9e-13, unit="m/s")
     expect_close(fixed[3], ZERO, then="p.force_accumulator", tolerance=9e-13, unit="N")
@@ -353,18 +344,14 @@ def test_penetrations_are_not_resolved() -> None:
     about.call = f"{below}(0, 3, 0){after}"
     about.cause = "The particle is below the ground but moves out of it, so there is no impact. "
     about.cause += "Let it fly, and don't resolve its penetration."
-    seen, _, _, _ = flown(
-        [((0.0, -1.0, 0.0), (0.0, 3.0, 0.0), 2.0)], ZERO, 0.0, (0.5, None), 0.5, 1
-    )
+    seen = flown([((0.0, -1.0, 0.0), (0.0, 3.0, 0.0), 2.0)], ZERO, 0.0, (0.5, None), 0.5, 1)[0]
     place, velocity = seen[0][0]
     expect_close(place, (0.0, 0.5, 0.0), then="p.position", tolerance=3e-13, unit="m")
     expect_close(velocity, (0.0, 3.0, 0.0), then="p.velocity", unit="m/s")
     about.call = f"{below}(0, -3, 0) and a restitution of 0.5{after}"
     about.cause = "You moved the particle out of the ground, but time_division_step resolves only "
     about.cause += "velocities. Call only resolve_velocity."
-    seen, _, _, _ = flown(
-        [((0.0, -1.0, 0.0), (0.0, -3.0, 0.0), 2.0)], ZERO, 0.0, (0.5, None), 0.5, 1
-    )
+    seen = flown([((0.0, -1.0, 0.0), (0.0, -3.0, 0.0), 2.0)], ZERO, 0.0, (0.5, None), 0.5, 1)[0]
     place, velocity = seen[0][0]
     expect_close(place, (0.0, -0.25, 0.0), then="p.position", tolerance=1.5e-13, unit="m")
     expect_close(velocity, (0.0, 1.5, 0.0), then="p.velocity", unit="m/s")

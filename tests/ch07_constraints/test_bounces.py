@@ -72,8 +72,8 @@ def test_restitution_of_drop_rejects_invalid_heights() -> None:
         ValueError,
         call="restitution_of_drop(initial_height=2, bounce_height=2.5)",
         allowed=lambda: restitution_of_drop(2, 2),
-        cause="A ball can't bounce above the height it was dropped from, so one of the heights "
-        "must be wrong. Raise ValueError if bounce_height is larger than initial_height.",
+        cause="A ball can't bounce above the height it was dropped from, so one height "
+        "is wrong. Raise ValueError if bounce_height is larger than initial_height.",
     )
 
 
@@ -180,23 +180,22 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     about.read = TWO
     about.call = "top_ball_speed(height=1.0, lower_mass=9.0, upper_mass=1.0, "
     about.call += "ground_restitution=0.5, pair_restitution=0.75)"
-    about.cause = "Both balls reach the ground at v = sqrt(20) m/s, and the lower ball bounces at "
-    about.cause += "0.5 v. Then the balls collide, so compute the upper ball's velocity after that "
-    about.cause += "collision."
+    about.cause = "Both balls reach the ground at v = sqrt(20) m/s, and the lower one bounces at "
+    about.cause += "0.5 v. Compute the upper ball's velocity after the two then collide."
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
     v = math.sqrt(20.0)
     mistakes = [
         (0.575 * v,
-         "You treated the lower ball as if it were at rest. It has already bounced off the "
-         "ground, so it rises at half the speed of the fall when the upper ball hits it."),
+         "You treated the lower ball as if it were at rest. When the balls collide, the lower "
+         "ball already rises at half the speed of the fall."),
         (-0.7375 * v, "The masses are swapped. The upper ball takes the fraction lower_mass / "
                       "(lower_mass + upper_mass) of the change in the relative velocity."),
         (2.3625 * v,
          "You returned the change in the upper ball's velocity. Before the collision "
          "the upper ball was falling at v = sqrt(2 g h), so subtract v."),
-        (2.625 * v - v, "You gave the upper ball the whole change in the relative velocity. Its "
-                        "fraction is lower_mass / (lower_mass + upper_mass), which is 0.9 here, "
-                        "and the lower ball takes the rest."),
+        (2.625 * v - v,
+         "You gave the upper ball the whole change in the relative velocity. Multiply this "
+         "change by lower_mass / (lower_mass + upper_mass), which is 0.9 here."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 1.3625 * v, unit="m/s")
@@ -297,15 +296,14 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
     for share in (0.25, 1.0, 0.0):
         about.call = f"f = Vector3{f}; force_for_frame(f, contact_time={share * frame}, "
         about.call += f"frame={frame})"
-        about.cause = "The impulse is the force times its duration. A force that gives the same "
-        about.cause += "impulse over the whole frame is smaller, so multiply the force by "
-        about.cause += "contact_time / frame."
+        about.cause = "A force over the whole frame needs only part of the size to give the same "
+        about.cause += "impulse. Multiply the force by contact_time / frame."
         force = Vector3(*f)
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
         impulse = tuple(share * frame * part for part in f)
-        why = "You returned the impulse in N s, but the function should return a force. The force "
-        why += "acts for the whole frame, so divide the impulse by the duration of the frame."
+        why = "You returned the impulse in N s instead of a force. The force acts for the whole "
+        why += "frame, so divide the impulse by the duration of the frame."
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)

@@ -136,9 +136,8 @@ def test_a_closing_contact_bounces(rng: Random) -> None:
         wanted = -restitution * closing
         mistakes = [
             (-wanted,
-             "The sign is wrong: a negative result means that the particles still approach after "
-             "the bounce. Return -c v_s, where c is the restitution and v_s the separating "
-             "velocity before the bounce."),
+             "The sign is wrong: the particles still approach after your bounce. Return -c v_s, "
+             "where c is the restitution and v_s the separating velocity before the bounce."),
             (-closing, "You left out the restitution c, so the bounce loses no speed. Return -c "
                        "v_s, where v_s is the separating velocity before the bounce."),
             (closing, "You returned v_s, the separating velocity before the bounce. Return the one "
@@ -198,13 +197,13 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
     for closing, wanted, cause in (
         (G * h, 0.0,
          "The particle is at rest: gravity has added its closing speed of 0.1962 m/s in this "
-         "time step. Leave out this part of the speed, so that the particle doesn't bounce."),
+         "time step. Leave out this part of the speed."),
         (0.4 * G * h, 0.0,
-         "The acceleration added 0.1962 m/s in this time step, which is more than the closing "
-         "speed, so their difference is negative. Return 0 instead of a negative velocity."),
-        (5.0, c * (5.0 - G * h), "The closing speed is 5 m/s, and the acceleration added 0.1962 "
-                                 "m/s of it in this time step. Only the rest should bounce, so "
-                                 "subtract this part before you multiply by the restitution."),
+         "The acceleration added more speed in this time step (0.1962 m/s) than the contact "
+         "closes with. Return 0 instead of a negative velocity."),
+        (5.0, c * (5.0 - G * h),
+         "The acceleration added 0.1962 m/s of the closing speed of 5 m/s. Subtract this part "
+         "before you multiply by the restitution."),
     ):  # fmt: skip
         about.cause = cause
         size = math.hypot(*pull)
@@ -222,9 +221,8 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
              "You used the magnitude of the acceleration, |a|. Only its component along the normal "
              "n, which is a . n, closes the contact."),
             (0.0,
-             "You let nothing bounce, although this time step added only 0.1962 m/s to the "
-             "closing speed of 5 m/s. Multiply the acceleration along the normal by the "
-             "duration before you subtract it."),
+             "You let nothing bounce, although this time step added only 0.1962 m/s of the 5 "
+             "m/s. Multiply the acceleration along the normal by the duration first."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
         about.call = f"particle a (3 kg, damping 0.25) with velocity {v}; its acceleration is "

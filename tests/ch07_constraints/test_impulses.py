@@ -78,8 +78,8 @@ def test_two_balls_bounce(rng: Random) -> None:
                             "from b, along +n."),
             (unlike / ma,
              "You computed the impulse as if the separating velocity had been 0 before the "
-             "bounce. It changes from v_s to -c v_s, where c is the restitution, so the change "
-             "is -c v_s - v_s."),
+             "bounce. With a restitution c, it changes from v_s to -c v_s, so the change is -c "
+             "v_s - v_s."),
             (impulse, f"{momentum}, and add n g / ma."),
         ]  # fmt: skip
         seen = cause_of(got, along(v, n, mistakes), about.cause)
@@ -124,9 +124,8 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         closing = dot(w, n) - dot(v, n)
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
         name = f"{about.call}; the kinetic energy that was lost"
-        about.cause = "The separating velocity after the bounce is wrong, so the bounce loses the "
-        about.cause += "wrong amount of energy (E-7). It must be minus the restitution times the "
-        about.cause += "separating velocity before the bounce."
+        about.cause = "The bounce loses the wrong amount of energy (E-7). The separating velocity "
+        about.cause += "after it must be minus the restitution times the one before."
         expect_close(lost, wanted, call=name, tolerance=1e-10, unit="J")
 
 
@@ -143,9 +142,8 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
         wall = "" if "None" in told else "particle w (immovable) at rest; "
         about.call = f"particle a ({mass} kg) with velocity {v}; {wall}{told}, "
         about.call += f"normal=Vector3{normal}, restitution={c}).resolve_velocity()"
-        about.cause = "Only a can move here, so it takes the whole change in the separating "
-        about.cause += "velocity, whatever its mass is. Use 0 as the inverse mass of None and of "
-        about.cause += "an immovable particle."
+        about.cause = "Only a can move, so it takes the whole change in the separating velocity. "
+        about.cause += "Use 0 as the inverse mass of None and of an immovable particle."
         a, w = Particle(velocity=Vector3(*v), mass=mass), Particle(mass=math.inf)
         ends = {"Contact(a, None": (a, None), "Contact(a, w": (a, w), "Contact(w, a": (w, a)}[told]
         Contact(*ends, Vector3(*normal), c).resolve_velocity()
@@ -230,8 +228,8 @@ def test_resolve_velocity_rejects_invalid_durations() -> None:
             about.call = f"particle a ({of_mass(mass)}) with velocity (0, {velocity:g}, 0); "
             about.call += f"Contact(a, None, normal=Vector3(0, 1, 0)).resolve_velocity({duration})"
             about.cause = f"The duration is {duration}, but it must be finite and 0 or more, even "
-            about.cause += "if no impulse is needed. Call velocity_after, which checks the "
-            about.cause += "duration, before you return."
+            about.cause += "if no impulse is needed. Call velocity_after before you return, "
+            about.cause += "because it checks this."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0), mass=mass)
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

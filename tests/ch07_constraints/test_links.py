@@ -277,9 +277,8 @@ def test_a_string_bears_three_times_the_weight() -> None:
     about.call += "released at 90 degrees from the vertical, with gravity of 10 m/s^2; "
     about.call += "semi-implicit steps of 1/2000 s, each followed by contact.resolve for "
     about.call += "rod.contacts()"
-    about.cause = "The rod pulls with the wrong force. At the bottom it carries the weight m g and "
-    about.cause += "keeps the bob on its circle, which takes another 2 m g, so the pull should be "
-    about.cause += "3 m g."
+    about.cause = "The rod pulls with the wrong force. At the bottom it carries the weight m g "
+    about.cause += "and bends the path of the bob, which takes another 2 m g."
     bob = Particle(Vector3(1.0, 0.0, 0.0), None, Vector3(0.0, -10.0, 0.0), mass=mass)
     seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.0005, 1173)  # a quarter of its period
     got = max(pull for _, _, pull in seen[100:])
@@ -294,13 +293,11 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     pair, n, length, told_ends = ends(rng, anchored=False)
     back = (-n[0], -n[1], -n[2])
     c = round(rng.uniform(0.1, 0.9), 3)
+    between = "You returned a contact, although the distance is between the two limits. Return "
+    between += "none, because the link neither pulls nor pushes here."
     for low, high, wanted, cause in (
-        (0.5, 1.5, [],
-         "You returned a contact, although the distance is between the two limits. Return none, "
-         "because the link neither pulls nor pushes here."),
-        (1023.0 / 1024.0, 1025.0 / 1024.0, [],
-         "You returned a contact, although the distance is between the two limits. Return none, "
-         "because the link neither pulls nor pushes here."),
+        (0.5, 1.5, [], between),
+        (1023.0 / 1024.0, 1025.0 / 1024.0, [], between),
         (0.25, 0.5, [(0, 1, n, c, 0.5 * length)],
          "The distance exceeds max_length, so the link pulls like a cable. Return a contact "
          "whose normal points from a to b."),

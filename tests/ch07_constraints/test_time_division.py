@@ -59,7 +59,8 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     expect_close(velocity, (v[0], v[1] - 10.0 * h, v[2]), then="p.velocity", unit="m/s")
     about.call = "an immovable particle p at (0, 0, 0) with velocity (1, 2, 3); "
     about.call += f"time_division_step([p], ground, {h}); "
-    about.cause = "You moved an immovable particle or changed its velocity. Leave both unchanged."
+    about.cause = "You changed an immovable particle. Leave its position and its velocity "
+    about.cause += "unchanged."
     seen, _, _, _ = flown([(ZERO, (1.0, 2.0, 3.0), math.inf)], DOWN, 0.0, (0.5, None), h, 1)
     place, velocity = seen[0][0]
     expect_close(place, ZERO, then="p.position", tolerance=3e-13, unit="m")
@@ -203,8 +204,7 @@ def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
         about.call += "others, which touch, after 0.75 s; 4 calls of time_division_step(spheres, "
         about.call += "pairs, 0.5); "
         about.cause = "Each impact passes the velocity on to the next sphere, so as many spheres "
-        about.cause += "should leave as arrive. Resolve the impacts one after another, even if "
-        about.cause += "they happen at the same time."
+        about.cause += "should leave as arrive. Resolve simultaneous impacts one after another."
         bodies = [((x, 0.0, 0.0), (v, 0.0, 0.0), 2.0) for x, v in zip(places, speeds, strict=True)]
         seen, found, _, _ = flown(bodies, ZERO, 1.0, (None, 1.0), 0.5, 4)
         got = tuple(velocity[0] for _, velocity in seen[-1])
@@ -282,8 +282,8 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     about.call += f"time_division_step([p], ground, {h}) with a restitution of 0.5; "
     height, end = bounced(high, a, h)
     end *= d**h
-    about.cause = "The acceleration of p is its constant acceleration plus f / m, where f is the "
-    about.cause += "force. Use this acceleration for the whole step, even after an impact."
+    about.cause = "The acceleration of p is its constant acceleration plus force / mass. Use it "
+    about.cause += "for the whole step, even after an impact."
     bouncing, falling, fixed = pushed(pushes, d, h)
     # Some roundings of 5 m/s.
     wanted = (3.0 * h, height, 0.0)

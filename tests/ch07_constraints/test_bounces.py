@@ -54,8 +54,8 @@ def test_restitution_is_a_square_root(rng: Random) -> None:
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
-    cause = "The ball doesn't bounce at all, so its bounce height is 0. This is a valid "
-    cause += "measurement, so return a restitution of 0."
+    cause = "A bounce height of 0 is a valid measurement: the ball doesn't bounce at all. Return "
+    cause += "a restitution of 0."
     about("restitution_of_drop(initial_height=2.0, bounce_height=0.0)", cause=cause)
     got = restitution_of_drop(2.0, 0.0)
     expect_close(got, 0.0)
@@ -267,7 +267,8 @@ def test_without_height_or_gravity_the_speed_is_0() -> None:
     about.call = "top_ball_speed(height=0.0, lower_mass=2.0, upper_mass=3.0, "
     about.call += "ground_restitution=0.5, pair_restitution=0.5, gravity=10.0)"
     about.cause = (
-        "The balls are dropped from a height of 0, so they never gain any speed. Return 0."
+        "A height of 0 is valid: the balls never gain any speed. Return 0 instead of raising an "
+        "error."
     )
     got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
     expect_close(got, 0.0, unit="m/s")

@@ -58,7 +58,9 @@ def test_when_a_gap_closes(rng: Random) -> None:
             if other < 0.0:
                 why = "You returned the negative solution of the quadratic equation, which is in "
                 why += "the past. Return the positive one."
-            mistakes.append((other, why if other else cause))
+            elif other == 0.0:
+                why = f"You returned 0. {cause}"
+            mistakes.append((other, why))
         if not v:
             half = wanted / math.sqrt(2.0)
             mistakes.append(

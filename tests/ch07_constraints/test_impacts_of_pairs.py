@@ -115,9 +115,12 @@ def test_spheres_that_touch_or_never_meet() -> None:
         (1.5, 0.0, -3.0, 0.0, (
             "The particles overlap and are approaching each other, so the time is 0."
         )),
-        (1.5, 0.0, 3.0, None, "The particles overlap but are already moving apart, so there is no "
-                              "impact. Return None."),
-        (5.0, 0.0, 3.0, None, "The particles are moving apart, so they never meet. Return None."),
+        (1.5, 0.0, 3.0, None,
+         "You returned an impact, but the particles are already moving apart, although they "
+         "overlap. Return None."),
+        (5.0, 0.0, 3.0, None,
+         "You returned an impact, but the particles are moving apart and never meet. Return "
+         "None."),
         (5.0, 0.0, 0.0, None, "The particles have the same velocity, so they never meet. Return "
                               "None before you divide by the relative speed."),
         (5.0, 2.5, -3.0, None, "The particles miss each other, so the number under the root is "
@@ -220,8 +223,8 @@ def test_accelerations_may_differ_by_rounding(rng: Random) -> None:
         about.call = f"particle a of {ma} kg at (5, 0, 0) with velocity (-3, 0, 0); particle b of "
         about.call += f"{mb} kg at rest at (0, 0, 0); one step of 1e-9 s with a downward force of "
         about.call += "9.81 N per kg on both; ParticlePairs([a, b], radius=1.0).next_impact(10)"
-        about.cause = "The two accelerations of 9.81 m/s^2 differ only by rounding errors. Treat "
-        about.cause += "them as equal if they differ by at most 1e-12 of their size."
+        about.cause = "You rejected accelerations of 9.81 m/s^2 that differ only by rounding "
+        about.cause += "errors. Treat them as equal if they differ by at most 1e-12 of their size."
         pair = [Particle(Vector3(5.0), Vector3(-3.0), mass=ma), Particle(mass=mb)]
         for particle, mass in zip(pair, (ma, mb), strict=True):
             particle.add_force(Vector3(0.0, -9.81 * mass, 0.0))

@@ -37,7 +37,7 @@ PUSH = "exercise 7.4, and the docstring of force_for_frame"
 
 
 @pytest.mark.exercise("7.1")
-def test_restitution_is_a_root(rng: Random) -> None:
+def test_restitution_is_a_square_root(rng: Random) -> None:
     about.read = DROP
     h, c = positive_number(rng), rng.uniform(0.1, 0.9)
     for initial, bounce, wanted in ((1.0, 0.64, 0.8), (h, c * c * h, c), (2.0, 2.0, 1.0)):
@@ -54,8 +54,8 @@ def test_restitution_is_a_root(rng: Random) -> None:
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
-    cause = "The ball doesn't bounce at all, so its bounce height is 0. This is a valid "
-    cause += "measurement, so return a restitution of 0."
+    cause = "A bounce height of 0 is a valid measurement: the ball doesn't bounce at all. Return "
+    cause += "a restitution of 0."
     about("restitution_of_drop(initial_height=2.0, bounce_height=0.0)", cause=cause)
     got = restitution_of_drop(2.0, 0.0)
     expect_close(got, 0.0)
@@ -63,7 +63,7 @@ def test_restitution_is_a_root(rng: Random) -> None:
 
 @pytest.mark.exercise("7.1")
 @pytest.mark.robust
-def test_a_drop_needs_heights_that_mean_something() -> None:
+def test_restitution_of_drop_rejects_invalid_heights() -> None:
     about.read = DROP
     bad = [(0, 0.0), (0, -2.0), (1, -1.0)]
     expect_finite_numbers("restitution_of_drop", restitution_of_drop, (2, 1), bad)
@@ -72,8 +72,8 @@ def test_a_drop_needs_heights_that_mean_something() -> None:
         ValueError,
         call="restitution_of_drop(initial_height=2, bounce_height=2.5)",
         allowed=lambda: restitution_of_drop(2, 2),
-        cause="A ball can't bounce above the height it was dropped from, so one of the heights "
-        "must be wrong. Raise ValueError if bounce_height is larger than initial_height.",
+        cause="A ball can't bounce above the height it was dropped from, so one height "
+        "is wrong. Raise ValueError if bounce_height is larger than initial_height.",
     )
 
 
@@ -86,11 +86,14 @@ def test_each_material_has_its_row(rng: Random) -> None:
     order += [("oak", b[1]), ("Clay", a[3])]
     heights = [1.0, 2.0, 0.5, 1.0, 4.0, 0.25, 2.0]
     drops = [(name, h, h * c * c) for (name, c), h in zip(order, heights, strict=True)]
-    about.call = f"drops = {drops}; table_of_drops(drops)"
-    about.cause = "The rows are wrong. Return one row per material, in the order in which the "
+    about.call = f"drops = {drops[:4]}; drops += {drops[4:]}; table_of_drops(drops)"
+    about.cause = "The rows are in the wrong order. Return them in the order in which the "
     about.cause += "materials first appear in the list of drops."
     got = table_of_drops(drops)
     names = [row[0] for row in got]
+    if "ash" not in names:
+        about.cause = "You left out ash, which has only one drop. Return one row per material, "
+        about.cause += "however few drops it has."
     expect_exactly(names, ["Clay", "oak", "ash"], then="; the materials of the rows")
     counts = [row[1] for row in got]
     about.cause = "Count the drops of each material, and return this number as the second entry of "
@@ -113,8 +116,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     seen = [row[3] for row in got[:2]]
     mistakes = [
         ((2.0 * errors[0], math.sqrt(2.0) * errors[1]),
-         "You returned the standard deviation s of the single restitutions. The mean of n "
-         "restitutions is more certain than a single one, so divide s by sqrt(n)."),
+         "You returned the standard deviation s of the restitutions. The standard error of "
+         "their mean is smaller: divide s by sqrt(n)."),
         ((math.sqrt(0.75) * errors[0], errors[1] / math.sqrt(2.0)), "Your standard deviation "
                                                                     "divides by n, so it is a "
                                                                     "little too small. Divide by n "
@@ -126,8 +129,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     blame(seen, mistakes)
     name = "; the standard errors of Clay and oak"
     expect_close(seen, errors, then=name, tolerance=1e-14)
-    about.cause = "A single drop says nothing about how much drops vary, so there is no standard "
-    about.cause += "error. Return None in its place."
+    about.cause = "You returned a number, but a single drop says nothing about how much the "
+    about.cause += "restitution varies. Return None as its standard error."
     expect_exactly(got[2][3], None, then="; the standard error of ash, with a single drop")
     about(
         "table_of_drops([])",
@@ -139,13 +142,13 @@ def test_each_material_has_its_row(rng: Random) -> None:
 
 @pytest.mark.exercise("7.1")
 @pytest.mark.robust
-def test_a_table_refuses_what_a_drop_refuses() -> None:
+def test_table_of_drops_rejects_invalid_drops() -> None:
     about.read = TABLE
     good = ("oak", 2.0, 1.0)
     for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
         about.call = f"table_of_drops([{good}, {bad}])"
-        about.cause = "The second drop has an impossible height. Call restitution_of_drop for "
-        about.cause += "every drop, and let its error through instead of catching it."
+        about.cause = "You skipped the second drop, which has an invalid height. Call "
+        about.cause += "restitution_of_drop for every drop, and let its error through."
         expect_error(
             lambda bad=bad: table_of_drops([good, bad]),
             error,
@@ -177,23 +180,22 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     about.read = TWO
     about.call = "top_ball_speed(height=1.0, lower_mass=9.0, upper_mass=1.0, "
     about.call += "ground_restitution=0.5, pair_restitution=0.75)"
-    about.cause = "Both balls reach the ground at v = sqrt(20) m/s, and the lower ball bounces at "
-    about.cause += "0.5 v. Then the balls collide, so compute the upper ball's velocity after that "
-    about.cause += "collision."
+    about.cause = "Both balls reach the ground at v = sqrt(20) m/s, and the lower one bounces at "
+    about.cause += "0.5 v. Compute the upper ball's velocity after the two then collide."
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
     v = math.sqrt(20.0)
     mistakes = [
         (0.575 * v,
-         "You treated the lower ball as being at rest. It has already bounced off the ground, so "
-         "it rises at half the speed of the fall when the upper ball hits it."),
+         "You treated the lower ball as if it were at rest. When the balls collide, the lower "
+         "ball already rises at half the speed of the fall."),
         (-0.7375 * v, "The masses are swapped. The upper ball takes the fraction lower_mass / "
                       "(lower_mass + upper_mass) of the change in the relative velocity."),
         (2.3625 * v,
          "You returned the change in the upper ball's velocity. Before the collision "
          "the upper ball was falling at v = sqrt(2 g h), so subtract v."),
-        (2.625 * v - v, "You gave the upper ball the whole change in the relative velocity. Its "
-                        "fraction is lower_mass / (lower_mass + upper_mass), which is 0.9 here, "
-                        "and the lower ball takes the rest."),
+        (2.625 * v - v,
+         "You gave the upper ball the whole change in the relative velocity. Multiply this "
+         "change by lower_mass / (lower_mass + upper_mass), which is 0.9 here."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 1.3625 * v, unit="m/s")
@@ -235,7 +237,7 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
 
 
 @pytest.mark.exercise("7.3")
-def test_two_balls_part_by_their_restitution(rng: Random) -> None:
+def test_two_balls_separate_by_their_restitution(rng: Random) -> None:
     about.read = TWO
     h, g = positive_number(rng), positive_number(rng)
     lower, upper = positive_number(rng), positive_number(rng)
@@ -260,12 +262,13 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
 
 
 @pytest.mark.exercise("7.3")
-def test_without_height_or_gravity_no_ball_flies_off() -> None:
+def test_without_height_or_gravity_the_speed_is_0() -> None:
     about.read = TWO
     about.call = "top_ball_speed(height=0.0, lower_mass=2.0, upper_mass=3.0, "
     about.call += "ground_restitution=0.5, pair_restitution=0.5, gravity=10.0)"
     about.cause = (
-        "The balls are dropped from a height of 0, so they never gain any speed. Return 0."
+        "A height of 0 is valid: the balls never gain any speed. Return 0 instead of raising an "
+        "error."
     )
     got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
     expect_close(got, 0.0, unit="m/s")
@@ -279,7 +282,7 @@ def test_without_height_or_gravity_no_ball_flies_off() -> None:
 
 @pytest.mark.exercise("7.3")
 @pytest.mark.robust
-def test_two_balls_need_numbers_that_mean_something() -> None:
+def test_top_ball_speed_rejects_invalid_numbers() -> None:
     about.read = TWO
     bad = [(0, -2.0), (1, 0.0), (1, -1.0), (2, 0.0), (2, -1.0), (3, -0.5), (3, 1.5), (4, -0.5)]
     bad += [(4, 1.5), (5, -1.0)]
@@ -294,15 +297,14 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
     for share in (0.25, 1.0, 0.0):
         about.call = f"f = Vector3{f}; force_for_frame(f, contact_time={share * frame}, "
         about.call += f"frame={frame})"
-        about.cause = "The impulse is the force times its duration. A force that gives the same "
-        about.cause += "impulse over the whole frame is smaller, so multiply the force by "
-        about.cause += "contact_time / frame."
+        about.cause = "A force over the whole frame needs only part of the size to give the same "
+        about.cause += "impulse. Multiply the force by contact_time / frame."
         force = Vector3(*f)
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
         impulse = tuple(share * frame * part for part in f)
-        why = "You returned the impulse in N s, but the function should return a force. The force "
-        why += "acts for the whole frame, so divide the impulse by the duration of the frame."
+        why = "You returned the impulse in N s instead of a force. The force acts for the whole "
+        why += "frame, so divide the impulse by the duration of the frame."
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)
@@ -311,8 +313,8 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
         expect_close(got, wanted, cause=why, tolerance=1e-14, unit="N")
-        kept = "You changed the vector that was passed in, perhaps with *=, which works in place. "
-        kept += "Return force * number instead, which creates a new vector."
+        kept = "You changed the vector that was passed in, as *= does. Use force * number, which "
+        kept += "creates a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; g = force_for_frame(f, contact_time=1.0, frame=1.0); g.x += 1.0"
     about.cause = "You returned the vector that was passed in. Return a new vector, even if the "
@@ -324,7 +326,7 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
 
 @pytest.mark.exercise("7.4")
 @pytest.mark.robust
-def test_a_push_is_not_longer_than_its_frame() -> None:
+def test_force_for_frame_rejects_invalid_arguments() -> None:
     about.read = PUSH
     for numbers, error in (
         ((0.5, 0.25), ValueError),
@@ -339,15 +341,16 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         ((0.5, "1.0"), TypeError),
     ):
         contact, frame = numbers
-        about.cause = "The contact time must be at least 0 and at most the duration of the frame. "
-        about.cause += "Raise ValueError for any other contact time."
+        about.cause = f"The contact time is {contact} s, but it must be at least 0 and at most the "
+        about.cause += f"duration of the frame, {frame} s. Raise ValueError otherwise."
         if isinstance(contact, str) or isinstance(frame, str):
             about.cause = "One of the two times is a string and not a number, so raise TypeError. "
             about.cause += "The functions in arguments.py check an argument and raise the error "
             about.cause += "for you."
         elif not 0.0 < frame < math.inf:
-            about.cause = "The duration of the frame must be positive and finite. Call positive "
-            about.cause += "from arguments.py to check frame."
+            about.cause = f"The duration of the frame is {frame} s, but it must be positive and "
+            about.cause += "finite. Call positive from arguments.py, which raises the error for "
+            about.cause += "you."
         expect_error(
             lambda numbers=numbers: force_for_frame(Vector3(1.0, 2.0, 3.0), *numbers),
             error,
@@ -365,7 +368,6 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
             error,
             call=f"force_for_frame({name}, contact_time=1.0, frame=2.0)",
             allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1.0, 2.0),
-            cause="The first argument is not a Vector3 with finite components, so it is not a "
-            "valid force. Check it with finite_vector from arguments.py, which raises the error "
-            "for you.",
+            cause=f"The force is {name}, but it must be a Vector3 with finite components. "
+            "Call finite_vector from arguments.py, which raises the error for you.",
         )

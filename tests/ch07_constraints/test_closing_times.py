@@ -18,18 +18,20 @@ CLOSE = "the docstring of time_to_close"
 def test_when_a_gap_closes(rng: Random) -> None:
     about.read = CLOSE
     t, pull = positive_number(rng), positive_number(rng)
-    rest = "The body starts from rest, and its acceleration closes the gap. Solve gap + a t^2 / 2 "
-    rest += "= 0 for t."
+    rest = "The velocity is 0, but the acceleration still closes the gap. Solve gap + a t^2 / 2 = "
+    rest += "0 for t."
     for gap, v, a, wanted, cause in (
         (12.0, -4.0, 0.0, 3.0, "There is no acceleration, so the body crosses the gap at constant "
                                "speed. Return gap / -v, without dividing by the acceleration."),
         (5.0, 0.0, -10.0, 1.0, rest),
-        (15.0, 10.0, -10.0, 3.0, "The body first moves away and then falls back to the ground, so "
-                                 "return the positive solution of the equation."),
+        (15.0, 10.0, -10.0, 3.0,
+         "The body first moves away and then falls back to the ground. Return the positive "
+         "solution of the equation."),
         (40.0, -10.0, -10.0, 2.0,
-         "The negative solution of the equation is in the past, so return the positive one."),
-        (6.0, -5.0, 2.0, 2.0, "The body slows down but still reaches the ground, so return the "
-                              "smaller of the two positive solutions."),
+         "The negative solution is in the past. Return the positive one."),
+        (6.0, -5.0, 2.0, 2.0,
+         "The body slows down but still reaches the ground. Return the smaller of the two "
+         "positive solutions."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
         (1e-6, -1e-6, 0.0, 1.0, "The body is slow, but it reaches the ground after 1 s. Don't "
                                 "treat its speed as 0."),
@@ -42,8 +44,8 @@ def test_when_a_gap_closes(rng: Random) -> None:
          "The body starts slightly inside the ground and moves out of it, which is not an impact. "
          "Return the time when it comes back."),
         (-5.0, 3.0, -10.0, 0.3,
-         "The body turns around before it is out of the ground, and from then on it moves farther "
-         "in. Return the time when it turns around."),
+         "The number under the root is negative, because the body turns around before it is out "
+         "of the ground. Return the time when it turns around."),
     ):  # fmt: skip
         about(f"time_to_close(gap={gap}, velocity={v}, acceleration={a})", cause=cause)
         got = time_to_close(gap, v, a)
@@ -52,9 +54,13 @@ def test_when_a_gap_closes(rng: Random) -> None:
                    ]  # fmt: skip
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
-            mistakes.append(
-                (other, f"You returned the other solution of the quadratic equation. {cause}")
-            )
+            why = f"You returned the other solution of the quadratic equation. {cause}"
+            if other < 0.0:
+                why = "You returned the negative solution of the quadratic equation, which is in "
+                why += "the past. Return the positive one."
+            elif other == 0.0:
+                why = f"You returned 0. {cause}"
+            mistakes.append((other, why))
         if not v:
             half = wanted / math.sqrt(2.0)
             mistakes.append(
@@ -75,8 +81,8 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     lies = (
         "The body lies on the ground and accelerates into it, so the gap closes at once. Return 0."
     )
-    slow = "The speed is below VELOCITY_TOLERANCE, so treat it as a rounding error that never "
-    slow += "closes the gap. Return math.inf."
+    slow = "The speed of 1e-13 m/s is below VELOCITY_TOLERANCE, so treat it as a rounding error "
+    slow += "that never closes the gap. Return math.inf."
     for gap, v, a, wanted, cause in (
         (0.0, -x, 0.0, 0.0, "The body touches the ground and moves into it, so the gap closes at "
                             "once. Return 0."),
@@ -84,8 +90,9 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
                            "already closed. Return 0."),
         (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is moving into it, however slowly, "
                                "so the gap closes at once. Return 0."),
-        (2.0, -2.0, 1.0, math.inf, "The root is 0, because the body turns around exactly at the "
-                                   "ground. It arrives with no speed, so return math.inf."),
+        (2.0, -2.0, 1.0, math.inf,
+         "The number under the root is 0, because the body turns around exactly at the ground. "
+         "This is not an impact, so return math.inf."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
         (x, 1.0, 0.0, math.inf, "The body is moving away, and no acceleration brings it back. "
@@ -118,12 +125,11 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.10")
-def test_the_digits_of_a_time_are_kept() -> None:
+def test_the_time_keeps_its_digits() -> None:
     about.read = CLOSE
     for a in (-10.0, 10.0):
-        about.cause = "Your result has lost most of its digits, perhaps because you subtracted two "
-        about.cause += "nearly equal numbers in (-v - sqrt(...)) / a. Use 2 gap / (sqrt(v v - 2 a "
-        about.cause += "gap) - v) instead."
+        about.cause = "You subtracted two nearly equal numbers in (-v - sqrt(...)) / a, which "
+        about.cause += "loses most digits. Use 2 gap / (sqrt(v v - 2 a gap) - v) instead."
         about.call = f"time_to_close(gap=1e-10, velocity=-1000.0, acceleration={a})"
         got = time_to_close(1e-10, -1000.0, a)
         # The acceleration changes it by 1e-15 of it.

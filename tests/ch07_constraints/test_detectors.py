@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Set
 from itertools import combinations
 from random import Random
 
@@ -21,7 +22,7 @@ from ch07_constraints.probes import (
     told,
 )
 from draw import Components, components, direction, number, positive_number
-from expect import about, cause_of, expect_between, expect_close, expect_exactly, scoped
+from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, scoped
 from impacts import expect_particles
 
 UP = (0.0, 1.0, 0.0)
@@ -31,11 +32,11 @@ INDICES = "; the indices of the particles in all of these contacts"
 
 
 @pytest.mark.exercise("7.5")
-def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
+def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
-    lowest = "The lowest point of the particle, at y - radius, is below the height of the ground. "
-    lowest += "Return a contact, whatever the velocity of the particle is."
+    lowest = "You returned no contact, but the particle is below the ground. Whatever its "
+    lowest += "velocity is, compare y - radius with the height of the ground."
     for radius in (0.0, 0.25):
         about.call = f"GroundPlane([p], height={height}, radius={radius}, "
         about.call += f"restitution={c}).contacts()"
@@ -44,27 +45,28 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             (
                 0.125,
                 [],
-                "The particle is above the ground and doesn't touch it, so there is no contact.",
+                "You returned a contact, but the particle is above the ground and doesn't touch "
+                "it. Return none.",
             ),
             (
                 1e-6,
                 [],
-                "The particle is 1e-6 m above the ground and doesn't touch it, so there is no "
-                "contact.",
+                "You returned a contact, but the particle is 1e-6 m above the ground and doesn't "
+                "touch it. Return none.",
             ),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),
             (
                 0.0,
                 [0.0],
-                "The particle just touches the ground. Return a contact with a penetration of 0, "
-                "so that a body at rest keeps its contact.",
+                "You returned no contact, but the particle just touches the ground. Return a "
+                "contact with a penetration of 0, so that a body at rest keeps its contact.",
             ),
             (
                 -80.0,
                 [80.0],
-                "The particle is 80 m below the height of the ground. Everything below this height "
-                "is ground, however deep it is, so return a contact.",
+                "You returned no contact for a particle that is 80 m below the ground's height. "
+                "Everything below this height is ground, however deep it is.",
             ),
         ):
             about.cause = cause
@@ -72,7 +74,7 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             x, z = number(rng), number(rng)
             p = Particle(Vector3(x, y, z), Vector3(1.0, 50.0, 3.0), mass=3.0)
             got = told(GroundPlane([p], height, radius, c).contacts(), [p])
-            name = f"particle p at ({x:g}, {y:g}, {z:g}); {about.call}"
+            name = f"particle p at ({x:g}, {y:g}, {z:g}) with velocity (1, 50, 3); {about.call}"
             expect_exactly(len(got), len(depths), call=name, unit="contacts")
             for (a, b, normal, restitution, depth), wanted in zip(got, depths, strict=True):
                 # Rounding of heights up to 10 m.
@@ -97,7 +99,11 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 expect_particles((a, b), (0, -1), ["p"], call=name, cause=why)
                 why = "Your normal points down, so the contact pushes the particle farther into "
                 why += "the ground. Use the normal (0, 1, 0), which points out of the ground."
-                why = cause_of(normal, [((0, -1, 0), why)], "Use (0, 1, 0) as the normal.")
+                why = cause_of(
+                    normal,
+                    [((0, -1, 0), why)],
+                    "The normal is wrong. Use (0, 1, 0), which points out of the ground.",
+                )
                 shown = f"{name}; the normal of the contact"
                 expect_close(normal, UP, call=shown, cause=why)
                 why = "The contact has the wrong restitution. Pass the detector's restitution when "
@@ -107,7 +113,7 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
 
 
 @pytest.mark.exercise("7.5")
-def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
+def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     about.read = GROUND
     heights = [number(rng) for _ in range(6)]
     about.call = f"six particles at the heights {heights}; ground = GroundPlane(particles); "
@@ -117,25 +123,28 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
     expect_exactly(first, wanted, then=INDICES)
-    about.call += "; all particles moved to a height of -1, particle 1 made immovable, particle 6 "
+    about.call += "; all particles moved to a height of -1; particle 1 made immovable, particle 6 "
     about.call += "added to the list; ground.contacts()"
-    about.cause = "The particles and the list have changed since the first call, and particle 1 is "
-    about.cause += "immovable now. Read the list again on every call, and skip immovable particles."
+    about.cause = "The particles and the list have changed since the first call. Read the list "
+    about.cause += "and the heights again on every call."
+    if 1 in second:
+        about.cause = "You returned a contact for particle 1, which is immovable now. Skip "
+        about.cause += "immovable particles."
     expect_exactly(second, [0, 2, 3, 4, 5, 6], then=INDICES)
     about.call += "; ground.height = -2; ground.radius = 0.5; ground.contacts()"
-    about.cause = "The height of the ground has changed, so no particle touches it now. Read "
-    about.cause += "height and radius again on every call, and store nothing that depends on them."
+    about.cause = "The height and the radius have changed, so no particle touches the ground now. "
+    about.cause += "Read both again on every call."
     expect_exactly(third, [], then=INDICES)
 
 
 @pytest.mark.exercise("7.5")
-def test_nothing_is_too_fast_for_the_ground(rng: Random) -> None:
+def test_a_fast_particle_does_not_pass_through_the_ground(rng: Random) -> None:
     about.read = GROUND
     speed = positive_number(rng, 500.0, 2000.0)
     about.call = f"particle p, 1 m above the ground, falls at {speed} m/s for 1/60 s; "
     about.call += "GroundPlane([p]).contacts(); the height of p plus the penetration of its contact"
-    about.cause = "The particle is several meters below the ground after this step and must have a "
-    about.cause += "contact. Everything below the height is ground, however deep it is."
+    about.cause = "The particle is several meters below the ground after this step. Everything "
+    about.cause += "below the height is ground, however deep it is."
     fallen, got = thrown_down(speed, 1.0 / 60.0)
     expect_close(got, 0.0, tolerance=1e-12, unit="m")
     name = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s; its height"
@@ -147,28 +156,24 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     about.read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
     q = components(rng)
-    cells = "If you use cells, compute their indices with math.floor, because int rounds toward 0."
     for radius, distance, wanted, cause in (
         (
             0.75,
             1.500001,
             None,
-            "The centers are more than two radii apart, so the particles don't touch. Return no "
-            "contact.",
+            "Their centers are more than two radii apart.",
         ),
         (
             0.75,
             1.25,
             0.25,
-            "They touch, because their centers are 1.25 m apart, which is less than two radii "
-            f"(1.5 m). {cells}",
+            "Their centers are 1.25 m apart, less than two radii (1.5 m), so they need one.",
         ),
         (
             4.0,
             0.5,
             7.5,
-            "They touch, because their centers are 0.5 m apart, which is less than two radii (8 "
-            f"m). {cells}",
+            "Their centers are 0.5 m apart, less than two radii (8 m), so they need one.",
         ),
     ):
         about.cause = cause
@@ -180,63 +185,70 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         expect_pairs(got, [] if wanted is None else [(0, 1, n, c, wanted)], 2 * radius)
     about.call = "particle a at (-2, 0, 0); particle b at (-1, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=0.75).contacts()"
-    about.cause = "They touch, because their centers are 1 m apart, which is less than two radii "
-    about.cause += f"(1.5 m). {cells}"
+    about.cause = "They touch, because their centers are 1 m apart. If you use cells, compute "
+    about.cause += "their indices with math.floor, because int rounds toward 0."
     pair = [Particle(Vector3(-2.0)), Particle(Vector3(-1.0))]
     got = told(ParticlePairs(pair, 0.75).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.5)], 1.5)
     about.call = "particle a at (3, 0, 0); particle b at (5, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=1.0).contacts()"
-    about.cause = "The centers are exactly two radii apart, so the particles just touch. Return a "
+    about.cause = "Their centers are exactly two radii apart, so they just touch. Return a "
     about.cause += "contact with a penetration of 0."
     pair = [Particle(Vector3(3.0)), Particle(Vector3(5.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = "particle a at (-1e-17, 0, 0); particle b at (2, 0, 0); ParticlePairs([a, b], "
     about.call += "radius=1.0).contacts()"
-    about.cause = "Apart from rounding, the centers are two radii apart, so the particles touch. "
-    about.cause += "If you use cells, make them a little larger than two radii, so that touching "
-    about.cause += "particles are in neighboring cells."
+    about.cause = "Apart from rounding, their centers are two radii apart, so they touch. If you "
+    about.cause += "use cells, make them a little larger than two radii."
     pair = [Particle(Vector3(-1e-17)), Particle(Vector3(2.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = f"particles a and b, both at {q}; ParticlePairs([a, b], radius=1.0).contacts()"
-    about.cause = "Both centers are at the same position, so there is no direction from one to the "
-    about.cause += "other. Use +Y as the normal."
+    about.cause = "Both centers are at the same position, so there is no direction between them. "
+    about.cause += "Use +Y as the normal."
     pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, UP, 0.0, 2.0)])
 
 
 @scoped
-def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
+def expect_pairs(
+    got: list, wanted: list[tuple], size: float = 2.0, walls: Set[int] = frozenset()
+) -> None:
     """Expect these contacts, in this order: both indices, normal, restitution, penetration.
 
-    ``size`` is two radii.
+    ``size`` is two radii, and the particles with the indices in ``walls`` are immovable.
     """
     seen, pairs = ([(a, b) for a, b, *_ in contacts] for contacts in (got, wanted))
-    found = {frozenset(pair) for pair in seen}
+    found, two = {frozenset(pair) for pair in seen}, "[a, b]" in about.call
     if len(found) < len(seen):
-        about.cause = "You returned a contact twice for the same pair, perhaps once for each of "
-        about.cause += "its particles or cells. Return each pair only once."
+        about.cause = "You returned two contacts for the same pair of particles. Return only one "
+        about.cause += "contact for each pair."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
-        one, other = missing[0]
-        missed = f"You returned no contact between particles {one} and {other} of the list. "
-        about.cause = missed + about.cause
+        both = "a and b" if two else "particles {} and {}".format(*missing[0])
+        about.cause = f"You returned no contact between {both}. {about.cause}"
+        if walls & {*missing[0]}:
+            about.cause = f"You returned no contact between {both}, but only one of them is "
+            about.cause += "immovable. Skip a pair only if both particles are immovable."
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
-        one, other = extra[0]
-        unwanted = f"You returned a contact between particles {one} and {other} of the list, but "
-        about.cause = f"{unwanted}there should be none. {about.cause}"
+        both = "a and b" if two else "particles {} and {}".format(*extra[0])
+        about.cause = f"You returned a contact between {both}, which don't touch."
+        if {*extra[0]} <= walls:
+            about.cause = f"You returned a contact between {both}, but both are immovable, so no "
+            about.cause += "contact can move them. Skip such pairs."
     else:
-        about.cause = "You found the right pairs but returned them in the wrong order. Sort them "
-        about.cause += "by the indices of their particles, with the smaller index first in each "
-        about.cause += "pair."
+        about.cause = "You returned the right pairs in the wrong order. Sort them by the indices "
+        about.cause += "of their particles, with the smaller index first in each pair."
     expect_exactly(len(got), len(wanted), unit="contacts")
     expect_exactly(seen, pairs, then="; the indices of the particles in each contact")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
-        about.cause = "The normal of a contact is wrong. Use the unit vector that points from the "
-        about.cause += "second particle of the pair to the first."
+        about.cause = "The normal of a contact is wrong. Use the unit vector from the second "
+        about.cause += "particle of the pair to the first."
+        why = "The normal points the wrong way. Use the unit vector from the second particle of "
+        why += "the pair to the first."
+        blame(normal, [(tuple(-part for part in right[2]), why)])
         # Differences of positions of up to 10 m, over a distance of half a meter or more.
         expect_close(normal, right[2], then="; the normal of a contact", tolerance=1e-13)
         about.cause = "A contact has the wrong restitution. Pass the detector's restitution to "
@@ -273,8 +285,8 @@ def test_every_pair_is_found_once(rng: Random) -> None:
         walls = {3, 4, 5, 6}
         about.call = f"{count} particles in a cube with an edge of {2 * size:g} m, where particles "
         about.call += f"3 to 6 are immovable; ParticlePairs(particles, radius={radius}).contacts()"
-        about.cause = "Every two particles that touch need a contact, unless both are immovable, "
-        about.cause += "as particles 3 to 6 are here."
+        about.cause = "Your search doesn't compare them, although they touch. Extend it to every "
+        about.cause += "pair that can touch."
         particles = [
             Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
             for i, place in enumerate(places)
@@ -286,27 +298,27 @@ def test_every_pair_is_found_once(rng: Random) -> None:
             if distance <= 2.0 * radius and not {i, j} <= walls:
                 n = tuple((p - q) / distance for p, q in zip(places[i], places[j], strict=True))
                 wanted.append((i, j, n, 0.0, 2.0 * radius - distance))
-        expect_pairs(got, wanted, 2.0 * radius)
+        expect_pairs(got, wanted, 2.0 * radius, walls)
 
 
 @pytest.mark.exercise("B7.9")
-def test_not_every_pair_is_looked_at() -> None:
+def test_not_every_pair_is_compared() -> None:
     about.read = PAIRS
     about.call = "400 particles in a cube with an edge of 40 m; ParticlePairs(particles, "
     about.call += "radius=0.5).contacts(); how often it reads the x, y or z of a position"
-    about.cause = "You compare too many pairs, perhaps all 79,800. Put the particles in a grid, or "
-    about.cause += "sort them along an axis, and compare only those that are near each other."
+    about.cause = "You compare far too many pairs. Put the particles in a grid, or sort them "
+    about.cause += "along an axis, and compare only those that are near each other."
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_between(asked, 0, 100_000, unit="times")
     about.call = about.call.rpartition(";")[0]
-    about.cause = "Two particles that touch have no contact. Perhaps they are in neighboring cells "
-    about.cause += "that your search doesn't compare."
+    about.cause = "Two particles that touch have no contact. Compare particles in neighboring "
+    about.cause += "cells too."
     expect_exactly(found, wanted, unit="contacts")
 
 
 @pytest.mark.exercise("B7.9")
-def test_pairs_are_those_of_now(rng: Random) -> None:
+def test_pairs_are_found_again_on_every_call(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.5, 1.5)
     about.call = "four particles in a row, three radii apart; pairs = ParticlePairs(particles, "
@@ -315,8 +327,8 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     about.cause += "contact."
     first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [], then=INDICES)
-    about.call += "; then particle 3 moved next to particle 0, and particle 4 added between "
-    about.call += "particles 1 and 2; pairs.contacts()"
+    about.call += "; particle 3 moved next to particle 0; particle 4 added between particles 1 "
+    about.call += "and 2; pairs.contacts()"
     about.cause = "Particles have moved or joined the list since the first call. Read the list and "
     about.cause += "the positions again on every call."
     expect_exactly(second, [0, 3, 1, 4, 2, 4], then=INDICES)
@@ -327,12 +339,11 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.9")
-def test_a_grid_has_no_seams(rng: Random) -> None:
+def test_spheres_in_neighboring_cells_touch_too(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.3, 0.9)
-    about.cause = "Two neighbors in the row have no contact. Search a particle's own cell and all "
-    about.cause += "26 cells around it, and compute cells with math.floor, because int rounds "
-    about.cause += "negative coordinates toward 0."
+    about.cause = "Two neighbors in the row have no contact. Search all 26 cells around a "
+    about.cause += "particle's own cell too."
     for way in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 1, 1), (-1, 1, 1)):
         length = math.hypot(*way)
         step = tuple(1.8 * radius * part / length for part in way)

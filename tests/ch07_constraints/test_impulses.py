@@ -43,7 +43,7 @@ def closing_velocities(rng: Random, n: Components) -> tuple[Components, Componen
 
 
 @pytest.mark.exercise("B7.3")
-def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
+def test_two_balls_bounce(rng: Random) -> None:
     about.read = IMPULSE
     n = direction(rng)
     v, w = closing_velocities(rng, n)
@@ -76,9 +76,10 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
                            "Divide it by the mass of a."),
             (-impulse / ma, "Your impulse has the wrong sign: it pushes a toward b. Push a away "
                             "from b, along +n."),
-            (unlike / ma, "You computed the impulse as if the separating velocity had been 0 "
-                          "before. It changes from v_s to -c v_s, where c is the restitution, so "
-                          "the change is -c v_s - v_s."),
+            (unlike / ma,
+             "You computed the impulse as if the separating velocity had been 0 before the "
+             "bounce. With a restitution c, it changes from v_s to -c v_s, so the change is -c "
+             "v_s - v_s."),
             (impulse, f"{momentum}, and add n g / ma."),
         ]  # fmt: skip
         seen = cause_of(got, along(v, n, mistakes), about.cause)
@@ -86,10 +87,12 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         expect_close(got, wanted_a, then="; a.velocity", cause=seen, tolerance=1e-12, unit="m/s")
         got = xyz(b.velocity)
         mistakes = [
-            (0.0, "The velocity of b didn't change. The impulse g acts on both particles in "
-                  "opposite directions, so add -n g / mb to the velocity of b."),
-            (impulse / mb, "You pushed b in the same direction as a. The impulse on b is opposite "
-                           "to the impulse on a, so add -n g / mb to the velocity of b."),
+            (0.0,
+             "The velocity of b didn't change. The impulse g pushes b the opposite way from a, "
+             "so add -n g / mb to the velocity of b."),
+            (impulse / mb,
+             "You pushed b in the same direction as a. The impulse g pushes b the opposite way, "
+             "so add -n g / mb to the velocity of b."),
             (-impulse, f"{momentum}, and add -n g / mb."),
         ]  # fmt: skip
         otherwise = "The velocity of a is right, but that of b is wrong. The impulse on b is "
@@ -121,9 +124,8 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         closing = dot(w, n) - dot(v, n)
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
         name = f"{about.call}; the kinetic energy that was lost"
-        about.cause = "The separating velocity after the bounce is wrong, so the bounce loses the "
-        about.cause += "wrong amount of energy (E-7). It must be minus the restitution times the "
-        about.cause += "separating velocity before the bounce."
+        about.cause = "The bounce loses the wrong amount of energy (E-7). The separating velocity "
+        about.cause += "after it must be minus the restitution times the one before."
         expect_close(lost, wanted, call=name, tolerance=1e-10, unit="J")
 
 
@@ -140,9 +142,8 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
         wall = "" if "None" in told else "particle w (immovable) at rest; "
         about.call = f"particle a ({mass} kg) with velocity {v}; {wall}{told}, "
         about.call += f"normal=Vector3{normal}, restitution={c}).resolve_velocity()"
-        about.cause = "Only a can move here, so it takes the whole change in the separating "
-        about.cause += "velocity, whatever its mass is. Use 0 as the inverse mass of None and of "
-        about.cause += "an immovable particle."
+        about.cause = "Only a can move, so it takes the whole change in the separating velocity. "
+        about.cause += "Use 0 as the inverse mass of None and of an immovable particle."
         a, w = Particle(velocity=Vector3(*v), mass=mass), Particle(mass=math.inf)
         ends = {"Contact(a, None": (a, None), "Contact(a, w": (a, w), "Contact(w, a": (w, a)}[told]
         Contact(*ends, Vector3(*normal), c).resolve_velocity()
@@ -155,33 +156,34 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.3")
-def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
+def test_separating_or_immovable_particles_get_no_impulse(rng: Random) -> None:
     about.read = IMPULSE
     v, w, n = components(rng), components(rng), direction(rng)
     if dot(v, n) < dot(w, n):
         v, w = w, v
     for mass, first, second, cause in (
-        (2.0, v, w, "The two particles are already separating, so they need no impulse. Don't "
-                    "change their velocities."),
+        (2.0, v, w,
+         "You changed a velocity, although the particles are already separating and need no "
+         "impulse. Return before you change anything."),
         (math.inf, w, v, "Both particles are immovable, so the sum of their inverse masses is 0. "
                          "Return before you divide by this sum."),
     ):  # fmt: skip
         about(cause=cause)
         about.call = f"particle a ({of_mass(mass)}) with velocity {first}; particle b "
-        about.call += f"({of_mass(mass)}) with velocity {second}; Contact(a, b, normal=Vector3{n}, "
-        about.call += "restitution=0.5, penetration=1.0).resolve_velocity(0.5)"
+        about.call += f"({of_mass(mass)}) with velocity {second}; c = Contact(a, b, "
+        about.call += f"normal=Vector3{n}, restitution=0.5, penetration=1.0); "
+        about.call += "c.resolve_velocity(0.5)"
         a, b = (Particle(velocity=Vector3(*u), mass=mass) for u in (first, second))
         Contact(a, b, Vector3(*n), 0.5, 1.0).resolve_velocity(0.5)
         got = xyz(a.velocity)
         expect_unchanged("a.velocity", got, first)
         got = xyz(b.velocity)
         expect_unchanged("b.velocity", got, second)
-    about.call = f"particle a with velocity {w}; particle b with velocity {v}; c = Contact(a, b, "
-    about.call += f"normal=Vector3{n}, restitution=0.0, penetration=-1.0); a.add_force(Vector3(1, "
-    about.call += "2, 3)); c.resolve_velocity(0.5)"
+    about.call = f"particle a with velocity {w}, particle b with velocity {v}; "
+    about.call += f"a.add_force(Vector3(1, 2, 3)); c = Contact(a, b, normal=Vector3{n}, "
+    about.call += "restitution=0.0, penetration=-1.0); c.resolve_velocity(0.5)"
     about.cause = "With a restitution of 0, the separating velocity of a closing contact should "
-    about.cause += "become 0. Don't check the penetration: it doesn't matter here that it is "
-    about.cause += "negative."
+    about.cause += "become 0. Don't check the penetration, although it is negative here."
     a, b = (Particle(velocity=Vector3(*u)) for u in (w, v))
     a.add_force(Vector3(1.0, 2.0, 3.0))
     c = Contact(a, b, Vector3(*n), 0.0, -1.0)
@@ -193,42 +195,41 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
         ("c.restitution and c.penetration", (c.restitution, c.penetration), (0.0, -1.0)),
         ("a.force_accumulator", xyz(a.force_accumulator), (1.0, 2.0, 3.0)),
     ):
-        about.cause = f"resolve_velocity has changed something other than a velocity: {name}. "
-        about.cause += "Change only the velocities of the two particles."
+        about.cause = f"resolve_velocity has changed {name}. It should change only the velocities "
+        about.cause += "of the two particles."
         expect_unchanged(name, now, before)
 
 
 @pytest.mark.exercise("B7.3")
-def test_an_impulse_leaves_rest_at_rest(rng: Random) -> None:
+def test_a_resting_particle_does_not_bounce(rng: Random) -> None:
     about.read = "book 7.2.3, and the docstring of Contact.resolve_velocity"
     h, c, side = 0.02, round(rng.uniform(0.3, 0.9), 3), number(rng)
-    about.call = f"particle a with velocity ({side}, {-9.0 * h}, 0) and acceleration (0, -9, 0); "
-    about.call += f"Contact(a, None, normal=Vector3(0, 1, 0), restitution={c}, "
-    about.call += f"penetration=0.125).resolve_velocity({h})"
-    about.cause = "The particle bounces, although its closing speed is only what gravity has added "
-    about.cause += "in this time step. Pass the duration on to velocity_after, which leaves out "
-    about.cause += "this part of the speed."
+    about.call = f"particle a with velocity ({side}, {-9.0 * h}, 0) and acceleration (0, -9, 0); c "
+    about.call += f"= Contact(a, None, normal=Vector3(0, 1, 0), restitution={c}, "
+    about.call += f"penetration=0.125); c.resolve_velocity({h})"
+    about.cause = "Your bounce includes the velocity that gravity has added in this time step. "
+    about.cause += "Pass the duration to velocity_after, which leaves this velocity out."
     a = Particle(None, Vector3(side, -9.0 * h, 0.0), Vector3(0.0, -9.0, 0.0), mass=3.0)
     Contact(a, None, Vector3(*UP), c, 0.125).resolve_velocity(h)
     got = xyz(a.velocity)
     expect_close(got, (side, 0.0, 0.0), then="; a.velocity", unit="m/s")
-    about.cause = "resolve_velocity has moved the particle. It should change only velocities, "
-    about.cause += "because resolve_penetration moves the particles."
+    about.cause = "resolve_velocity has moved the particle. It should change only velocities, and "
+    about.cause += "leave positions to resolve_penetration."
     got = xyz(a.position)
     expect_close(got, ZERO, then="; a.position", unit="m")
 
 
 @pytest.mark.exercise("B7.3")
 @pytest.mark.robust
-def test_an_impulse_needs_a_duration_that_means_something() -> None:
+def test_resolve_velocity_rejects_invalid_durations() -> None:
     about.read = IMPULSE
     for velocity, mass in ((-1.0, 2.0), (1.0, 2.0), (-1.0, math.inf)):
         for duration in (-0.5, math.nan, math.inf):
             about.call = f"particle a ({of_mass(mass)}) with velocity (0, {velocity:g}, 0); "
             about.call += f"Contact(a, None, normal=Vector3(0, 1, 0)).resolve_velocity({duration})"
-            about.cause = "resolve_velocity must reject a duration that is negative or not finite, "
-            about.cause += "even if no impulse is needed. Call velocity_after before you return, "
-            about.cause += "because it checks the duration."
+            about.cause = f"The duration is {duration}, but it must be finite and 0 or more, even "
+            about.cause += "if no impulse is needed. Call velocity_after before you return, "
+            about.cause += "because it checks this."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0), mass=mass)
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

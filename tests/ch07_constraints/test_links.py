@@ -60,28 +60,31 @@ def expect_contacts(
     """
     about.call = call
     got = told(link.contacts(), particles)
-    why = cause_of(len(got), counts, about.cause)
+    why = about.cause if got else f"You returned no contact. {about.cause}"
+    why = cause_of(len(got), counts, why)
     expect_exactly(len(got), len(wanted), cause=why, unit="contacts")
     for i, (seen, right) in enumerate(zip(got, wanted, strict=True)):
         which = f"the {('first', 'second')[i]} contact" if len(wanted) > 1 else "the contact"
         a, b, normal, restitution, depth = seen
-        why = "The contact has the wrong ends. Its particle should be a, and its other should be "
-        why += "b, or None if the link ends at an anchor."
+        why = "The contact has the wrong ends. Create it with a as its particle and "
+        why += f"{'b' if right[1] == 1 else 'None'} as its other."
         expect_particles((a, b), right[:2], cause=why)
         back = tuple(-part for part in right[2])
-        why = f"The normal has the wrong sign. {about.cause}"
+        why = f"Your normal points the wrong way. {about.cause}"
         why = cause_of(normal, [(back, why)], about.cause)
         expect_close(normal, right[2], then=f"; the normal of {which}", cause=why, tolerance=1e-15)
-        why = "The contact has the wrong restitution. Pass the restitution of the link to the "
-        why += "contact, or 0 for a rod."
+        why = "The contact has the wrong restitution. Create it with "
+        why += "the restitution of the link." if right[3] else "a restitution of 0."
         expect_close(restitution, right[3], then=f"; the restitution of {which}", cause=why)
         depths = [
-            (-right[4], "The penetration has the wrong sign. It must be positive if the distance "
-                        "between the ends violates the limit, and negative if it does not."),
-            (far, "You used the whole distance between the ends as the penetration. Use only the "
-                  "part of the distance beyond the limit."),
+            (-right[4], "The penetration has the wrong sign. The distance "
+                        + ("violates this limit, so it must be positive." if right[4] > 0.0 else
+                           "doesn't violate this limit, so it must be negative.")),
+            (far, "You used the whole distance between the ends as the penetration. Use only its "
+                  "difference from the limit."),
         ]  # fmt: skip
-        why = cause_of(depth, depths, about.cause)
+        why = "The penetration is wrong. Use the difference between the distance and the limit."
+        why = cause_of(depth, depths, about.cause if math.isnan(far) else why)
         # Lengths of up to 20 m, rounded a few times.
         name = f"; the penetration of {which}"
         expect_close(depth, right[4], then=name, cause=why, tolerance=1e-14, unit="m")
@@ -95,9 +98,11 @@ def places(pair: list[Any]) -> Components:
 
 @scoped
 def expect_ends(pair: list[Any], before: Components) -> None:
-    about.cause = "contacts() has moved an end of the link, perhaps with -=, which works in place. "
-    about.cause += "Subtract the positions with - instead, which creates a new vector."
-    expect_unchanged("the tuple of both positions", places(pair), before)
+    about.cause = "contacts() has moved an end of the link in place, as -= does. Subtract the "
+    about.cause += "positions with -, which creates a new vector."
+    now, end = places(pair), "b.position" if hasattr(pair[1], "position") else "anchor"
+    expect_unchanged("a.position", now[:3], before[:3])
+    expect_unchanged(end, now[3:], before[3:])
 
 
 @pytest.mark.exercise("B7.7")
@@ -111,13 +116,18 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     if not anchored:
         pair[0].mass = math.inf
         told_ends = told_ends.replace("a at", "a (immovable) at")
-    to_the_end = "The cable is taut and pulls its ends together, so use the unit vector from a to "
-    to_the_end += "the other end as the normal."
+    end = "the anchor" if anchored else "b"
+    to_the_end = f"The cable is taut and pulls a toward {end}. Use the normalized offset from a "
+    to_the_end += f"to {end} as the normal."
     before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),
         (1023.0 / 1024.0 * length, to_the_end),
-        (length, "A cable at its maximum length is taut. Return a contact with penetration 0."),
+        (
+            length,
+            "A cable at exactly its maximum length is taut. Return a contact with a penetration of "
+            "0.",
+        ),
     ):
         about.cause = cause
         about.call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, "
@@ -135,8 +145,8 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, "
     about.call += f"max_length={1.25 * length}); c.contacts()"
-    about.cause = "The distance between the ends is less than max_length, so the cable is slack "
-    about.cause += "and exerts no force. Return no contact."
+    about.cause = "You returned a contact for a slack cable: the distance between its ends is less "
+    about.cause += "than max_length. Return no contact."
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):
@@ -165,8 +175,8 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     wanted = [(0, -1 if anchored else 1, back, 0.5, 0.6875 * length)]
     expect_contacts(about.call, cable, pair, wanted)
     n = back
-    about.cause = "contacts() has changed a position or a velocity. It must not move anything, so "
-    about.cause += "compute with new vectors."
+    about.cause = "contacts() has changed a position or a velocity. Compute with new vectors, so "
+    about.cause += "that nothing moves."
     got = xyz(pair[0].position)
     there = cable.anchor if anchored else pair[1].position
     way = tuple(p - q for p, q in zip(xyz(there), got, strict=True))
@@ -182,50 +192,29 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     about.read = ROD
     pair, n, length, told_ends = ends(rng, anchored)
     make, name = (AnchoredRod, "AnchoredRod") if anchored else (Rod, "Rod")
-    other = -1 if anchored else 1
+    other, end = (-1, "the anchor") if anchored else (1, "b")
     back = (-n[0], -n[1], -n[2])
     both = "You returned two contacts, as the book's text suggests, but one of them does nothing "
     both += "(E-9). Return only the contact that pulls or pushes."
-    two = [
-        (2, both),
-        (
-            1,
-            "The rod has exactly the right length, so it needs no contact. Return an empty list "
-            "instead of a contact with a penetration of 0.",
-        ),
-    ]
+    none = "You returned a contact, but the rod has exactly the right length and needs none. "
+    none += "Return an empty list."
+    pulls = f"stretched and pulls a toward {end}. Return a contact whose normal points from a to "
+    pulls += f"{end}."
+    pushes = f"compressed and pushes a away from {end}. Return a contact whose normal points from "
+    pushes += f"{end} to a."
+    tiny = length / 1024.0
     for rod, wanted, cause in (
-        (
-            0.75 * length,
-            [(0, other, n, 0.0, 0.25 * length)],
-            "The rod is stretched, so it pulls like a cable. Return a contact whose normal points "
-            "from a to the other end.",
-        ),
-        (
-            1.25 * length,
-            [(0, other, back, 0.0, 0.25 * length)],
-            "The rod is compressed, so it pushes. Return a contact whose normal points away from "
-            "the other end and whose penetration is positive.",
-        ),
-        (
-            1023.0 / 1024.0 * length,
-            [(0, other, n, 0.0, length / 1024.0)],
-            "The rod is slightly stretched, so it pulls. Return a contact whose normal points "
-            "from a to the other end.",
-        ),
-        (
-            1025.0 / 1024.0 * length,
-            [(0, other, back, 0.0, length / 1024.0)],
-            "The rod is slightly compressed, so it pushes. Return a contact whose normal points "
-            "away from the other end.",
-        ),
-        (length, [], "The rod has exactly the right length, so it should not have a contact."),
+        (0.75 * length, [(0, other, n, 0.0, 0.25 * length)], f"The rod is {pulls}"),
+        (1.25 * length, [(0, other, back, 0.0, 0.25 * length)], f"The rod is {pushes}"),
+        (1023.0 * tiny, [(0, other, n, 0.0, tiny)], f"The rod is slightly {pulls}"),
+        (1025.0 * tiny, [(0, other, back, 0.0, tiny)], f"The rod is slightly {pushes}"),
+        (length, [], none),
     ):
         about(cause=cause)
         about.call = f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, length={rod}); "
         about.call += "r.contacts()"
         link = make(*pair, rod)
-        expect_contacts(about.call, link, pair, wanted, two, length)
+        expect_contacts(about.call, link, pair, wanted, [(2, both)], length)
         about.call += f"; r.length = {0.5 * length}; r.contacts()"
         about.cause = "The rod's length has changed since the first call. Read it again on every "
         about.cause += "call."
@@ -235,13 +224,12 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
 
 
 @pytest.mark.exercise("B7.8")
-def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
+def test_a_rod_whose_ends_coincide(rng: Random) -> None:
     about.read = ROD
     p, length = components(rng), positive_number(rng)
     down = (0.0, -1.0, 0.0)
-    about.cause = "Both ends are at the same position, so take +Y as the direction from a to the "
-    about.cause += "other end and push a down. Call direction_of, which returns +Y here, instead "
-    about.cause += "of normalized()."
+    about.cause = "The ends are at the same position, so normalized() gives no direction. Call "
+    about.cause += "direction_of, which returns +Y here, and push a down."
     about.call = f"particles a and b, both at {p}; Rod(a, b, length={length}).contacts()"
     pair = [Particle(Vector3(*p)), Particle(Vector3(*p))]
     expect_contacts(about.call, Rod(*pair, length), pair, [(0, 1, down, 0.0, length)])
@@ -289,9 +277,8 @@ def test_a_string_bears_three_times_the_weight() -> None:
     about.call += "released at 90 degrees from the vertical, with gravity of 10 m/s^2; "
     about.call += "semi-implicit steps of 1/2000 s, each followed by contact.resolve for "
     about.call += "rod.contacts()"
-    about.cause = "The rod pulls with the wrong force. At the bottom it carries the weight m g and "
-    about.cause += "keeps the bob on its circle, which takes another 2 m g, so the pull should be "
-    about.cause += "3 m g."
+    about.cause = "The rod pulls with the wrong force. At the bottom it carries the weight m g "
+    about.cause += "and bends the path of the bob, which takes another 2 m g."
     bob = Particle(Vector3(1.0, 0.0, 0.0), None, Vector3(0.0, -10.0, 0.0), mass=mass)
     seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.0005, 1173)  # a quarter of its period
     got = max(pull for _, _, pull in seen[100:])
@@ -306,24 +293,25 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     pair, n, length, told_ends = ends(rng, anchored=False)
     back = (-n[0], -n[1], -n[2])
     c = round(rng.uniform(0.1, 0.9), 3)
+    between = "You returned a contact, although the distance is between the two limits. Return "
+    between += "none, because the link neither pulls nor pushes here."
     for low, high, wanted, cause in (
-        (0.5, 1.5, [], "The distance is between the two limits, so the link neither pulls nor "
-        "pushes. Return no contact."),
-        (1023.0 / 1024.0, 1025.0 / 1024.0, [], "The distance is between the two limits, so the "
-        "link neither pulls nor pushes. Return no contact."),
+        (0.5, 1.5, [], between),
+        (1023.0 / 1024.0, 1025.0 / 1024.0, [], between),
         (0.25, 0.5, [(0, 1, n, c, 0.5 * length)],
-         "The distance exceeds max_length, so the link pulls like a cable. Return a contact whose "
-         "normal points from a to b."),
+         "The distance exceeds max_length, so the link pulls like a cable. Return a contact "
+         "whose normal points from a to b."),
         (0.5, 1.0, [(0, 1, n, c, 0.0)], "The distance is exactly max_length, so the link is taut. "
                                         "Return a contact with a penetration of 0."),
         (1.5, 2.0, [(0, 1, back, c, 0.5 * length)],
          "The distance is below min_length, so the link pushes. Return a contact whose normal "
-         "points away from b and whose penetration is min_length minus the distance."),
+         "points from b to a."),
         (1.0, 2.0, [(0, 1, back, c, 0.0)],
          "The distance is exactly min_length, so the link has reached its lower limit. Return a "
          "contact with a penetration of 0."),
-        (0.0, 2.0, [], "A min_length of 0 means that there is no lower limit, so there is no "
-                       "contact here."),
+        (0.0, 2.0, [],
+         "You returned a contact for a min_length of 0, which means that there is no lower "
+         "limit. Return none."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"{told_ends}; l = Limits(a, b, min_length={low * length}, "
@@ -339,13 +327,13 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
 
 
 @pytest.mark.exercise("7.6")
-def test_equal_limits_both_act(rng: Random) -> None:
+def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
     about.call = f"{told_ends}; l = Limits(a, b, min_length={length}, max_length={length}, "
     about.call += "restitution=0.5); l.contacts()"
-    about.cause = "Both limits equal the distance between the ends, so the link has reached both. "
-    about.cause += "Return two contacts with opposite normals, one for each limit."
+    about.cause = "You returned only one contact, but the link has reached both limits, which are "
+    about.cause += "equal. Return two contacts with opposite normals."
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
     expect_exactly(len(got), 2, unit="contacts")
@@ -354,7 +342,7 @@ def test_equal_limits_both_act(rng: Random) -> None:
     for seen, right in zip(normals, wanted, strict=True):
         expect_close(seen, right, then="; one of the normals", tolerance=1e-15)
     got = [number for contact in got for number in (contact[0], contact[1], contact[4])]
-    name = "; index of particle, index of other and penetration, for both contacts"
+    name = "; particle, other and penetration of both contacts, in one tuple"
     expect_close(got, (0, 1, 0.0) * 2, then=name)
     same = [Particle(), Particle()]
     for low in (2.0, 0.5, 1e-3):
@@ -366,8 +354,8 @@ def test_equal_limits_both_act(rng: Random) -> None:
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
         expect_contacts(about.call, link, same, wanted)
     about.call += "; l.min_length = 0; l.contacts()"
-    about.cause = "A min_length of 0 means that there is no lower limit. Return no contact, even "
-    about.cause += "if the distance is 0."
+    about.cause = "You returned a contact for a min_length of 0, which means that there is no "
+    about.cause += "lower limit. Return none, even if the distance is 0."
     link.min_length = 0.0
     expect_contacts(about.call, link, same, [])
 
@@ -380,11 +368,13 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         depth = (1.0 - share) * length
         about.call = f"{told_ends}; r = TwoSidedRod(a, b, length={share * length}); r.contacts()"
-        about.cause = "Whatever the length is, return two contacts: the first pulls and the second "
-        about.cause += "pushes. Their normals and penetrations have opposite signs."
+        about.cause = "The first contact pulls and the second one pushes, so their normals and "
+        about.cause += "penetrations have opposite signs."
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
         rod = TwoSidedRod(*pair, share * length)
-        expect_contacts(about.call, rod, pair, wanted)
+        one = [(1, "You returned only one contact. Return two contacts in every case: one that "
+                   "pulls and one that pushes.")]  # fmt: skip
+        expect_contacts(about.call, rod, pair, wanted, one)
         about.call += f"; r.length = {0.5 * length}; r.contacts()"
         about.cause = "The rod's length has changed since the first call. Read it again on every "
         about.cause += "call."
@@ -392,7 +382,7 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
         wanted = [(0, 1, n, 0.0, 0.5 * length), (0, 1, back, 0.0, -0.5 * length)]
         expect_contacts(about.call, rod, pair, wanted)
     about.call = "particles a and b at the same position; TwoSidedRod(a, b, length=2).contacts()"
-    about.cause = "Both ends are at the same position, so there is no direction between them. Take "
+    about.cause = "The ends are at the same position, so there is no direction between them. Take "
     about.cause += "+Y as the direction from a to b."
     same = [Particle(), Particle()]
     wanted = [(0, 1, UP, 0.0, -2.0), (0, 1, (0.0, -1.0, 0.0), 0.0, 2.0)]

@@ -32,7 +32,7 @@ TIME = "; the time of the impact"
 
 
 @pytest.mark.exercise("B7.10")
-def test_the_first_on_the_ground(rng: Random) -> None:
+def test_the_first_impact_on_the_ground(rng: Random) -> None:
     about.read = GROUND
     height, radius, c = number(rng), 0.25, round(rng.uniform(0.1, 0.9), 3)
     speeds = [positive_number(rng, 1.0, 2.0) for _ in range(4)]
@@ -48,8 +48,8 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ground = GroundPlane(particles, height, radius, c)
     times = [fall / speed for fall, speed in zip(falls, speeds, strict=True)]
     first = min(times)
-    about.cause = "Each of the four spheres reaches the ground within 9 s. Compute the times of "
-    about.cause += "all four impacts, and return the earliest impact."
+    about.cause = "All four spheres reach the ground within 9 s. Compute the time for every "
+    about.cause += "sphere, and return the earliest impact."
     impact = expect_impact(ground.next_impact(9.0))
     time, contact = impact[0], impact[1]
     whole = min((fall + radius) / speed for fall, speed in zip(falls, speeds, strict=True))
@@ -68,8 +68,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     seen = (a, b, *normal, restitution, depth)
     wanted = (times.index(first), -1, *UP, c, 0.0)
     about.cause = "The time is right, but the contact isn't. Create it with the particle, None as "
-    about.cause += "its other, the normal (0, 1, 0), the detector's restitution and a penetration "
-    about.cause += "of 0."
+    about.cause += "its other, the normal (0, 1, 0) and the detector's restitution."
     for part, cause in (
         (0, "The contact belongs to the wrong sphere. Use the sphere that reaches the ground "
             "first."),
@@ -77,8 +76,8 @@ def test_the_first_on_the_ground(rng: Random) -> None:
         (3, "The normal of the contact is wrong. Use (0, 1, 0), which points out of the ground."),
         (5, "The contact has the wrong restitution. Pass the restitution of the detector when you "
         "create the contact."),
-        (6, "The penetration of the contact should be 0, because the contact describes the moment "
-            "of the impact, when the sphere just touches the ground."),
+        (6, "You used the current penetration. The contact describes the moment of the impact, "
+            "when the sphere just touches the ground, so use 0."),
     ):  # fmt: skip
         if seen[part] != wanted[part]:
             about.cause = cause
@@ -87,13 +86,15 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     expect_particles(seen[:2], wanted[:2], names)
     limit = 1e-13 * max(map(abs, wanted))
     expect_close(seen[2:5], UP, then="; the normal of the contact", tolerance=limit)
-    name = "; the restitution and the penetration of the contact"
-    expect_close(seen[5:], wanted[5:], then=name, tolerance=limit)
-    about.cause = "The first impact happens only after the end of the duration, so there is none "
-    about.cause += "to report. Return None."
+    name = "; the restitution of the contact"
+    expect_close(restitution, c, then=name, tolerance=limit)
+    name = "; the penetration of the contact"
+    expect_close(depth, 0.0, then=name, tolerance=limit, unit="m")
+    about.cause = "The first impact happens only after the end of the duration, so it doesn't "
+    about.cause += "count. Return None."
     expect_none(ground.next_impact(0.999 * first), then=f"; ground.next_impact({0.999 * first})")
-    about.cause = "The first impact is exactly at the end of the duration, which still counts. "
-    about.cause += "Compare its time with the duration by <=, not by <."
+    about.cause = "You left out an impact exactly at the end of the duration, but it still "
+    about.cause += "counts. Compare its time with the duration by <=, not by <."
     got = ground.next_impact(float(time))
     name = f"; ground.next_impact({time!r})"
     missed = "None, as if there were no impact"
@@ -118,15 +119,14 @@ def test_the_first_on_the_ground(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.10")
-def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
+def test_forces_count_and_immovable_particles_do_not(rng: Random) -> None:
     about.read = GROUND
     t = positive_number(rng)
     about.call = f"particle p of 2 kg at rest at (0, {2.5 * t * t}, 0) with an acceleration of (0, "
     about.call += "2, 0); p.add_force(Vector3(0, -14, 0)); p.integrate(1e-9); "
     about.call += "GroundPlane([p]).next_impact(100)"
-    about.cause = "You used only p's constant acceleration, which lifts p off the ground, and left "
-    about.cause += "out the force. Use last_acceleration, which includes forces and is -5 m/s^2 "
-    about.cause += "along y."
+    about.cause = "You used only p's constant acceleration, which lifts p, and left out the "
+    about.cause += "force. Use last_acceleration, which includes forces."
     p = Particle(Vector3(0.0, 2.5 * t * t, 0.0), None, Vector3(0.0, 2.0, 0.0), mass=2.0)
     p.add_force(Vector3(0.0, -14.0, 0.0))
     p.integrate(1e-9)
@@ -135,8 +135,8 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     expect_close(impact[0], t, tolerance=1e-8, then=TIME, unit="s")
     about.call = "an immovable particle at a height of 1 m and a particle of 1 kg at 2 m, both "
     about.call += "with velocity (0, -2, 0); GroundPlane(particles).next_impact(9)"
-    about.cause = "The first particle is immovable, so it never reaches the ground, whatever its "
-    about.cause += "velocity is. Skip immovable particles."
+    about.cause = "You returned the impact of the first particle, but it is immovable and never "
+    about.cause += "reaches the ground. Skip immovable particles."
     down = Vector3(0.0, -2.0, 0.0)
     particles = [
         Particle(Vector3(0.0, 1.0), down, mass=math.inf),
@@ -146,8 +146,8 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     expect_close(impact[0], 1.0, then=TIME, unit="s")
     about.call = "two particles at a height of 2 m with velocity (0, -2, 0); "
     about.call += "GroundPlane(particles).next_impact(1)"
-    about.cause = "Both particles reach the ground at the same time. Return the impact of the "
-    about.cause += "particle that comes first in the list."
+    about.cause = "You returned the impact of the second particle, but both reach the ground at "
+    about.cause += "the same time. Return the impact of the first one in the list."
     particles = [Particle(Vector3(i, 2.0, 0.0), down) for i in range(2)]
     impact = expect_impact(GroundPlane(particles).next_impact(1.0))
     ((first, *_),) = told([impact[1]], particles)
@@ -169,7 +169,7 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
 
 @pytest.mark.exercise("B7.10")
 @pytest.mark.robust
-def test_the_ground_looks_ahead_for_a_duration() -> None:
+def test_next_impact_rejects_invalid_durations() -> None:
     about.read = GROUND
     ground = GroundPlane([Particle(Vector3(0.0, 1.0, 0.0))])
     expect_durations("GroundPlane(particles)", ground)
@@ -177,14 +177,14 @@ def test_the_ground_looks_ahead_for_a_duration() -> None:
 
 @scoped
 def expect_durations(name: str, detector: object) -> None:
-    about.cause = "next_impact must reject a duration that is negative, not finite or not a "
-    about.cause += "number. Call not_negative from arguments.py on its first line."
     for duration, error in (
         (-0.5, ValueError),
         (math.nan, ValueError),
         (math.inf, ValueError),
         ("1", TypeError),
     ):
+        about.cause = f"The duration is {duration!r}, but it must be a finite number that is 0 or "
+        about.cause += "more. Call not_negative from arguments.py, which raises the error for you."
         expect_error(
             lambda duration=duration: detector.next_impact(duration),
             error,
@@ -195,13 +195,12 @@ def expect_durations(name: str, detector: object) -> None:
 
 @pytest.mark.exercise("B7.11")
 @pytest.mark.robust
-def test_pairs_look_ahead_for_a_duration() -> None:
+def test_pairs_reject_invalid_durations_and_accelerations() -> None:
     about.read = PAIRS
     pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]
     expect_durations("ParticlePairs([a, b], radius=1.0)", ParticlePairs(pair, 1.0))
-    about.cause = "The two accelerations differ, so a moves along a curve relative to b, but your "
-    about.cause += "equation is for a straight line. Raise ValueError, even if the particles move "
-    about.cause += "apart."
+    about.cause = "You accepted two different accelerations, but the equation holds only if they "
+    about.cause += "are equal. Raise ValueError, even if the particles move apart."
     for velocity, one, other, force, mass in (
         (-1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
         (1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
@@ -214,6 +213,9 @@ def test_pairs_look_ahead_for_a_duration() -> None:
         about.call = f"particle a at (5, 0, 0) with velocity ({velocity}, 0, 0) and acceleration "
         about.call += f"{one}; particle b ({of_mass(mass)}) at rest at (0, 0, 0) with acceleration "
         about.call += f"{other}; {pushed}ParticlePairs([a, b], radius=1.0).next_impact(1.0)"
+        if math.isinf(mass):
+            about.cause = "Particle b is immovable, so its acceleration is 0, unlike that of a. "
+            about.cause += "Raise ValueError, because your equation needs equal accelerations."
         bad = [
             Particle(Vector3(5.0), Vector3(velocity), Vector3(*one)),
             Particle(None, None, Vector3(*other), mass=mass),

@@ -30,14 +30,13 @@ MOVE = "book 7.2.2, E-8, and the docstring of Contact.resolve_penetration"
 
 
 @pytest.mark.exercise("B7.4")
-def test_the_lighter_one_moves_more(rng: Random) -> None:
+def test_the_lighter_particle_moves_farther(rng: Random) -> None:
     about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
     ma, mb, depth = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
     wall = math.inf
-    share_of_a = "Particle a didn't move by the right distance. Divide the depth between both "
-    share_of_a += "particles so that a moves by mb / (ma + mb) of it: the lighter particle moves "
-    share_of_a += "farther."
+    share_of_a = "You moved a by the wrong distance. Divide the depth between both particles: a "
+    share_of_a += "moves by mb / (ma + mb) of it, so the lighter particle moves farther."
     whole_a = "Only a can move here, so move it by the whole depth, whatever its mass is."
     simple, drawn = ((0.0, 2.0, 0.0), UP, 0.5), (p, n, depth)
     small = (p, n, 1e-10)  # only the resolver has a tolerance; a contact resolves any depth
@@ -58,8 +57,8 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
         got = xyz(contact.normal)
-        whole = "You changed the contact's normal, perhaps with *= or normalize, which work in "
-        whole += "place. Compute a new vector with * instead."
+        whole = "You changed the contact's normal in place, as *= does. Use * to compute each "
+        whole += "move, because it creates a new vector."
         expect_unchanged("c.normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
@@ -78,6 +77,9 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
             (0.0, "The position of a didn't change. Add the vector that you return as the first "
                   "move to the position of a."),
         ]  # fmt: skip
+        if xyz(a.velocity) != ZERO:
+            why = "You added the move to the velocity of a. Add it to the position of a instead."
+            mistakes[-1] = (0.0, why)
         both = first != wall and second not in (wall, None)
         moved = [(tuple(x + s * y for x, y in zip(p, n, strict=True)), why) for s, why in mistakes]
         seen = cause_of(got, moved, about.cause) if both else about.cause
@@ -91,29 +93,33 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         about.cause += "displacement as the second move, or zero if b doesn't move."
         got = xyz(moves[1])
         turned = tuple(-part for part in back)
-        why = "The move of b has the wrong sign: it points toward a. The normal points from b to "
-        why += "a, so move b against it."
+        why = "You moved b toward a. The normal points from b to a, so move b against the normal."
+        there = [*map(sum, zip(q, back, strict=True))]
+        if b is not None and math.dist(xyz(b.position), there) < 1e-9:
+            why = "You moved b correctly but returned the opposite of its move. Return the vector "
+            why += "that you added to the position of b."
         seen = cause_of(got, [(turned, why)], about.cause)
         expect_close(got, back, then="; moves[1]", cause=seen, tolerance=1e-15, unit="m")
         if b is not None:
             wanted = tuple(x + m for x, m in zip(q, back, strict=True))
             got = xyz(b.position)
             expect_close(got, wanted, then="; b.position", tolerance=1e-14 * 8, unit="m")
-        about.cause = "You moved the particles apart, so now they just touch. Set the contact's "
-        about.cause += "penetration to 0, which the book's listing omits (E-8)."
+        about.cause = "You left the penetration as it was, although the particles just touch now. "
+        about.cause += "Set it to 0, which the book's listing omits (E-8)."
         got = contact.penetration
         expect_close(got, 0.0, then="; c.penetration", unit="m")
 
 
 @pytest.mark.exercise("B7.4")
-def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
+def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     about.read = "E-27, and the docstring of Contact.resolve_penetration"
     p, q, n = components(rng), components(rng), direction(rng)
-    gap = "A negative penetration means that there is a gap between the particles. Don't move "
-    gap += "them, however small the gap is."
+    gap = "You closed a gap: a negative penetration means that the particles don't touch. Don't "
+    gap += "move them, however small the gap is."
     for depth, mass, cause in (
-        (0.0, 2.0, "The penetration is 0, so the two particles just touch. Don't move either of "
-                   "them."),
+        (0.0, 2.0,
+         "You moved the particles, but the penetration is 0, so they just touch. Don't move "
+         "either of them."),
         (-positive_number(rng), 2.0, gap),
         (-0.125, 2.0, gap),
         (-1e-10, 2.0, gap),
@@ -161,18 +167,18 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
     about.cause += "Don't return the moves of the first call again (E-27)."
     moves = c.resolve_penetration()
     got = (*xyz(moves[0]), *xyz(moves[1]))
-    expect_close(got, ZERO + ZERO, then="; moves[0] and moves[1], together", unit="m")
+    expect_close(got, ZERO + ZERO, then="; moves[0] and moves[1] in one tuple", unit="m")
 
 
 @pytest.mark.exercise("B7.4")
-def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
+def test_the_moves_are_new_vectors(rng: Random) -> None:
     about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
     about.call = f"particle a at {p}; c = Contact(a, None, normal=Vector3{n}, restitution=0.5, "
     about.call += "penetration=1.0); moves = c.resolve_penetration(); moves[0].x += 1; moves[1].x "
     about.call += "+= 1"
-    separate = "When the returned vectors are changed, the contact's normal or a particle's "
-    separate += "position changes too. Return two new vectors instead of these objects."
+    separate = "The returned vectors are the contact's normal or a particle's position, so "
+    separate += "changing them changes the contact or the particle. Return two new vectors."
     about.cause = separate
     a = Particle(Vector3(*p))
     c = Contact(a, None, Vector3(*n), 0.5, 1.0)
@@ -203,24 +209,23 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
         expect_close(got, wanted, call=shown, tolerance=1e-14 * 8, unit="m")
         got = xyz(particle.velocity)
         shown = f"{about.call}; {name}.velocity"
-        about.cause = "resolve_penetration has changed a velocity. It changes only positions, "
-        about.cause += "because resolve_velocity changes the velocities."
+        about.cause = "resolve_penetration has changed a velocity. It should change only "
+        about.cause += "positions, and leave velocities to resolve_velocity."
         expect_close(got, ZERO, call=shown, unit="m/s")
 
 
 @pytest.mark.exercise("B7.4")
-def test_what_lies_on_the_ground_stays_there() -> None:
+def test_a_resting_body_stays_on_the_ground() -> None:
     about.read = "book 7.2.3, E-26, and the docstring of Contact.resolve"
     for restitution, generated in ((0.0, False), (0.5, True), (0.9, False), (0.9, True)):
         gravity = "a force added in every step" if generated else "the body's acceleration"
         about.call = f"a body at rest on the ground, where gravity is {gravity}; 900 semi-implicit "
         about.call += "steps of 1/60 s, each followed by contact.resolve(1/60) with a restitution "
         about.call += f"of {restitution}"
-        sinks = "The body sinks into the ground, perhaps because you resolve only its velocity. "
+        sinks = "The body sinks into the ground, because you resolve only its velocity. "
         sinks += "Contact.resolve should call resolve_velocity and then resolve_penetration."
-        jumps = "The body bounces, although it should stay at rest. Pass the duration on to "
-        jumps += "resolve_velocity, so that it leaves out the velocity that gravity adds in each "
-        jumps += "time step."
+        jumps = "The bounce includes the velocity that gravity adds in each time step. Pass the "
+        jumps += "duration to resolve_velocity, which leaves this velocity out."
         about.cause = sinks
         heights, fastest = lying(restitution, generated, 900, 1.0 / 60.0)
         # Up to a millimeter counts as rest; rounding leaves some 1e-15 m.

@@ -9,7 +9,7 @@ import pytest
 
 from ch07_constraints.probes import resolved
 from draw import Components, components, direction, dot, positive_number
-from expect import about, blame, expect_between, expect_close, expect_exactly
+from expect import about, blame, expect_between, expect_close, expect_exactly, expect_that
 
 ZERO = (0.0, 0.0, 0.0)
 RIGHT = (1.0, 0.0, 0.0)
@@ -29,7 +29,7 @@ def touching(*pairs: tuple[int, int], restitution: float = 0.0) -> list:
 
 
 @pytest.mark.exercise("B7.5")
-def test_what_closes_fastest_is_first() -> None:
+def test_the_fastest_contact_is_resolved_first() -> None:
     about.read = FASTEST
     contacts = touching((1, 0), (2, 1), restitution=0.5)
     setup = "three touching balls of 1 kg in a row, with velocities of 1, 0 and -3 m/s along the "
@@ -59,28 +59,32 @@ def test_what_closes_fastest_is_first() -> None:
         used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in bodies)
         mistakes = [
-            ((1.0, 0.0, -3.0), "You resolved no contact at all. A contact closes if its separating "
-                               "velocity is below -VELOCITY_TOLERANCE, so check the sign in your "
-                               "comparison."),
+            ((1.0, 0.0, -3.0),
+             "You resolved no contact at all. A contact closes if its separating velocity is "
+             "below -VELOCITY_TOLERANCE, so turn your comparison around."),
             ((0.25, 0.75, -3.0),
              "You resolved the first closing contact in the list. Choose the contact that closes "
              "fastest, which is the one with the lowest separating velocity."),
             ((-1.4375, -0.515625, -0.046875), "You resolved contacts three times, but the limit "
                                               f"is {limit}. Stop when you reach the limit."),
-            ((-1.4375, 0.1875, -0.75), "You stopped after two resolutions, but then the right pair "
-                                       "is closing again. Keep going until no contact is closing "
-                                       "or you reach the limit."),
+            ((-1.4375, 0.1875, -0.75),
+             "You stopped after two resolutions, although the right pair is closing again by "
+             "then. Search all contacts again after each resolution."),
         ]  # fmt: skip
         blame(got, mistakes)
         name = "; the velocities of the three balls"
         expect_close(got, wanted, then=name, unit="m/s")
-        about.cause = "You returned the wrong number. Return how many times you resolved a contact "
-        about.cause += "before no contact was closing or you reached the limit."
-        expect_exactly(used, min(limit, 3), then="; the returned number")
+        about.cause = "You returned the wrong number. Count how many times you resolve a contact, "
+        about.cause += "and return that count."
+        nothing = "The method returned nothing when it reached the limit. Return the number of "
+        nothing += "resolutions there too."
+        name = "; the returned number"
+        expect_that(used is not None, "nothing", f"{min(limit, 3)}", then=name, cause=nothing)
+        expect_exactly(used, min(limit, 3), then=name)
 
 
 @pytest.mark.exercise("B7.5")
-def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
+def test_only_the_closing_velocity_decides(rng: Random) -> None:
     about.read = FASTEST
     side = positive_number(rng, 20.0, 90.0)
     bodies = [
@@ -90,21 +94,21 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
         (ZERO, (0.0, 3.0, 0.0), math.inf),
     ]
     contacts = [(0, -1, UP, 1.0, 0.5), (1, -1, UP, 1.0, 0.75), (2, 3, UP, 0.0, -0.25)]
-    about.call = "particles a and b of 100 kg hit the ground with velocities (0, -2, 0) and "
-    about.call += f"({side}, -1, {side}) and a restitution of 1; particle c of 1 kg is at rest; an "
-    about.call += "immovable particle hits it from below with velocity (0, 3, 0); "
+    about.call = f"particles a and b (100 kg) hit the ground at (0, -2, 0) and ({side}, -1, "
+    about.call += f"{side}) m/s with a restitution of 1; particle c (1 kg) is at rest, and an "
+    about.call += "immovable particle hits it from below at (0, 3, 0) m/s; "
     about.call += "resolver.resolve_velocities(contacts, 1, 0.5) for these three contacts"
-    about.cause = "Resolve the contact of c, which closes fastest, at 3 m/s. Include the velocity "
-    about.cause += "of contact.other in the closing speed, even if that particle is immovable."
+    about.cause = "The contact of c closes fastest, at 3 m/s. Include the velocity of "
+    about.cause += "contact.other in the closing speed, even if it is immovable."
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
     got = tuple(velocity[1] for _, velocity in after[:3])
     mistakes = [
-        ((2.0, -1.0, 0.0), "You resolved the contact of a, but the contact of c closes faster. "
-                           "Compare only the separating velocities: the depth, the restitution and "
-                           "an immovable particle make no difference."),
-        ((-2.0, 1.0, 0.0), "You resolved the contact of b, which is the deepest, and b is the "
-                           "fastest particle. Compare only the separating velocities, and resolve "
-                           "the contact of c first, which has the lowest."),
+        ((2.0, -1.0, 0.0),
+         "You resolved the contact of a, but the contact of c closes faster. Compare only the "
+         "separating velocities, whatever the depth and the restitution are."),
+        ((-2.0, 1.0, 0.0),
+         "You resolved the contact of b, which is the deepest, but the contact of c closes "
+         "faster. Compare only the separating velocities."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, (-2.0, -1.0, 3.0), then="; the velocities of a, b and c along y", unit="m/s")
@@ -122,10 +126,10 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.5")
-def test_of_equal_ones_the_first_is_taken() -> None:
+def test_the_first_of_two_equally_fast_contacts_is_resolved() -> None:
     about.read = FASTEST
-    about.cause = "Both pairs close at 2 m/s, so resolve the one that comes first in the list. If "
-    about.cause += "your code chose the second one, compare with < instead of <=."
+    about.cause = "You resolved the second pair in the list, but both pairs close at 2 m/s, so "
+    about.cause += "the first one has priority. Compare with < instead of <=."
     for order, wanted in (
         (((1, 0), (2, 1)), (0.0, 2.0, -2.0)),
         (((2, 1), (1, 0)), (2.0, -2.0, 0.0)),
@@ -161,8 +165,8 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
         (
             4,
             4,
-            "After four resolutions, the last ball should have the whole velocity, and all the "
-            "others should be at rest. Always resolve the contact that closes fastest.",
+            "Only the last ball should move after four resolutions. Always resolve the contact "
+            "that closes fastest.",
         ),
         (
             50,
@@ -183,24 +187,27 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.5")
-def test_only_what_closes_is_resolved(rng: Random) -> None:
+def test_only_closing_contacts_are_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
+    noise = "You resolved a contact that closes at only 1e-13 m/s. This is below "
+    noise += "VELOCITY_TOLERANCE, so treat it as a rounding error and skip the contact."
+    slow = "You skipped a contact that closes at 1e-11 m/s. This is slow but faster than "
+    slow += "VELOCITY_TOLERANCE, so resolve the contact."
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "This contact closes at 1e-13 m/s, which is below VELOCITY_TOLERANCE, so "
-                        "treat it as a rounding error and don't resolve the contact."),
-        (1e-11, 0.0, 1, "This contact closes at 1e-11 m/s, which is slow but faster than "
-                        "VELOCITY_TOLERANCE, so resolve it."),
-        (0.5, -1.0, 1, "This contact closes at 0.5 m/s, so resolve it. Don't check the "
-                       "penetration, although it is negative here."),
-        (-0.5, 1.0, 0, "This contact is already separating at 0.5 m/s, so don't resolve it, "
-                       "however deep it is."),
-        (0.0, 1.0, 0, "This contact is deep but not closing. Unlike the book's listing, don't "
-                      "resolve its velocity, and leave it to resolve_penetrations."),
-        (1e-13, 1.0, 0, "This contact closes at 1e-13 m/s, which is below VELOCITY_TOLERANCE, so "
-                        "treat it as a rounding error and don't resolve the contact."),
-        (1e-11, 1.0, 1, "This contact closes at 1e-11 m/s, which is slow but faster than "
-                        "VELOCITY_TOLERANCE, so resolve it."),
+        (1e-13, 0.0, 0, noise),
+        (1e-11, 0.0, 1, slow),
+        (0.5, -1.0, 1,
+         "You skipped a closing contact because its penetration is negative. Resolve every "
+         "contact that closes, whatever its penetration is."),
+        (-0.5, 1.0, 0,
+         "You resolved a contact that is already separating at 0.5 m/s. Skip it, however deep "
+         "it is."),
+        (0.0, 1.0, 0,
+         "You resolved a contact that is deep but not closing, as the book's listing does. Skip "
+         "it, and leave its depth to resolve_penetrations."),
+        (1e-13, 1.0, 0, noise),
+        (1e-11, 1.0, 1, slow),
     ):  # fmt: skip
         about.cause = cause
         u = components(rng)  # the velocity across the normal does not count
@@ -211,21 +218,23 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
         about.call += f"restitution=0.0, penetration={depth}); resolver.resolve_velocities([c], 9, "
         about.call += "0.5)"
         bodies = [(ZERO, v, 2.0)]
-        about.cause += " Measure the closing speed along the contact's normal."
         used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
+        if used == 9 and depth == 0.0:
+            about.cause = "You didn't measure the closing speed along the contact's normal. Use "
+            about.cause += "the contact's separating velocity."
         expect_exactly(used, wanted, then="; the returned number", unit="resolutions")
         got = -dot(after[0][1], n)
         left = 0.0 if wanted else closing
         # Some roundings of numbers up to 20.
         expect_close(got, left, then="; the closing speed", tolerance=5e-14, unit="m/s")
-        about.cause = "resolve_velocities has changed a position or a penetration. It changes only "
-        about.cause += "velocities, because resolve_penetrations does the rest."
+        about.cause = "resolve_velocities has changed a position or a penetration. It should "
+        about.cause += "change only velocities, and leave the rest to resolve_penetrations."
         expect_close(after[0][0], ZERO, then="; a.position", unit="m")
         expect_close(depths[0], depth, then="; c.penetration", unit="m")
 
 
 @pytest.mark.exercise("B7.5")
-def test_many_contacts_come_to_an_end(rng: Random) -> None:
+def test_many_contacts_are_resolved(rng: Random) -> None:
     about.read = FASTEST
     bodies = [(components(rng), components(rng), positive_number(rng, 2.0, 5.0)) for _ in range(6)]
     # Two more move toward the immovable one, one behind the other. It throws both back.
@@ -260,13 +269,13 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.5")
-def test_each_resolution_knows_the_duration() -> None:
+def test_each_resolution_gets_the_duration() -> None:
     about.read = FASTEST
     about.call = "particles a and b, both with velocity (0, -4, 0) and acceleration (0, -4, 0); "
     about.call += "their contacts with the ground, with a restitution of 0.75; "
     about.call += "resolver.resolve_velocities(contacts, 9, duration) with a duration of"
-    about.cause = "The velocity that gravity has added in the time step bounces too. Pass the "
-    about.cause += "duration on to Contact.resolve_velocity, which leaves this velocity out."
+    about.cause = "Your bounces include the velocity that gravity has added in the time step. "
+    about.cause += "Pass the duration to Contact.resolve_velocity, which leaves this velocity out."
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
         contacts = [(0, -1, UP, 0.75, 0.0), (1, -1, UP, 0.75, 0.0)]
         bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]

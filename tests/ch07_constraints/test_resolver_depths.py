@@ -25,7 +25,7 @@ def row(*speeds: float, mass: float = 1.0) -> list[Body]:
 
 
 @pytest.mark.exercise("B7.6")
-def test_what_is_deepest_is_first() -> None:
+def test_the_deepest_contact_is_resolved_first() -> None:
     about.read = DEEPEST
     bodies = row(1.0, 0.0, -1.0)
     setup = "three balls of 1 kg in a row at x = 0, 1 and 2, with velocities of 1, 0 and -1 m/s; "
@@ -60,20 +60,22 @@ def test_what_is_deepest_is_first() -> None:
         expect_close(got, wanted, then=name, cause=seen, unit="m")
         about.cause += " When the middle ball moves, update the depth of its other contact (E-8)."
         mistakes = [
-            ((0.5, 0.0), "The left contact still has a depth of 0.5 m, although the middle ball "
-                         "has moved 0.375 m toward the left ball. Update the depths of all other "
-                         "contacts after each move, which the book's listing omits (E-8)."),
-            ((0.125, 0.0), "You made the left contact shallower, although the middle ball has "
-                           "moved toward the left ball. Check the sign of your update."),
+            ((0.5, 0.0),
+             "You didn't update the depth of the left contact, although the middle ball moved. "
+             "After each move, update the other contacts, which the book's listing omits (E-8)."),
+            ((0.125, 0.0),
+             "You made the left contact shallower, but it gets deeper, because the middle ball "
+             "moved toward the left ball. Reverse the sign of your update."),
             ((0.875, -0.75),
              "You updated the resolved contact twice. resolve_penetration has already set its "
              "depth to 0, so skip this contact in your loop."),
-            ((0.0, 0.0), "The depth of the right contact is still 0, although the middle ball, its "
-                         "contact.other, has moved toward the right ball. Also update contacts for "
-                         "contact.other."),
-            ((0.0, -0.4375), "The update for contact.other has the wrong sign. When contact.other "
-                             "moves along the normal, it comes closer to contact.particle, so the "
-                             "depth must grow by this distance."),
+            ((0.0, 0.0),
+             "You didn't update the depth of the right contact when its contact.other, the "
+             "middle ball, moved. Update a contact if either of its two particles has moved."),
+            ((0.0, -0.4375),
+             "Your update for contact.other has the wrong sign. When contact.other moves along "
+             "the normal, it comes closer to contact.particle, so add this distance to the "
+             "depth."),
         ]  # fmt: skip
         blame(got_depths, mistakes)
         expect_close(
@@ -83,16 +85,16 @@ def test_what_is_deepest_is_first() -> None:
         about.cause += "and return that count."
         expect_exactly(used, limit, then="; the returned number", unit="resolutions")
         got = tuple(velocity[0] for _, velocity in after)
-        about.cause = "resolve_penetrations has changed a velocity. It changes only positions, "
-        about.cause += "because resolve_velocities changes the velocities."
+        about.cause = "resolve_penetrations has changed velocities. It should change only "
+        about.cause += "positions, and leave velocities to resolve_velocities."
         name = "; the velocities of the balls"
         expect_close(got, (1.0, 0.0, -1.0), then=name, unit="m/s")
     about.call = "three balls of 1 kg in a row; the middle ball overlaps both others by 0.5 m; "
     about.call += "resolver.resolve_penetrations(contacts, 1) with the contact of the"
     for order in ((0, 1), (1, 0)):
         equal = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5)]
-        about.cause = "Both contacts are 0.5 m deep, so resolve the one that comes first in the "
-        about.cause += "list."
+        about.cause = "You resolved the second contact in the list, but both are 0.5 m deep, so "
+        about.cause += "the first one has priority. Compare with > instead of >=."
         _, _, got = resolved(bodies, [equal[i] for i in order], "resolve_penetrations", 1)
         name = f" {'right' if order[0] else 'left'} pair first; the depths in list order"
         expect_close(got, (0.0, 0.75), then=name, unit="m")
@@ -103,13 +105,18 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
     about.read = DEEPEST
     n, mass, depth = direction(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
     for deep, wanted, cause in (
-        (depth, 1, "After one resolution the particle just touches the ground, so move it only "
-                   "once. The book's listing moves the particle again (E-8)."),
-        (2e-9, 1, "The depth of this contact is small but above DEPTH_TOLERANCE, so resolve it."),
-        (5e-10, 0, "The depth of this contact is below DEPTH_TOLERANCE, so the particle counts as "
-                   "just touching the ground. Don't move the particle."),
-        (-1.0, 0, "The penetration is negative, so there is a gap between the particle and the "
-                  "ground. Don't move the particle."),
+        (depth, 1,
+         "You moved the particle again, although it just touches the ground after one "
+         "resolution. Update only the other contacts (E-8)."),
+        (2e-9, 1,
+         "You skipped a contact that is 2e-9 m deep. This is small but above DEPTH_TOLERANCE, "
+         "so resolve the contact."),
+        (5e-10, 0,
+         "You resolved a contact that is only 5e-10 m deep. This is below DEPTH_TOLERANCE, so "
+         "the particle counts as just touching the ground: don't move it."),
+        (-1.0, 0,
+         "You resolved a contact with a negative penetration, which means that there is a gap "
+         "above the ground. Don't move the particle."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"particle a of {mass} kg at (0, 0, 0); c = Contact(a, None, "
@@ -146,20 +153,27 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
     between_two = {0: 0.5 * mb / (ma + mb), 1: -0.5 * ma / (ma + mb)}
     for end, moves in ((1, between_two), (-1, {0: 0.5})):
         about.call = f"particle a of {ma} kg overlaps {names[end]} by 0.5 m, with the normal {n}; "
-        about.call += f"particle b has {mb} kg; a and b take part in other contacts as well; "
+        about.call += f"particle b has {mb} kg; a and b take part in other contacts too; "
         about.call += "resolver.resolve_penetrations(contacts, 1)"
         contacts = [others[0], (0, end, n, 0.0, 0.5), *others[1:]]
-        about.cause = "The contact that you resolved has a penetration again. resolve_penetration "
-        about.cause += "has set the penetration to 0, so skip this contact when you update the "
-        about.cause += "others."
+        about.cause = "You updated the contact that you resolved. resolve_penetration has already "
+        about.cause += "set its penetration to 0, so skip it when you update the others."
         _, _, depths = resolved(bodies, contacts, "resolve_penetrations", 1)
         expect_close(depths[1], 0.0, then="; the penetration of the first contact", unit="m")
         for (p, q, m, _, _), got in zip(others, [depths[0], *depths[2:]], strict=True):
             wanted = -5.0 - (moves.get(p, 0.0) - moves.get(q, 0.0)) * dot(n, m)
-            about.cause = "From the penetration of every other contact, subtract how far "
-            about.cause += "contact.particle has moved along its normal, and add how far "
-            about.cause += "contact.other has. Compare particles with `is`, and skip contact.other "
-            about.cause += "if it is None."
+            about.cause = "You updated this contact by the wrong amount. Subtract the move of "
+            about.cause += "contact.particle along this contact's own normal, and add that of "
+            about.cause += "contact.other."
+            if q == end == -1 and p == 0:
+                about.cause = "You updated this contact for contact.other, which is None, but the "
+                about.cause += "ground hasn't moved. Skip contact.other if it is None."
+            elif wanted == -5.0:
+                about.cause = "You updated a contact whose particles haven't moved. Compare "
+                about.cause += "particles with `is`, and skip contact.other if it is None."
+            elif got == -5.0:
+                about.cause = "You didn't update this contact, although a particle of it has "
+                about.cause += "moved. Check both contact.particle and contact.other."
             name = f"; the penetration of another contact, between {names[p]} and {names[q]}, "
             name += "which was -5 m before"
             expect_close(got, wanted, then=name, tolerance=1e-14, unit="m")
@@ -205,8 +219,8 @@ def test_a_stack_of_three_settles() -> None:
     about.read = "book 7.3.1, and the docstring of ContactResolver"
     about.call = "three spheres (1 kg, radius 0.5 m) stacked on the ground; 300 semi-implicit "
     about.call += "steps of 1/60 s, each with ContactResolver().resolve_contacts(contacts, 1/60)"
-    about.cause = "The stack sinks because one of your two phases stops too early. Check that each "
-    about.cause += "phase may make two resolutions per contact, which is enough for three spheres."
+    about.cause = "The stack sinks, because one of your two phases stops too early. Each phase "
+    about.cause += "may make two resolutions per contact."
     heights, overlap = stacked(3, 0.5, None, 300, 1.0 / 60.0)
     # Measured: at most 0.015 m of overlap, which is what two iterations per contact leave.
     name = "; the final heights of the centers"

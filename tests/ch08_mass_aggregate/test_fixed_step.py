@@ -225,8 +225,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
             unit="s",
             tolerance=1e-9 * duration,
         )
-    about.call = f"a FixedStep clock with steps of {STEP} s and without max_steps; clock.advance "
-    about.call += "with the time of 5000 steps"
+    about.call = f"a FixedStep clock with steps of {STEP} s and without max_steps; "
+    about.call += f"clock.advance(5000 * {STEP})"
     about.cause = (
         "You limit the number of steps although max_steps is None. Make every step that is due, "
         "and drop nothing."

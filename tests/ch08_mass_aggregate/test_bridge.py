@@ -78,10 +78,8 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
         i, j = extra[0]
         why = f"You join ends {i} and {j} with two links. {about.cause}"
         if extra[0] not in right:
-            why = (
-                f"You join ends {i} and {j}, which are on different sides of different rows. Join "
-            )
-            why += "only ends on the same side."
+            why = f"You join ends {i} and {j}, which are on different sides of the bridge. Join "
+            why += "each row to the next one on the same side."
     name = "; the ends of each " if "anchor" not in which else "; the end and anchor (-1) of each "
     expect_exactly(ends, right, then=f"{name}{which}", cause=why)
     length = {"rod": "WIDTH", "cable": "CABLE_LENGTH"}.get(which, "support_length(row number)")

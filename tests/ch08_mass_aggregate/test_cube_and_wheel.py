@@ -171,10 +171,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         about.cause += "distance between its two ends."
     places = [hub, *rim]
     for i, j, length in rods:
-        about.call = (
-            f"rods_of(hub, rim) with the hub 0 and the rim 1 to {count}; the length of the "
-        )
-        about.call += f"rod from particle {i} to particle {j}"
+        about.call = f"rods_of(hub, rim) with the hub 0 and the rim 1 to {count}; the length of "
+        about.call += f"the rod from particle {i} to particle {j}"
         wanted = math.dist(places[i], places[j])
         expect_close(length, wanted, unit="m", tolerance=1e-12)
 

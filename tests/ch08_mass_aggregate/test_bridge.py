@@ -385,8 +385,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                                                          "deck, so the ball has not fallen through "
                                                          "yet and is still in contact."),
         ("whose top is just below", -1e-6 - radius, 0, "You return contacts for a ball that has "
-                                                       "fallen through the deck, so they push it "
-                                                       "back up. Return none here."),
+                                                       "fallen through the deck, which would lift "
+                                                       "it back up. Return none here."),
     ):  # fmt: skip
         about(
             f"a deck; the midpoints (x, y) of its rows: {middles(rows)} m; a ball of radius "

@@ -76,8 +76,8 @@ def test_rejects_an_invalid_number_of_particles() -> None:
             error,
             call=f"fewest_rods({bad!r})",
             allowed=lambda: fewest_rods(8),
-            cause=f"The number of particles is {bad!r}. It must be a whole number from 1, so raise "
-            f"{error.__name__}.",
+            cause=f"The number of particles is {bad!r}. It must be a whole number, at least 1, so "
+            f"raise {error.__name__}.",
         )
 
 
@@ -142,7 +142,7 @@ def draw_rim(rng: Random, count: int) -> tuple[tuple[float, float, float], list]
 def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     hub, rim = draw_rim(rng, count)
     about(
-        f"rods_of(hub, rim) with the hub 0 and the rim 1 to {count}; the two ends of each rod",
+        f"rods_of(hub, rim) with hub 0 and rim 1 to {count}; the two ends of each rod",
         read=WHEEL,
     )
     about.cause = (
@@ -171,7 +171,7 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         about.cause += "distance between its two ends."
     places = [hub, *rim]
     for i, j, length in rods:
-        about.call = f"rods_of(hub, rim) with the hub 0 and the rim 1 to {count}; the length of "
+        about.call = f"rods_of(hub, rim) with hub 0 and rim 1 to {count}; the length of "
         about.call += f"the rod from particle {i} to particle {j}"
         wanted = math.dist(places[i], places[j])
         expect_close(length, wanted, unit="m", tolerance=1e-12)

@@ -115,7 +115,7 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
 
 @pytest.mark.exercise("B8.3")
 @pytest.mark.parametrize("duration", [1e-6, STEP, 1000.0])
-def test_a_share_of_a_step_is_due(duration: float) -> None:
+def test_share_is_a_fraction_of_a_step(duration: float) -> None:
     about.read = READ
     for lack, steps, cause in (
         (1e-7, 0, "You make a step too early, because you use SHARE as a time in seconds. It is a "

@@ -60,7 +60,7 @@ def test_a_platform_can_only_tilt() -> None:
 
 
 @pytest.mark.exercise("B8.6")
-def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
+def test_rods_have_the_right_length(rng: Random) -> None:
     about.read = RODS
     turn = positive_number(rng, 0.2, 1.2)
     c, s = math.cos(turn), math.sin(turn)
@@ -231,7 +231,7 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
             (_masses(0.0, left, right), "You leave out the particles' own mass. Add MASS to the "
                                         "load that each particle carries."),
             (_masses(1.0, near, far), "You put the whole weight on the nearer end. Divide it "
-                                      "between both ends according to their distances from it."),
+             "between both ends: the closer it is to an end, the more that end carries."),
         ]  # fmt: skip
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
         expect_close(got[2:], wanted, unit="kg", tolerance=1e-12)

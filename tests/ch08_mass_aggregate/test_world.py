@@ -217,7 +217,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
 
 
 @pytest.mark.exercise("B8.2")
-def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
+def test_a_step_clears_earlier_forces(rng: Random) -> None:
     h, force = positive_number(rng, 0.05, 0.2), components(rng)
     p, v, a, m = draw_body(rng)
     about(
@@ -225,8 +225,8 @@ def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
         f"particle.add_force(Vector3{force}); world.step({h})",
         read=f"{WORLD}step",
     )
-    about.cause = "Your step uses the force that was added before it, so it doesn't clear the "
-    about.cause += "forces first. Call start_frame before run_physics."
+    about.cause = "Your step doesn't clear the force that was added before it. Call start_frame "
+    about.cause += "before run_physics."
     done = frame([(p, v, a, m)], "step", h, early=force)
     velocity = [v[j] + a[j] * h for j in range(3)]
     got = done["states"][0][1]

@@ -93,10 +93,10 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     expect_exactly(won[0], score, then="; rules.score", unit="points")
     about.cause = "All rows are visited, but won is False. Compare len(self.visited) with "
     about.cause += "self.rows."
-    expect_that(won[3], "rules.won is False", "rules.won is True")
-    about.cause = "The game is won, but over is False. It should be True if the game is won as "
-    about.cause += "well as if no lives are left."
-    expect_that(won[4], "rules.over is False", "rules.over is True")
+    expect_that(won[3], "False", "True", then="; rules.won")
+    about.cause = "The game is won, but over is False. It should be True if no lives are left and "
+    about.cause += "also if the game is won."
+    expect_that(won[4], "False", "True", then="; rules.over")
     about.cause = "You add the bonus before the last row is visited. Add it only if self.won is "
     about.cause += "true."
     about.call = f"rules = Rules({rows}); {called(events[: rows + falls - 1])}"
@@ -117,14 +117,18 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
     overs = [over for *_, over in seen]
+    wanted = [False, False, False, True, True, True]
     if got[-1] < 0:
+        seen = (
+            "No lives are left, but over is False. It should be True if the game is won and also "
+        )
+        seen += "if no lives are left."
+        expect_that(
+            overs[3], f"{overs}", f"{wanted}", then="; rules.over after each call", cause=seen
+        )
         about.cause = "A fall costs a life although none is left. Check self.over first in fell."
-        if not overs[3]:
-            about.cause = "No lives are left, but over is False, so falls still count. It should "
-            about.cause += "be True in this case too, not only if the game is won."
     expect_exactly(got, [2, 2, 1, 0, 0, 0], then="; the lives after each call")
     about.cause = "over should be True from the moment when no lives are left."
-    wanted = [False, False, False, True, True, True]
     expect_exactly(overs, wanted, then="; rules.over after each call")
     about.cause = "A fall changes the score. It should only cost a life."
     if seen[-1][0] == 20:
@@ -350,10 +354,8 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         f"a game with one life left; the ball is at ({x}, 0.6, 0) m and falls at 9 m/s; "
         "three calls of game.step(1/60)"
     )
-    about.cause = (
-        "The ball moves on after the game is over. Return from step at once if self.rules.over is "
-        "true."
-    )
+    about.cause = "The ball keeps moving after the game is over. Return from step at once if "
+    about.cause += "self.rules.over is true."
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
     expect_exactly(seen[-1]["lives"], 0, then="; the number of lives that are left")
     expect_close(

@@ -284,7 +284,7 @@ def test_rejects_particles_without_a_center_of_mass() -> None:
     )
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
     about.cause = (
-        "One particle is immovable, so the mass is infinite and there is no center of mass. Raise "
+        "One particle is immovable, so its mass is infinite. Without a center of mass, raise "
         "ValueError."
     )
     for masses in ([1.0, math.inf], [math.inf, 1.0]):

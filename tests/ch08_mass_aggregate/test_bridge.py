@@ -83,14 +83,16 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     name = "; the ends of each " if "anchor" not in which else "; the end and anchor (-1) of each "
     expect_exactly(ends, right, then=f"{name}{which}", cause=why)
     length = {"rod": "WIDTH", "cable": "CABLE_LENGTH"}.get(which, "support_length(row number)")
-    about.cause = f"Your {which} joins the right ends, but its length is wrong. It should be "
-    about.cause += f"{length}."
+    about.cause = f"The length of your {which} is wrong. It should be {length}."
+    first = "You give each anchored cable the length of row 0. Use the number of its own row."
     for (i, j, depth), (_, _, deeper) in zip(got, wanted, strict=True):
         x, _, z = START[i]
         apart = math.dist(places[i], places[j] if j >= 0 else (1.1 * x, 6.0, 0.8 * z))
         name = f"; the length of the {which} of end {i}"
         # Lengths of some meters, rounded a few times.
-        expect_close(apart - depth, apart - deeper, then=name, unit="m", tolerance=1e-12)
+        size, right = apart - depth, apart - deeper
+        seen = cause_of(size, [(SUPPORTS[0], first)], about.cause)
+        expect_close(size, right, then=name, cause=seen, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.4")
@@ -112,8 +114,8 @@ def test_links_act_at_the_right_lengths() -> None:
     about.cause += "should be no contacts. Check the lengths that you pass to the links."
     count = len(bridge_links(places))
     mistakes = [
-        (10, "Your links from row to row push the planks apart. Make them Cables, which can only "
-             "pull, instead of rods."),
+        (10, "Your links from row to row push the planks apart. Use Cables, which can only pull, "
+             "instead of rods."),
         (12, "Your links to the anchors push the planks away. Make them AnchoredCables, which can "
              "only pull, instead of rods."),
         (22, "Your links from row to row and to the anchors push the planks. Make them cables, "
@@ -385,8 +387,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                                                          "deck, so the ball has not fallen through "
                                                          "yet and is still in contact."),
         ("whose top is just below", -1e-6 - radius, 0, "You return contacts for a ball that has "
-                                                       "fallen through the deck, which would lift "
-                                                       "it back up. Return none here."),
+                                                       "fallen through the deck, so they lift it "
+                                                       "up again. Return none here."),
     ):  # fmt: skip
         about(
             f"a deck; the midpoints (x, y) of its rows: {middles(rows)} m; a ball of radius "

@@ -114,8 +114,8 @@ def test_the_cube_is_rigid() -> None:
     elif left:
         about.cause = "One of your rods is redundant."
         if len(set(faces)) < len(faces):
-            about.cause = "You put two diagonals in one face, but one is enough."
-        about.cause += " Put the other rod where these corners can still move together: "
+            about.cause = "You put two diagonals in one face, so one of them is useless."
+        about.cause += " Use it to stop this motion of corners instead: "
         about.cause += f"{told(left[0], 'corner')}."
     expect_exactly(
         len(left),
@@ -142,7 +142,7 @@ def draw_rim(rng: Random, count: int) -> tuple[tuple[float, float, float], list]
 def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     hub, rim = draw_rim(rng, count)
     about(
-        f"rods_of(hub, rim) with hub 0 and rim 1 to {count}; the two ends of each rod",
+        f"rods_of(hub, rim) with hub 0 and rim particles 1 to {count}; the two ends of each rod",
         read=WHEEL,
     )
     about.cause = (
@@ -171,7 +171,7 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         about.cause += "distance between its two ends."
     places = [hub, *rim]
     for i, j, length in rods:
-        about.call = f"rods_of(hub, rim) with hub 0 and rim 1 to {count}; the length of "
+        about.call = f"rods_of(hub, rim) with hub 0 and rim particles 1 to {count}; the length of "
         about.call += f"the rod from particle {i} to particle {j}"
         wanted = math.dist(places[i], places[j])
         expect_close(length, wanted, unit="m", tolerance=1e-12)

@@ -61,8 +61,8 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
             "self.left is wrong. Add elapsed to it, and subtract the duration of each step."
         )
         lost = (
-            "You lose the time that is left over because it is too short for a step. Keep it in "
-            "self.left for the next call."
+            "You lose the leftover time, which is shorter than a step. Keep it in self.left for "
+            "the next call."
         )
         seen = cause_of(row[1], [(0.0, lost)], about.cause)
         wanted = 0.25 * STEP * left
@@ -161,7 +161,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
             (
                 limit + 1,
                 "You make one step more than max_steps allows. Stop as soon as the number of steps "
-                "in this call is max_steps.",
+                "in this call reaches max_steps.",
             )
         ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
@@ -275,8 +275,7 @@ def test_rejects_an_invalid_time() -> None:
         about.call = f"a FixedStep clock with steps of {STEP} s and left = {0.25 * STEP} s; "
         about.call += f"clock.advance({time!r})"
         about.cause = (
-            f"elapsed is {time!r}. It must be a finite number that is not negative, so raise "
-            f"{error}."
+            f"The elapsed time is {time!r}. It must be finite and not negative, so raise {error}."
         )
         name, left, made = refused_time(STEP, time)
         expect_that(name == error, name, error)

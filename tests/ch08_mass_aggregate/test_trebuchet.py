@@ -194,7 +194,8 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         ],
         seen,
     )
-    expect_exactly(frames, 1, then="; the simulated time, in units of STEP (1/250 s)", cause=seen)
+    name = "; the simulated time in steps of 1/250 s"
+    expect_exactly(frames, 1, then=name, unit="steps", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
         (wanted - 2.0, "You measure the range from the point of release, but it should start at x "
@@ -307,7 +308,7 @@ def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     expect_close(got[:2], (0.0, 0.0), then="; (range, share)", tolerance=0.0)
     if got[2] >= 100 and throw(design, "ground")[2] == 1:
         about.cause = (
-            "You stop only at a height of exactly 0, which the projectile never has. Stop when its "
+            "You stop only at a height of exactly 0, which the projectile skips. Stop when its "
             "height is 0 or less."
         )
     # It is there after 0.13 s.
@@ -349,7 +350,7 @@ def better(design: Sequence[float], distance: float) -> str:
 def test_your_own_trebuchet(meters: int, percent: int) -> None:
     about(
         "my_design()",
-        cause="my_design() must return a Design. Create it from your five numbers, in the order of "
+        cause="my_design must return a Design. Create one from your five numbers, in the order of "
         "its attributes.",
         read=DESIGN,
     )

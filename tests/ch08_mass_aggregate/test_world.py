@@ -143,8 +143,8 @@ def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     nested = "Your contacts() returns a separate list for each floor. Put the contacts of all "
     nested += "floors into one list."
     expect_that("a list" not in got, "a list of lists", "one list of contacts", cause=nested)
-    about.cause = f"You return only {len(got)} of the contacts. The book's world has a maximum "
-    about.cause += "number of contacts, but yours should return all of them."
+    about.cause = f"You return only {len(got)} contacts. The book's world has a maximum number of "
+    about.cause += "contacts, but yours should return all of them."
     first = "Your loop ends after the first floor, which touches no particle. Continue with the "
     first += "other floors."
     only = f"You return the contacts of only {len(got) // count} of the 3 floors that touch the "
@@ -198,7 +198,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                 (1.0, 0.0, "The forces of the registry have no effect. Pass "
                  "self.registry.update_forces to the integrator, which calls it."),
                 (1.0, 2.0, "You call update_forces yourself, so the forces of the registry count "
-                           "twice. Only pass it to the integrator, which calls it."),
+                           "twice. Only pass it to the integrator, which calls it for you."),
                 (0.0, 1.0, "run_physics clears the force that was added after start_frame. Only "
                            "start_frame should clear forces."),
                 (0.0, 0.0, "Only the acceleration has an effect, and all forces are gone. Pass "
@@ -231,7 +231,7 @@ def test_a_step_clears_earlier_forces(rng: Random) -> None:
     velocity = [v[j] + a[j] * h for j in range(3)]
     got = done["states"][0][1]
     expect_close(got, velocity, then="; particle.velocity", unit="m/s", tolerance=1e-12)
-    about.call = "a world of a subclass that only records the calls of run_physics; "
+    about.call = "a subclass of ParticleWorld that only records calls of run_physics; "
     about.call += f"world.step({h})"
     about.cause = "Your step does the work of run_physics itself. Call self.run_physics(duration) "
     about.cause += "instead, because a subclass can replace it."
@@ -379,7 +379,8 @@ def test_rejects_an_invalid_duration(method: str) -> None:
         ("0.1", "TypeError"),
     ):
         about(
-            f"a world with one particle, on which a force acts; world.{method}({duration!r})",
+            "a world with one particle, on which the force (7, 8, 9) acts; "
+            f"world.{method}({duration!r})",
             cause=f"The duration is {duration!r}. It must be a positive, finite number, so raise "
             f"{error}.",
         )

@@ -62,7 +62,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
     about(f"rules = Rules({rows}); {called(events[: rows + falls])}", read=RULES)
     about.cause = (
-        f"You reject the last row. The rows are numbered from 0 to {rows - 1}, so "
+        f"You reject the last row. The rows are numbered from 0 to {rows - 1}, so row "
         f"{rows - 1} is valid too."
     )
     seen = ruled(rows, events)

@@ -284,8 +284,7 @@ def test_rejects_particles_without_a_center_of_mass() -> None:
     )
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
     about.cause = (
-        "One particle is immovable, so its mass is infinite. Without a center of mass, raise "
-        "ValueError."
+        "One particle has an infinite mass, so there is no center of mass. Raise ValueError."
     )
     for masses in ([1.0, math.inf], [math.inf, 1.0]):
         expect_error(

@@ -84,7 +84,7 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     expect_exactly(ends, right, then=f"{name}{which}", cause=why)
     length = {"rod": "WIDTH", "cable": "CABLE_LENGTH"}.get(which, "support_length(row number)")
     about.cause = f"The length of your {which} is wrong. It should be {length}."
-    first = "You give each anchored cable the length of row 0. Use the number of its own row."
+    first = "You use the length of row 0 for all anchored cables. Use support_length(row number)."
     for (i, j, depth), (_, _, deeper) in zip(got, wanted, strict=True):
         x, _, z = START[i]
         apart = math.dist(places[i], places[j] if j >= 0 else (1.1 * x, 6.0, 0.8 * z))

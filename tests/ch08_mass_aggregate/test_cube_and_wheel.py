@@ -107,16 +107,15 @@ def test_the_cube_is_rigid() -> None:
     ]
     if left and len(rods) > different:
         about.cause = f"You list a rod twice, so you have only {different} different rods. Replace "
-        about.cause += "one of the two by a rod that is missing."
+        about.cause += "the duplicate with a rod that is missing."
     elif different < 18:
         about.cause = f"You have only {different} rods, but a rigid cube needs at least 18. These "
         about.cause += f"corners can still move together: {told(left[0], 'corner')}."
     elif left:
-        about.cause = "One of your rods is redundant."
+        about.cause = "One of your rods is redundant. Move it"
         if len(set(faces)) < len(faces):
-            about.cause = "You put two diagonals in one face, so one of them is useless."
-        about.cause += " Use it to stop this motion of corners instead: "
-        about.cause += f"{told(left[0], 'corner')}."
+            about.cause = "You put two diagonals in one face, where one is enough. Move the other"
+        about.cause += f" so that it stops this motion: {told(left[0], 'corner')}."
     expect_exactly(
         len(left),
         0,
@@ -319,7 +318,7 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         ("The rim has no particles", []),
         ("The only particle of the rim is at the hub", [(hub, components(rng), 2.0)]),
     ):
-        about.call = f"spin(hub, rim) with {len(rim)} particles in the rim"
+        about.call = f"spin(hub, rim) with {'one particle' if rim else 'no particles'} in the rim"
         about.cause = f"{where}, so the moment of inertia is 0. Return 0 instead of dividing by it."
         expect_close(spun((hub, drift), rim), 0.0, tolerance=0.0)
 

@@ -49,7 +49,7 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         seen = cause_of(row[0], [(steps + 1, early), (1, one)], about.cause)
         expect_that(
             row[0] is not None,
-            "None, so it returns nothing",
+            "nothing (None)",
             f"{steps} steps",
             then=": the number of steps that it returns",
             cause="advance returns nothing. Return the number of steps that it made.",

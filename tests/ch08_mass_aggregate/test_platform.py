@@ -101,7 +101,7 @@ def test_finds_the_balancing_mass(rng: Random) -> None:
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
         (-2.0 / 3.0,
-         "Your mass has the wrong sign. It is minus the sum of mass times position, divided by x."),
+         "Your mass has the wrong sign. It should be -(sum of mass times position) / x."),
         (14.0 / 3.0, "You ignore the signs of the positions. Keep them, because positions to the "
                      "left of the pivot are negative."),
         (2.0, "You return the sum of mass times position, which is not a mass yet. Divide it by "
@@ -277,7 +277,7 @@ def test_rejects_an_invalid_weight() -> None:
         ("1", 1.0, "TypeError"),
     ):
         about.call = f"platform.put_weight(mass=3, x=1); platform.put_weight({mass=}, {x=})"
-        about.cause = f"The mass is {mass!r}. It must be a finite number that is not negative, so "
+        about.cause = f"The mass is {mass!r}. It must be finite and not negative, so "
         if mass == 1.0:
             about.cause = f"x is {x!r}. It must be between LEFT (-3 m) and RIGHT (4 m), so "
         about.cause += f"raise {error}."

@@ -65,8 +65,8 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     for i, j in ((0, 1), (0, 2), (1, 2)):
         if (i, j) not in joined:
             about.cause = (
-                f"No rod joins the {parts[i]} and the {parts[j]}, so the beam can bend. Three rods "
-                "that form a triangle make it rigid."
+                f"No rod joins the {parts[i]} and the {parts[j]}, so the beam can bend. Join them "
+                "too, so that three rods form a triangle."
             )
     expect_exactly(
         len(left), 0, then="; the number of ways in which the beam can bend", unit="ways"
@@ -160,7 +160,9 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         f"flies at ({speed}, 0, 0) m/s; trebuchet.lets_go()"
     )
     got = lets_go((*design[:4], 0.0), [(height, (speed, 0.0, 0.0))])[0]
-    about.cause = "Your sling doesn't let go at exactly the release angle. Compare with <=."
+    about.cause = (
+        "Your sling doesn't let go at exactly the release angle. Compare with <= instead of <."
+    )
     expect_that(got is True, words[got] if type(got) is bool else repr(got), words[True])
 
 

@@ -96,7 +96,7 @@ def test_immovable_particles_have_no_energy(rng: Random) -> None:
         about.call = call
         both = [(p, v, a, m), (components(rng), ZERO, components(rng), math.inf)]
         got = energy_of(both if first else both[::-1])
-        stops = "Your loop stops at the immovable particle. Skip it and go on to the next."
+        stops = "Your loop stops at the immovable particle. Skip it and continue with the next one."
         about.cause = cause_of(got, [(0.0, stops)], about.cause)
         expect_close(got, wanted, unit="J", tolerance=1e-10)
     about.call = "mechanical_energy([])"
@@ -290,8 +290,8 @@ def test_contacts_are_found_after_the_motion(rng: Random) -> None:
     inside = "The particle stays inside the floor, because you don't resolve the contacts. Pass "
     inside += "them to self.resolver.resolve_contacts."
     if any(row[0] == "contacts" and row[2][0] == (0.0, 0.5, 0.0) for row in done["diary"]):
-        inside = "You collect the contacts before the particles move, so the particle ends up "
-        inside += "inside the floor. Collect them after the integrator."
+        inside = "You collect the contacts before the particles move, so you miss the one with the "
+        inside += "floor. Collect them after the integrator has moved the particles."
     seen = cause_of(place, [((0.25, fallen, 0.0), inside)], about.cause)
     name = f"{about.call}; particle.position"
     expect_close(place, (0.25, 0.0, 0.0), call=name, cause=seen, unit="m", tolerance=1e-12)
@@ -318,7 +318,10 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     calls = [row for row in done["diary"] if row[0] == "resolve"]
     expect_exactly(len(calls), 1, then=": the number of calls of the resolver", unit="calls")
     depths = [low - 1.0] * 3 + [high - 1.0] * 3
-    about.cause = "You pass the resolver a wrong duration. Pass it the duration of the whole step."
+    about.cause = (
+        f"You pass {calls[0][1]} s to resolve_contacts, but the step takes {h} s. Pass the "
+    )
+    about.cause += "whole duration."
     name = f"{about.call}: the duration that resolve_contacts gets"
     expect_close(calls[0][1], h, call=name, unit="s", tolerance=1e-13 * (high - 1.0))
     about.cause = "You pass the resolver wrong contacts. Pass it those of all generators."

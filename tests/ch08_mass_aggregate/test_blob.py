@@ -75,9 +75,8 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
         f"break_length={most}); bond.update_force for a and b, which are ",
         read=BOND,
     )
-    about.cause = (
-        "If the bond holds, let the spring self._to_b act on a, and the spring self._to_a act on b."
-    )
+    about.cause = "If the bond holds, let the spring self._to_b act on a, and the spring "
+    about.cause += "self._to_a act on b."
     for length, seen in zip(
         lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
     ):
@@ -153,27 +152,20 @@ def test_a_bond_exactly_at_its_limits(rng: Random) -> None:
         f"bond = Bond(a, b, stiffness=30, rest_length={rest}, limit={rest}, share=0.5, "
         f"break_length={most}); bond.update_force at the lengths {str(lengths)[1:-1]} m, in order"
     )
-    about.cause = (
-        "Your bond breaks at exactly break_length. It should break only if it is longer than that."
-    )
+    about.cause = "Your bond breaks at exactly break_length. It should break only if it is longer "
+    about.cause += "than that."
     # Quarters of a meter from the origin are not rounded.
     seen = bonded(lengths, 30.0, rest, rest, 0.5, most, (1.0, 0.0, 0.0), origin=ZERO)
     got = [holds for _, _, holds in seen]
     if got == [True] * 4:
-        about.cause = (
-            "Your bond doesn't break if it is slightly longer than break_length. Let it break at "
-            "any greater length."
-        )
+        about.cause = "Your bond doesn't break if it is slightly longer than break_length. Let it "
+        about.cause += "break at any greater length."
     elif got == [True, False, False, False]:
-        about.cause = (
-            "Your broken bond doesn't heal at exactly rest_length. It should heal if its length is "
-            "rest_length or less."
-        )
+        about.cause = "Your broken bond doesn't heal at exactly rest_length. It should heal if its "
+        about.cause += "length is rest_length or less."
     elif got == [True, False, True, True]:
-        about.cause = (
-            "Your bond heals too early, while it is still longer than rest_length. Keep it broken "
-            "until its length is rest_length or less."
-        )
+        about.cause = "Your bond heals too early, while it is still longer than rest_length. Keep "
+        about.cause += "it broken until its length is rest_length or less."
     got, wanted = (
         ", ".join("holds" if one else "broken" for one in some)
         for some in (got, (True, False, False, True))
@@ -187,10 +179,9 @@ def test_bonds_keep_a_blob_together() -> None:
         "a blob of seven particles with bonds between all of them, 3 s after it was dropped",
         read=BOND,
     )
-    about.cause = (
-        "Your blob collapses or flies apart. Check the direction of the forces: a bond pushes its "
-        "ends apart when it is too short, and pulls them together when it is too long."
-    )
+    about.cause = "Your blob collapses or flies apart. Check the direction of the forces: a bond "
+    about.cause += "pushes its ends apart when it is too short, and pulls them together when it is "
+    about.cause += "too long."
     before, after = settled_blob(180, 1.0 / 60.0)
     # Under its own weight, such a blob spreads by 1 to 2 %.
     share = _spread(after) / _spread(before)
@@ -210,10 +201,9 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
         "spread(particles)",
         read=SPREAD,
     )
-    about.cause = (
-        "The center of mass is the middle of the square, and every corner is sqrt(2) m away from "
-        "it. So each squared distance is 2 m^2, and the root of their mean is sqrt(2) m."
-    )
+    about.cause = "The center of mass is the middle of the square, and every corner is sqrt(2) m "
+    about.cause += "away from it. So each squared distance is 2 m^2, and the root of their mean is "
+    about.cause += "sqrt(2) m."
     x, y, z = components(rng)
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
@@ -232,10 +222,8 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, math.sqrt(2.0), unit="m", tolerance=1e-12)
-    about.cause = (
-        "Your spread moves the particles. An operator such as -= changes a position in place, so "
-        "compute with new vectors instead."
-    )
+    about.cause = "Your spread moves the particles. An operator such as -= changes a position in "
+    about.cause += "place, so compute with new vectors instead."
     for place, old in zip(after, square, strict=True):
         name = "; the position of a particle afterward"
         expect_close(place, old, then=name, unit="m", tolerance=0.0)
@@ -243,10 +231,9 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     p, q = components(rng), components(rng)
     about.call = f"a, a particle of {m} kg at {p} m; b, a particle of {n} kg at {q} m; "
     about.call += "spread([a, b])"
-    about.cause = (
-        "Weight each squared distance from the center of mass by the particle's mass. For two "
-        "particles the result is sqrt(m n) / (m + n) times the distance between them."
-    )
+    about.cause = "Weight each squared distance from the center of mass by the particle's mass. "
+    about.cause += "For two particles the result is sqrt(m n) / (m + n) times the distance between "
+    about.cause += "them."
     wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
     got = spread_of([p, q], [m, n])[0]
     apart, total = math.dist(p, q), m + n
@@ -279,13 +266,11 @@ def test_rejects_particles_without_a_center_of_mass() -> None:
     def allowed() -> None:
         spread_of([ZERO], [1.0])
 
-    about.cause = (
-        "The list is empty, and without particles there is no center of mass. Raise ValueError."
-    )
+    about.cause = "The list is empty, and without particles there is no center of mass. Raise "
+    about.cause += "ValueError."
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
-    about.cause = (
-        "One particle has an infinite mass, so there is no center of mass. Raise ValueError."
-    )
+    about.cause = "One particle has an infinite mass, so there is no center of mass. Raise "
+    about.cause += "ValueError."
     for masses in ([1.0, math.inf], [math.inf, 1.0]):
         expect_error(
             lambda masses=masses: spread_of([ZERO, (1.0, 0.0, 0.0)], masses)[0],

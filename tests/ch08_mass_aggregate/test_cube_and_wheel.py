@@ -59,10 +59,8 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         expect_exactly(got, wanted, unit="rods")
     count = rng.randint(9, 99)
     about.call = f"fewest_rods({count})"
-    about.cause = (
-        "Each particle has three degrees of freedom, and a rigid body keeps six in total. Each rod "
-        "removes one, so the number is 3 n - 6."
-    )
+    about.cause = "Each particle has three degrees of freedom, and a rigid body keeps six in "
+    about.cause += "total. Each rod removes one, so the number is 3 n - 6."
     expect_exactly(fewest_rods(count), 3 * count - 6, unit="rods")
 
 
@@ -144,10 +142,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         f"rods_of(hub, rim) with hub 0 and rim particles 1 to {count}; the two ends of each rod",
         read=WHEEL,
     )
-    about.cause = (
-        "Join the hub to each particle of the rim, each particle of the rim to the next one, and "
-        "the last one to the first."
-    )
+    about.cause = "Join the hub to each particle of the rim, each particle of the rim to the next "
+    about.cause += "one, and the last one to the first."
     rods = sorted(wheel_rods(hub, rim))
     wanted = [(0, i + 1) for i in range(count)] + [(i, i + 1) for i in range(1, count)]
     wanted = sorted([*wanted, (1, count)])
@@ -161,10 +157,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         about.cause = "You join only the hub to the rim. Also join each particle of the rim to the "
         about.cause += "next one, and the last one to the first."
     expect_exactly(got, wanted)
-    about.cause = (
-        "Your rod has the wrong length. Make it as long as the current distance between its two "
-        "ends."
-    )
+    about.cause = "Your rod has the wrong length. Make it as long as the current distance between "
+    about.cause += "its two ends."
     if len({length for *_, length in rods}) == 1:
         about.cause = "You give all rods the same length. Make each rod as long as the current "
         about.cause += "distance between its two ends."
@@ -180,10 +174,9 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
 def test_the_drive_pushes_around_the_hub(rng: Random) -> None:
     about.read = DRIVE
     hub, force, already = components(rng), number(rng), components(rng)
-    about.cause = (
-        "Take the unit vector along the spoke in the X-Y plane, rotate it by a right angle, and "
-        "multiply it by the force. The force is equally strong at every distance from the hub."
-    )
+    about.cause = "Take the unit vector along the spoke in the X-Y plane, rotate it by a right "
+    about.cause += "angle, and multiply it by the force. The force is equally strong at every "
+    about.cause += "distance from the hub."
     about.call = (
         "a drive with a force of 10 N, whose hub is at (1, 2, 3) m; a particle of the rim at (4, "
         "6, 15) m; drive.update_force(particle, 0.1); the force on the particle"
@@ -282,10 +275,8 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         "a hub at rest at (0, 0, 0); a rim of 1 kg at (1, 0, 0) m with velocity (0, 2, 0) m/s, and "
         "3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim)"
     )
-    about.cause = (
-        "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of inertia, the "
-        "sum of m (x^2 + y^2). Here they are 14 and 13."
-    )
+    about.cause = "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of "
+    about.cause += "inertia, the sum of m (x^2 + y^2). Here they are 14 and 13."
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
     mistakes = [
@@ -308,10 +299,9 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         f"{m} kg at ({x:.6g}, {y:.6g}, {z:.6g}) m with velocity {w} m/s"
         for m, (x, y, z), w in zip(masses, rim, v, strict=True)
     )
-    about.cause = (
-        "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of inertia, the "
-        "sum of m (x^2 + y^2). In both sums, x and y are relative to the hub."
-    )
+    about.cause = "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of "
+    about.cause += "inertia, the sum of m (x^2 + y^2). In both sums, x and y are relative to the "
+    about.cause += "hub."
     got = spun((hub, (0.0, 0.0, 0.0)), list(zip(rim, v, masses, strict=True)))
     expect_close(got, turning / inertia, unit="rad/s", tolerance=1e-12)
     for where, rim in (
@@ -337,10 +327,8 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
             f"rods with the lengths {[length for length, _ in rods]} m, which now are {name}; "
             "deformation(rods)"
         )
-        about.cause = (
-            "Return the largest deformation of any rod, where the deformation of a rod is "
-            "abs(length / rod.length - 1)."
-        )
+        about.cause = "Return the largest deformation of any rod, where the deformation of a rod "
+        about.cause += "is abs(length / rod.length - 1)."
         got = deformed(rods, way)
         shares = [now / length - 1.0 for length, now in rods]
         mistakes = [

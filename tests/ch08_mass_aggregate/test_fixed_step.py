@@ -21,10 +21,8 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     about.read = READ
     quarters = [rng.randint(0, 40) for _ in range(12)]
     elapsed = [0.25 * STEP * quarter for quarter in quarters]
-    about.cause = (
-        "Add elapsed to self.left. As long as self.left is enough for a step, call "
-        "self.step(self.duration) and subtract the duration."
-    )
+    about.cause = "Add elapsed to self.left. As long as self.left is enough for a step, call "
+    about.cause += "self.step(self.duration) and subtract the duration."
     done = advanced(STEP, elapsed)
     left = 0
     for quarter, row in zip(quarters, done["rows"], strict=True):
@@ -57,22 +55,17 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         expect_exactly(
             row[0], steps, then=": the number of steps that it returns", unit="steps", cause=seen
         )
-        about.cause = (
-            "self.left is wrong. Add elapsed to it, and subtract the duration of each step."
-        )
-        lost = (
-            "You lose the leftover time, which is shorter than a step. Keep it in self.left for "
-            "the next call."
-        )
+        about.cause = "self.left is wrong. Add elapsed to it, and subtract the duration of each "
+        about.cause += "step."
+        lost = "You lose the leftover time, which is shorter than a step. Keep it in self.left for "
+        lost += "the next call."
         seen = cause_of(row[1], [(0.0, lost)], about.cause)
         wanted = 0.25 * STEP * left
         expect_close(row[1], wanted, then="; clock.left", unit="s", cause=seen, tolerance=0.0)
         seen = "self.dropped changes, although max_steps is None. Drop time only with max_steps."
         expect_close(row[2], 0.0, then="; clock.dropped", unit="s", cause=seen, tolerance=0.0)
-    about.cause = (
-        "Every step has the same duration, no matter how much time has passed. Pass self.duration "
-        "to self.step."
-    )
+    about.cause = "Every step has the same duration, no matter how much time has passed. Pass "
+    about.cause += "self.duration to self.step."
     wanted = [STEP] * (sum(quarters) // 4)
     expect_exactly(done["made"], wanted, then=": the durations of all steps")
 
@@ -85,10 +78,8 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
         f"a FixedStep clock with steps of 1/{rate} s; clock.advance(1/{rate}) a hundred times: "
         "the number of steps in each call"
     )
-    about.cause = (
-        "You leave out a step that is due, because rounding made self.left slightly too small. "
-        "Make the step if at most SHARE of its duration is missing."
-    )
+    about.cause = "You leave out a step that is due, because rounding made self.left slightly too "
+    about.cause += "small. Make the step if at most SHARE of its duration is missing."
     done = advanced(1.0 / rate, [1.0 / rate] * 100)
     got = [row[0] for row in done["rows"]]
     expect_exactly(got, [1] * 100)
@@ -105,10 +96,8 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
     expect_exactly(done["rows"][0][0], rate)
     about.call = f"a FixedStep clock with steps of 1/{rate} s; clock.advance(0.999/{rate}): the "
     about.call += "number of steps"
-    about.cause = (
-        "You make a step although a thousandth of its time is still missing. That is far more than "
-        "a rounding error, so the step is not due yet."
-    )
+    about.cause = "You make a step although a thousandth of its time is still missing. That is far "
+    about.cause += "more than a rounding error, so the step is not due yet."
     done = advanced(1.0 / rate, [0.999 / rate])
     expect_exactly(done["rows"][0][0], 0)
 
@@ -142,10 +131,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     elapsed = [STEP * (limit + late + 0.25), STEP * (limit + 0.5), STEP * (limit - 1)]
     elapsed.append(STEP * (limit + 1))
     start = f"a FixedStep clock with steps of {STEP} s and max_steps={limit}"
-    about.cause = (
-        "After max_steps steps, some whole steps may still be due. Subtract their time from "
-        "self.left, and add it to self.dropped."
-    )
+    about.cause = "After max_steps steps, some whole steps may still be due. Subtract their time "
+    about.cause += "from self.left, and add it to self.dropped."
     done = advanced(STEP, elapsed, limit)
     wanted = [
         (limit, 0.25 * STEP, STEP * late),
@@ -198,10 +185,9 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     )
     about.call = f"a FixedStep clock with steps of 0.1 s and max_steps={limit}; "
     about.call += f"clock.advance({0.1 * (limit + late):g})"
-    about.cause = (
-        "Your clock doesn't drop all of the remaining steps. Rounding can make the last one "
-        "slightly too short, but count it as a whole step if less than SHARE of it is missing."
-    )
+    about.cause = "Your clock doesn't drop all of the remaining steps. Rounding can make the last "
+    about.cause += "one slightly too short, but count it as a whole step if less than SHARE of it "
+    about.cause += "is missing."
     row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
     # Rounding of a few times 0.1 s, many times less than a step.
     expect_close(
@@ -227,10 +213,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         )
     about.call = f"a FixedStep clock with steps of {STEP} s and without max_steps; "
     about.call += f"clock.advance(5000 * {STEP})"
-    about.cause = (
-        "You limit the number of steps although max_steps is None. Make every step that is due, "
-        "and drop nothing."
-    )
+    about.cause = "You limit the number of steps although max_steps is None. Make every step that "
+    about.cause += "is due, and drop nothing."
     row = advanced(STEP, [5000.0 * STEP])["rows"][0]
     expect_exactly(row[0], 5000, then=": the number of steps", unit="steps")
     expect_close(row[1:], (0.0, 0.0), then="; (clock.left, clock.dropped)", unit="s")

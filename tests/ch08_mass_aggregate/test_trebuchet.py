@@ -51,10 +51,8 @@ def called(design: Sequence[float]) -> str:
 def test_a_beam_is_rigid(rng: Random) -> None:
     design = draw_design(rng)
     about(f"{called(design)}.beam()", read=BEAM)
-    about.cause = (
-        "Your rods join other particles too. Each rod must join two of these: the pivot, the "
-        "counterweight and the tip."
-    )
+    about.cause = "Your rods join other particles too. Each rod must join two of these: the pivot, "
+    about.cause += "the counterweight and the tip."
     rods, places = beam(design)
     joined = [(i, j) for i, j, _ in rods]
     strange = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
@@ -74,10 +72,8 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     for i, j, length in rods:
         about.call = f"{called(design)}.beam(); the length of the rod from the {parts[i]} to the "
         about.call += f"{parts[j]}"
-        about.cause = (
-            "Your rod has the wrong length. Make it as long as the current distance between its "
-            "two ends."
-        )
+        about.cause = "Your rod has the wrong length. Make it as long as the current distance "
+        about.cause += "between its two ends."
         straight = (
             "You make the rod short_arm + long_arm long, but this beam is bent at the pivot. Use "
             "the current distance between the rod's two ends."
@@ -160,9 +156,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         f"flies at ({speed}, 0, 0) m/s; trebuchet.lets_go()"
     )
     got = lets_go((*design[:4], 0.0), [(height, (speed, 0.0, 0.0))])[0]
-    about.cause = (
-        "Your sling doesn't let go at exactly the release angle. Compare with <= instead of <."
-    )
+    about.cause = "Your sling doesn't let go at exactly the release angle. Compare with <= instead "
+    about.cause += "of <."
     expect_that(got is True, words[got] if type(got) is bool else repr(got), words[True])
 
 
@@ -176,10 +171,8 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         "8, 0) m with velocity (30, 10, 0) m/s; the counterweight has sunk by 4 m"
     )
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
-    about.cause = (
-        "A projectile that starts at height y with a vertical velocity of v_y flies for t = (v_y "
-        "+ sqrt(v_y^2 + 2 g y)) / g. The range is x + v_x t."
-    )
+    about.cause = "A projectile that starts at height y with a vertical velocity of v_y flies for "
+    about.cause += "t = (v_y + sqrt(v_y^2 + 2 g y)) / g. The range is x + v_x t."
     distance, share, frames, flies, _ = throw(design, "up")
     seen = (
         "You keep calling self.step after the sling has let go. Stop as soon as self.flies is "
@@ -211,11 +204,9 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     ]  # fmt: skip
     blame(distance, mistakes)
     expect_close(distance, wanted, then="; the range", unit="m", tolerance=1e-9)
-    about.cause = (
-        "Divide the energy that the projectile has gained by the energy that the counterweight has "
-        "lost. The projectile gains m v^2 / 2 plus m g times its rise, and the counterweight loses "
-        "M g times its fall."
-    )
+    about.cause = "Divide the energy that the projectile has gained by the energy that the "
+    about.cause += "counterweight has lost. The projectile gains m v^2 / 2 plus m g times its "
+    about.cause += "rise, and the counterweight loses M g times its fall."
     gained = 0.5 * 5.0 * 1000.0 + 5.0 * G * (8.0 - start)
     lost = 4.0 * weight * G
     wanted = gained / lost
@@ -241,16 +232,12 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         "velocity (30, -10, 0) m/s; the range"
     )
     wanted = 2.0 + 30.0 * (-10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
-    about.cause = (
-        "A projectile that is already flying downward lands sooner, so its range is shorter. Keep "
-        "the sign of v_y in the formula."
-    )
+    about.cause = "A projectile that is already flying downward lands sooner, so its range is "
+    about.cause += "shorter. Keep the sign of v_y in the formula."
     got = throw(design, "down")[0]
     expect_close(got, wanted, unit="m", tolerance=1e-9)
-    about.cause = (
-        "trebuchet.flies is still False after the throw. Call self.step(STEP), which removes the "
-        "sling and sets flies when the sling lets go."
-    )
+    about.cause = "trebuchet.flies is still False after the throw. Call self.step(STEP), which "
+    about.cause += "removes the sling and sets flies when the sling lets go."
     about.call = f"{called(design)}.throw(); trebuchet.flies"
     expect_exactly(flies, True)
 
@@ -261,10 +248,9 @@ def test_a_throw_agrees_with_lagrange(
 ) -> None:
     design = draw_design(rng)
     about(f"{called(design)}.throw()", read=THROW)
-    about.cause = (
-        "Your throw is more than 10% off the solution of Lagrange's equations for a rigid beam. "
-        "Call self.step(STEP) until self.flies is true, and check that the beam is rigid."
-    )
+    about.cause = "Your throw is more than 10% off the solution of Lagrange's equations for a "
+    about.cause += "rigid beam. Call self.step(STEP) until self.flies is true, and check that the "
+    about.cause += "beam is rigid."
     distance, share, *_, resolved = throw(design)
     true_distance, true_share = thrown(*design)
     if isinstance(distance, float) and isinstance(resolved, int):
@@ -288,10 +274,8 @@ def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     about.read = THROW
     design = (100.0, 1.5, 3.0, 3.75, 30.0)  # the projectile starts 0.22 m up
     about.call = f"{called(design)}.throw(), where nothing ever moves; (range, share)"
-    about.cause = (
-        "You compute a range although the sling never lets go. Return Throw(0.0, 0.0) after "
-        "TIME_LIMIT."
-    )
+    about.cause = "You compute a range although the sling never lets go. Return Throw(0.0, 0.0) "
+    about.cause += "after TIME_LIMIT."
     got = throw(design, "nothing")
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     about.cause = (

@@ -17,6 +17,11 @@ FRAME = 1.0 / 60.0
 FIRST = -5.0  # m, the position of the first row
 
 
+def called(events: list[int]) -> str:
+    """Return the calls for these events: a row on which the ball lands, or -1 for a fall."""
+    return ", ".join("rules.fell()" if row < 0 else f"rules.landed({row})" for row in events)
+
+
 @pytest.mark.exercise("P8.1a")
 def test_a_row_counts_once(rng: Random) -> None:
     rows = rng.randint(5, 9)
@@ -27,10 +32,8 @@ def test_a_row_counts_once(rng: Random) -> None:
         "call",
         read=RULES,
     )
-    about.cause = (
-        "The first landing on a row scores POINTS, which is 10, and later landings on the same row "
-        "score nothing. Check self.visited before you add points."
-    )
+    about.cause = "The first landing on a row scores POINTS, which is 10, and later landings on "
+    about.cause += "the same row score nothing. Check self.visited before you add points."
     seen = ruled(rows, events)
     got = [score for score, *_ in seen]
     mistakes = [
@@ -43,14 +46,12 @@ def test_a_row_counts_once(rng: Random) -> None:
     blame(got, mistakes)
     expect_exactly(got, [10, 10, 20, 20, 20])
     about.call = (
-        f"rules = Rules({rows}); rules.landed(row) for each row in {events}; rules.visited (as a "
-        "list) and then rules.lives"
+        f"rules = Rules({rows}); rules.landed(row) for each row in {events}; rules.visited and "
+        "then rules.lives"
     )
-    about.cause = (
-        "Each landing should add its row to visited. Only a fall costs a life, so leave lives "
-        "alone."
-    )
+    about.cause = "Your visited doesn't hold the rows that were hit. Add each row in landed."
     expect_exactly(seen[-1][2], sorted((a, b)))
+    about.cause = "A landing costs a life. Only a fall should, so don't change lives in landed."
     expect_exactly(seen[-1][1], 3)
 
 
@@ -59,120 +60,106 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     rows, falls = rng.randint(3, 6), 1  # two lives are left, so neither one nor all
     order = rng.sample(range(rows), rows)
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
-    about(
-        f"rules = Rules({rows}); for each row in {events}, rules.landed(row), or rules.fell() if "
-        "row is -1",
-        read=RULES,
-    )
+    about(f"rules = Rules({rows}); {called(events[: rows + falls])}", read=RULES)
     about.cause = (
-        "Every row from 0 to rows - 1 is valid and scores POINTS. The row that is visited last "
-        "also wins the game, so add BONUS, which is 50, for each life that is left."
+        f"You reject the last row. The rows are numbered from 0 to {rows - 1}, so row "
+        f"{rows - 1} is valid too."
     )
     seen = ruled(rows, events)
-    won = seen[rows + falls - 1]
+    about.cause = "Each new row scores POINTS. The last one also wins the game, so add BONUS, "
+    about.cause += "which is 50, for each life that is left."
+    won, before = seen[rows + falls - 1], seen[rows + falls - 2]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
-    missing = (
-        "You leave out the bonus. When a landing visits the last row, add BONUS for each life that "
-        "is left."
-    )
+    missing = "You leave out the bonus. When a landing visits the last row, add BONUS for each "
+    missing += "life that is left."
     if won[0] == points and ruled(rows, order)[-1][0] != points:
-        missing = (
-            "Your game is not won when all rows have been visited, because an earlier fall removed "
-            "rows from visited. A fall must not change visited."
-        )
+        missing = "You remove rows from visited after a fall, so the game is never won. Don't "
+        missing += "change visited in fell."
+    low = "You leave out the POINTS of the last row. Add them as well as the bonus."
+    if seen[1][0] < seen[0][0]:
+        low = "You take points away for a fall. A fall costs a life, but no points."
+    elif before[0] > points - 10:
+        low = "Your game is won one row too early. It is won only when every row is in visited."
     mistakes = [
         (points, missing),
         (points + 50, "You add the bonus only once. Multiply BONUS, which is 50, by the number of "
                       "lives that are left."),
         (points + 150, "You add the bonus for all three lives, although one of them is lost. "
                        "Multiply BONUS by the number of lives that are left."),
-        (score - 10, "Your score is 10 points too low. Check that the last row earns its POINTS as "
-                     "well as the bonus, that the game isn't won one row too early, and that a "
-                     "fall costs no points."),
+        (score - 10, low),
     ]  # fmt: skip
     blame(won[0], mistakes)
-    expect_exactly(won[0], score, then="; the score once all rows are visited", unit="points")
-    name = f"rules = Rules({rows}); landings on the rows {events}, where -1 is a fall; "
-    name += "rules.won and rules.over once all rows are visited"
-    over = (
-        "Your over misses one of the two ways in which the game can end. Check both: every row has "
-        "been visited, or no lives are left."
-    )
-    expect_exactly(list(won[3:]), [True, True], call=name, cause=over)
-    before = seen[rows + falls - 2]
-    about.cause = (
-        "You add points before the last row has been visited. Add the bonus only when self.won is "
-        "true."
-    )
-    expect_exactly(before[0], 10 * (rows - 1), then="; the score before the last row is visited")
-    about.cause = (
-        "A landing or fall still counts after the game is over. Check self.over first, in both "
-        "landed and fell."
-    )
-    got = list(seen[-1][:2])
-    expect_exactly(got, [score, 3 - falls], then="; the score and the lives at the end")
+    expect_exactly(won[0], score, then="; rules.score", unit="points")
+    about.cause = "All rows are visited, but won is False. Compare len(self.visited) with "
+    about.cause += "self.rows."
+    expect_that(won[3], "False", "True", then="; rules.won")
+    about.cause = "The game is won, but over is False. It should be True if no lives are left and "
+    about.cause += "also if the game is won."
+    expect_that(won[4], "False", "True", then="; rules.over")
+    about.cause = "You add the bonus before the last row is visited. Add it only if self.won is "
+    about.cause += "true."
+    about.call = f"rules = Rules({rows}); {called(events[: rows + falls - 1])}"
+    expect_exactly(before[0], points - 10, then="; rules.score", unit="points")
+    about.call = f"rules = Rules({rows}); {called(events)}"
+    about.cause = "A landing still scores after the game is over. Check self.over first in landed."
+    expect_exactly(seen[-1][0], score, then="; rules.score", unit="points")
+    about.cause = "A fall still costs a life after the game is over. Check self.over first in fell."
+    expect_exactly(seen[-1][1], 3 - falls, then="; rules.lives")
 
 
 @pytest.mark.exercise("P8.1a")
 def test_three_falls_are_the_end(rng: Random) -> None:
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
-    about(
-        f"rules = Rules(6); for each row in {events}, a landing on that row, or rules.fell() if it "
-        "is -1",
-        read=RULES,
-    )
-    about.cause = (
-        "A fall costs exactly one life. The game is over when no lives are left, so later falls "
-        "leave lives at 0."
-    )
+    about(f"rules = Rules(6); {called(events)}", read=RULES)
+    about.cause = "Each fall should cost one life, until no lives are left."
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
-    expect_exactly(got, [2, 2, 1, 0, 0, 0], then="; the lives after each call")
-    got = [over for *_, over in seen]
+    overs = [over for *_, over in seen]
     wanted = [False, False, False, True, True, True]
-    expect_exactly(
-        got,
-        wanted,
-        call=f"rules = Rules(6), then landings on the rows {events}, where -1 is a fall; "
-        "rules.over after each call",
-    )
-    about.cause = "A fall costs a life, but it must not change the score or the visited rows."
-    got = [seen[-1][0], *seen[-1][2]]
-    if got[0] == 20:
-        about.cause = (
-            "Your game counts a landing after it is over. Return from landed at once if self.over "
-            "is true."
+    if got[-1] < 0:
+        seen = (
+            "No lives are left, but over is False. It should be True if the game is won and also "
         )
-    expect_exactly(got, [10, a], then="; the score, followed by the visited rows, at the end")
+        seen += "if no lives are left."
+        expect_that(
+            overs[3], f"{overs}", f"{wanted}", then="; rules.over after each call", cause=seen
+        )
+        about.cause = "A fall costs a life although none is left. Check self.over first in fell."
+    expect_exactly(got, [2, 2, 1, 0, 0, 0], then="; the lives after each call")
+    about.cause = "over should be True from the moment when no lives are left."
+    expect_exactly(overs, wanted, then="; rules.over after each call")
+    about.cause = "A fall changes the score. It should only cost a life."
+    if seen[-1][0] == 20:
+        about.cause = "You count a landing after the game is over. Return from landed at once if "
+        about.cause += "self.over is true."
+    expect_exactly(seen[-1][0], 10, then="; rules.score", unit="points")
+    about.cause = "A fall changes the visited rows. It should only cost a life."
+    expect_exactly(seen[-1][2], [a], then="; rules.visited")
 
 
 @pytest.mark.exercise("P8.1a")
 @pytest.mark.robust
-def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
+def test_rejects_a_row_that_does_not_exist(rng: Random) -> None:
     about.read = RULES
     rows = rng.randint(3, 6)
-    about.cause = (
-        "There is no row with this number. Rows are numbered from 0 to rows - 1, so raise "
-        "ValueError for any other number."
-    )
     for row in (rows, -1):
-        about.call = f"Rules({rows}).landed({row}): the error that it raises"
-        error, *after = refused_row(rows, row)
-        expect_exactly(error, "ValueError")
-        name = f"Rules({rows}).landed({row}): the score and the visited rows afterward"
-        expect_exactly(
-            after,
-            [0, []],
-            call=name,
-            cause="The call raises an error, but only after it has changed the score or the "
-            "visited rows. Check the row before you change anything.",
+        about.cause = (
+            f"There is no row {row}, because the rows are numbered from 0 to {rows - 1}. Raise "
+            "ValueError."
         )
-    about.cause = "This row exists, so landed should accept it. Both 0 and rows - 1 are valid."
+        about.call = f"Rules({rows}).landed({row})"
+        error, *after = refused_row(rows, row)
+        expect_that(error == "ValueError", error, "ValueError")
+        about.cause = "You change the score or the visited rows before you raise the error. Check "
+        about.cause += "the row first."
+        expect_exactly(after, [0, []], then="; the score and the visited rows afterward")
+    about.cause = "You reject a row that exists. Both 0 and rows - 1 are valid."
     for row in (0, rows - 1):
-        about.call = f"Rules({rows}).landed({row}): the error that it raises"
-        expect_exactly(refused_row(rows, row)[0], "no error")
+        about.call = f"Rules({rows}).landed({row})"
+        error = refused_row(rows, row)[0]
+        expect_that(error == "no error", error, "no error")
 
 
 @pytest.mark.exercise("P8.1b")
@@ -201,26 +188,26 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
          "contact."),
     ):  # fmt: skip
         about.cause = cause
-        about.call = (
-            f"a ball at x = {x:g} m {what}; landings.contacts(); the number of contacts, and "
-            "landings.row (-1 stands for None)"
-        )
+        about.call = f"a ball at x = {x:g} m {what}; landings.contacts()"
         count, first, later = landing(height, velocity, x)
-        got = (count, -1 if first is None else first)
-        if not count and wanted[0]:
-            about.cause = (
-                "Your contacts() returns no contacts, so the ball falls through the bridge. Return "
-                "the contacts that self.deck.contacts() finds."
-            )
-        expect_close(got, wanted, tolerance=0.0)
-        about.call = (
-            f"a ball at x = {x:g} m {what}; landings.contacts(); the ball is moved far above the "
-            "deck; landings.contacts()"
+        lost = (
+            "Your contacts() returns no contacts, so the ball falls through the bridge. Return the "
+            "contacts that self.deck.contacts() finds."
         )
+        name = f"{about.call}; the number of contacts"
+        expect_exactly(count, wanted[0], call=name, cause=lost, unit="contacts")
+        hit = None if wanted[1] < 0 else wanted[1]
+        expect_that(first == hit, f"landings.row is {first}", f"landings.row is {hit}")
+        about.call += "; the ball is moved far above the deck; landings.contacts()"
         about.cause = (
-            "You keep the row of the earlier landing. Set row in every call of contacts(), and set "
-            "it to None if the ball doesn't touch the deck."
+            "You keep the row of the earlier landing. Set row to None at the start of every call "
+            "of contacts()."
         )
+        if later is not None and landing(4.5 + depth, -speed, before)[1] == row:
+            about.cause = (
+                "You set row although the ball doesn't touch the deck. Set it only if there is a "
+                "contact."
+            )
         expect_that(later is None, f"landings.row is {later}", "landings.row is None")
 
 
@@ -237,26 +224,33 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
         "ball"
     )
     about.cause = (
-        "The player pushes the ball along X with the force direction * PUSH * mass. Add it "
-        "between start_frame and run_physics, and pass the duration to run_physics."
+        "The push is wrong. Add a force of direction * PUSH * mass along X between start_frame and "
+        "run_physics."
     )
-    vx, vy = speed, 0.0
+    late, pull, vx, vy = [speed, 0.0], (8.0 * direction, -9.81), speed, 0.0
     free, weak = speed, speed
     for _ in range(3):
         free = free * damped
         weak = (weak + 8.0 * direction / mass * frame) * damped
         vx, vy = (vx + 8.0 * direction * frame) * damped, (vy - 9.81 * frame) * damped
+        late = [(v + a * FRAME) * 0.6**FRAME for v, a in zip(late, pull, strict=True)]
     seen = played(3, frame, direction, (x, 9.0, 0.0), (speed, 0.0, 0.0), mass=mass)
     got = seen[-1]["velocity"]
+    mistakes = [
+        ((*late, 0.0), f"The ball moved as in steps of 1/60 s, not {frame} s. Pass the duration to "
+                       "run_physics."),
+    ]  # fmt: skip
     if direction:
-        mistakes = [
-            ((free, vy, 0.0), "The push has no effect, probably because you add it before "
-                              "start_frame, which clears the forces. Add it after start_frame and "
-                              "before run_physics."),
+        mistakes += [
+            ((free, vy, 0.0), "The push has no effect. Add it after start_frame, which clears all "
+                              "forces, and before run_physics."),
             ((weak, vy, 0.0), "You leave the mass out of the push. PUSH is an acceleration in "
                               "m/s^2, so the force is PUSH * mass."),
+            ((8.0 * direction * damped, vy, 0.0), "You set the velocity of the ball to PUSH, which "
+                                                  "is an acceleration. Add a force of PUSH * mass "
+                                                  "instead."),
         ]  # fmt: skip
-        blame(got, mistakes)
+    blame(got, mistakes)
     expect_close(got, (vx, vy, 0.0), unit="m/s", tolerance=1e-12)
 
 
@@ -267,31 +261,31 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
         x = FIRST + 2.0 * row
         about.call = (
             f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; "
-            "game.step(1/60), in which the ball lands; its velocity along Y in m/s, the score, and "
-            "then each visited row"
+            "game.step(1/60), in which the ball lands"
         )
         about.cause = (
             "After run_physics, check landings.row. If it is not None, call self.rules.landed(row) "
             "and set the ball's vertical velocity to JUMP."
         )
         seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
-        got = (seen["velocity"][1], seen["score"], *seen["visited"])
-        if got[:2] == (6.0, 0):
-            about.cause = (
-                "The ball jumps, but the landing doesn't score. Call self.rules.landed(row) when "
-                "landings.row is not None."
-            )
-        elif got[1:] == (10, row):
+        if seen["score"] == 10:
             about.cause = (
                 "The landing scores, but the ball doesn't jump. Set its velocity along Y to JUMP, "
                 "which is 6 m/s."
             )
         elif row == 0:
             about.cause = (
-                "The ball lands on row 0, but you ignore that landing, because `if row` is false "
-                "for row 0. Write `if row is not None` instead."
+                "You ignore a landing on row 0, because `if row` is false for 0. Write `if row is "
+                "not None` instead."
             )
-        expect_close(got, (6.0, 10.0, float(row)), tolerance=1e-12)
+        name = "; the ball's velocity along Y"
+        expect_close(seen["velocity"][1], 6.0, then=name, unit="m/s", tolerance=1e-12)
+        about.cause = (
+            "The ball jumps, but the landing doesn't score. Call self.rules.landed(row) when "
+            "landings.row is not None."
+        )
+        expect_close(seen["score"], 10, then="; the score", unit="points", tolerance=1e-12)
+        expect_exactly(seen["visited"], [row], then="; the visited rows")
     about.call = (
         f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; 20 calls of "
         "game.step(1/60); the score and the lives"
@@ -325,11 +319,12 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "game.step(1/60)"
     )
     about.cause = (
-        "The ball has reached the ground. Call self.rules.fell() to take a life, and put the ball "
-        "back above the first row."
+        "The ball has reached the ground, but you take no life. Call self.rules.fell() in this "
+        "case."
     )
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
-    expect_exactly(seen["lives"], 2, then="; the lives that are left", unit="lives")
+    expect_exactly(seen["lives"], 2, then="; the number of lives that are left")
+    about.cause = "The ball stays on the ground after a fall. Put it back above the first row."
     kept = (
         "A fall changes the visited rows in your game. It should only cost a life, so leave "
         "visited as it is."
@@ -337,12 +332,12 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     expect_exactly(
         seen["visited"], [2, 4], then="; the visited rows, which were 2 and 4", cause=kept
     )
-    got = seen["place"] + seen["velocity"]
-    place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)
+    place, still = (FIRST, 6.0, 0.0), (0.0, 0.0, 0.0)
     # The cables, too short at first, have pulled the row inward by 0.13 m in that step.
-    expect_close(
-        got, place, then="; the position (m) and then the velocity (m/s) of the ball", tolerance=0.2
-    )
+    name = "; the position of the ball"
+    expect_close(seen["place"], place, then=name, unit="m", tolerance=0.2)
+    name = "; the velocity of the ball"
+    expect_close(seen["velocity"], still, then=name, unit="m/s", tolerance=0.2)
     about.cause = (
         "The ball has fallen if its lowest point is at most TOUCH, which is 1e-6 m, above the "
         "ground. That point is one radius below the ball's center."
@@ -350,28 +345,31 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     for above, lives in ((5e-7, 2), (5e-6, 3)):
         about.call = (
             f"a game in which the ball is beside the bridge, and its lowest point is {above} m "
-            "above the ground at the end of game.step(1/60); the lives that are left"
+            "above the ground at the end of game.step(1/60); the number of lives that are left"
         )
         # In one step gravity takes exactly its upward speed, so it stays where it is.
         seen = played(1, FRAME, 0, (x, 0.5 + above, 0.0), (0.0, 9.81 * FRAME, 0.0))[-1]
-        expect_exactly(seen["lives"], lives, unit="lives")
+        expect_exactly(seen["lives"], lives)
     about.call = (
         f"a game with one life left; the ball is at ({x}, 0.6, 0) m and falls at 9 m/s; "
         "three calls of game.step(1/60)"
     )
-    about.cause = (
-        "No lives are left, so the game is over. Don't put the ball back after this fall, and in "
-        "later steps return at once if self.rules.over is true."
-    )
+    about.cause = "The ball keeps moving after the game is over. Return from step at once if "
+    about.cause += "self.rules.over is true."
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
-    expect_exactly(seen[-1]["lives"], 0, then="; the lives that are left", unit="lives")
+    expect_exactly(seen[-1]["lives"], 0, then="; the number of lives that are left")
     expect_close(
         seen[-1]["place"],
         seen[0]["place"],
-        then="; the position of the ball in m, which should be the same as after the first step",
+        then="; the position of the ball, which should not change after the first step",
+        unit="m",
         tolerance=0.0,
     )
     x = seen[-1]["place"][0]
+    about.cause = (
+        "You put the ball back although no lives are left. Put it back only if the game is not "
+        "over."
+    )
     expect_that(x > 7.0, f"the ball is at x = {x:.3g} m", "the ball is still beside the bridge")
 
 
@@ -395,6 +393,7 @@ def test_the_last_row_ends_the_game(rng: Random) -> None:
     expect_close(
         seen[-1]["place"],
         seen[0]["place"],
-        then="; the position of the ball in m, which should be the same as after the first step",
+        then="; the position of the ball, which should not change after the first step",
+        unit="m",
         tolerance=0.0,
     )

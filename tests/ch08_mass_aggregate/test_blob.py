@@ -10,7 +10,14 @@ import pytest
 from ch08_mass_aggregate.blob import spread
 from ch08_mass_aggregate.scene_probes import bonded, settled_blob, spread_of
 from draw import Components, components, direction, positive_number
-from expect import about, blame, expect_close, expect_error, expect_exactly, scoped
+from expect import (
+    about,
+    blame,
+    expect_close,
+    expect_error,
+    expect_that,
+    scoped,
+)
 
 BOND = "the docstring of Bond, and of Bond.update_force"
 SPREAD = "the docstring of spread"
@@ -36,11 +43,15 @@ def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None
     on_b = tuple(-force * w + 0.0 for w in way)
     if force:
         mistakes = [
-            ((*ZERO, *ZERO), f"Your update_force adds no force to either end. {about.cause}"),
+            (
+                (*ZERO, *ZERO),
+                "Neither end gets a force, probably because you swapped the two springs. "
+                "self._to_b acts on a, and self._to_a acts on b.",
+            ),
             (
                 (*on_a, *ZERO),
-                "Only end a gets a force, but a bond pulls on both ends. Use self._to_b for a and "
-                "self._to_a for b.",
+                "Only a gets a force, because you use self._to_b for both ends. Use self._to_a "
+                "for b.",
             ),
             (
                 (*on_a, *on_a),
@@ -50,8 +61,8 @@ def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None
         ]
         blame((*seen[0], *seen[1]), mistakes)
     # Rounding of forces of some tens of N.
-    expect_close(seen[0], on_a, then=": the force on a", unit="N", tolerance=1e-11)
-    expect_close(seen[1], on_b, then=": the force on b", unit="N", tolerance=1e-11)
+    expect_close(seen[0], on_a, then="; the force on a", unit="N", tolerance=1e-11)
+    expect_close(seen[1], on_b, then="; the force on b", unit="N", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B8.8")
@@ -61,18 +72,20 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
     lengths = [0.5 * rest, rest, 0.5 * (rest + limit), limit, 0.5 * (limit + most)]
     about(
         f"bond = Bond(a, b, stiffness={k}, rest_length={rest}, limit={limit}, share={share}, "
-        f"break_length={most}); the ends are ",
+        f"break_length={most}); bond.update_force for a and b, which are ",
         read=BOND,
     )
-    about.cause = (
-        "If the bond holds, let the spring self._to_b act on a, and the spring self._to_a act on b."
-    )
+    about.cause = "If the bond holds, let the spring self._to_b act on a, and the spring "
+    about.cause += "self._to_a act on b."
     for length, seen in zip(
         lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
     ):
         force = pull(length, k, rest, limit, share)
         expect_forces(f"{about.call}{length:.6g} m apart", seen, force, way)
-        expect_exactly(seen[2], True, then=f"{length:.6g} m apart: bond.holds")
+        about.cause = "This bond is not too long, so it must not break. Change holds only if the "
+        about.cause += "bond breaks or heals."
+        name = f"{about.call}{length:.6g} m apart"
+        expect_that(seen[2] is True, "the bond is broken", "the bond still holds", call=name)
 
 
 @pytest.mark.exercise("B8.8")
@@ -86,13 +99,22 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         read=BOND,
     )
     causes = {
-        "breaks": "The bond is longer than break_length, so it breaks. Test this first, whichever "
-        "end update_force is called for, so that the bond doesn't pull in this call.",
-        "broken": "Your broken bond holds again too early, while its ends are more than "
-        "rest_length apart. Keep it broken until they are rest_length apart or less.",
-        "heals": "The ends of the broken bond are less than rest_length apart, so the bond heals. "
-        "Let it hold again and add its force in this same call.",
-        "holds": "The bond has healed, so it holds until it is longer than break_length again.",
+        "breaks": "Your bond doesn't break although it is longer than break_length. Set holds to "
+        "False in this case.",
+        "broken": "Your bond heals too early, while it is still longer than rest_length. Keep it "
+        "broken until its length is rest_length or less.",
+        "heals": "Your broken bond doesn't heal although it is shorter than rest_length. Set holds "
+        "to True in this case.",
+        "holds": "Your bond breaks again too early. Let it hold until it is longer than "
+        "break_length.",
+    }
+    late = {
+        "breaks": "You update holds too late, so the broken bond still pulls. Update it first in "
+        "every call of update_force, whichever end it is for.",
+        "broken": "Your broken bond still pulls. Add a force only if the bond holds.",
+        "heals": "Your bond heals, but it adds no force in the same call. Update holds before you "
+        "add the force.",
+        "holds": "The force of your bond is wrong after it has healed.",
     }
     story = [
         (most, True, "holds"),
@@ -111,47 +133,44 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         if what == "holds" and i == 0:
             continue  # rounding may have made it slightly longer
         shown = ", ".join(f"{one:.6g}" for one in lengths[: i + 1])
-        name = f"{about.call}; the distance of the ends, from call to call: {shown} m"
+        name = f"{about.call}; bond.update_force for a and b at the lengths {shown} m, in order"
         about.cause = causes[what]
-        expect_exactly(seen[i][2], holds, call=f"{name}; bond.holds after the last")
+        words = {True: "the bond holds", False: "the bond is broken"}
+        expect_that(seen[i][2] is holds, words[not holds], words[holds], call=name)
+        about.cause = late[what]
         force = pull(length, k, rest, limit, share) if holds else 0.0
         expect_forces(name, seen[i], force, way)
 
 
 @pytest.mark.exercise("B8.8")
-def test_a_bond_at_its_very_limits(rng: Random) -> None:
+def test_a_bond_exactly_at_its_limits(rng: Random) -> None:
     about.read = BOND
     rest = 0.25 * rng.randint(3, 6)
     most = rest + 0.25 * rng.randint(2, 5)
     lengths = [most, most + 1e-6, rest + 1e-6, rest]
     about.call = (
         f"bond = Bond(a, b, stiffness=30, rest_length={rest}, limit={rest}, share=0.5, "
-        f"break_length={most}); the distance of the ends, from call to call: {lengths} m; "
-        "bond.holds after each call"
+        f"break_length={most}); bond.update_force at the lengths {str(lengths)[1:-1]} m, in order"
     )
-    about.cause = (
-        "A bond of exactly break_length still holds, and a longer one breaks. A broken bond holds "
-        "again at rest_length or less."
-    )
+    about.cause = "Your bond breaks at exactly break_length. It should break only if it is longer "
+    about.cause += "than that."
     # Quarters of a meter from the origin are not rounded.
     seen = bonded(lengths, 30.0, rest, rest, 0.5, most, (1.0, 0.0, 0.0), origin=ZERO)
     got = [holds for _, _, holds in seen]
     if got == [True] * 4:
-        about.cause = (
-            "Your bond never breaks. Compare its length with break_length: a bond that is longer "
-            "than that breaks."
-        )
+        about.cause = "Your bond doesn't break if it is slightly longer than break_length. Let it "
+        about.cause += "break at any greater length."
     elif got == [True, False, False, False]:
-        about.cause = (
-            "Your bond broke and never healed. A broken bond holds again once its length is "
-            "rest_length or less."
-        )
+        about.cause = "Your broken bond doesn't heal at exactly rest_length. It should heal if its "
+        about.cause += "length is rest_length or less."
     elif got == [True, False, True, True]:
-        about.cause = (
-            "Your bond heals too early: it holds again as soon as its length drops below "
-            "break_length. It should stay broken until its length is rest_length or less."
-        )
-    expect_exactly(got, [True, False, False, True])
+        about.cause = "Your bond heals too early, while it is still longer than rest_length. Keep "
+        about.cause += "it broken until its length is rest_length or less."
+    got, wanted = (
+        ", ".join("holds" if one else "broken" for one in some)
+        for some in (got, (True, False, False, True))
+    )
+    expect_that(got == wanted, got, wanted)
 
 
 @pytest.mark.exercise("B8.8")
@@ -160,14 +179,14 @@ def test_bonds_keep_a_blob_together() -> None:
         "a blob of seven particles with bonds between all of them, 3 s after it was dropped",
         read=BOND,
     )
-    about.cause = (
-        "Your blob collapses or flies apart. Check the direction of the forces: a bond pushes its "
-        "ends apart when it is too short, and pulls them together when it is too long."
-    )
+    about.cause = "Your blob collapses or flies apart. Check the direction of the forces: a bond "
+    about.cause += "pushes its ends apart when it is too short, and pulls them together when it is "
+    about.cause += "too long."
     before, after = settled_blob(180, 1.0 / 60.0)
     # Under its own weight, such a blob spreads by 1 to 2 %.
     share = _spread(after) / _spread(before)
-    expect_exactly(0.9 < share < 1.1, True, then=": has its spread changed by less than 10 %")
+    seen = f"its spread changes by {share - 1.0:+.0%}"
+    expect_that(0.9 < share < 1.1, seen, "its spread changes by less than 10%")
 
 
 def _spread(places: list[Components]) -> float:
@@ -182,10 +201,9 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
         "spread(particles)",
         read=SPREAD,
     )
-    about.cause = (
-        "The center of mass is the middle of the square, and every corner is sqrt(2) m away from "
-        "it. So each squared distance is 2 m^2, and the root of their mean is sqrt(2) m."
-    )
+    about.cause = "The center of mass is the middle of the square, and every corner is sqrt(2) m "
+    about.cause += "away from it. So each squared distance is 2 m^2, and the root of their mean is "
+    about.cause += "sqrt(2) m."
     x, y, z = components(rng)
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
@@ -204,22 +222,18 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, math.sqrt(2.0), unit="m", tolerance=1e-12)
-    numbers = [number for place in square for number in place]
-    got = [number for place in after for number in place]
-    about.cause = (
-        "Your spread moves the particles, although it should only measure them. An operator such "
-        "as += changes a position in place, so work with new vectors."
-    )
-    expect_close(
-        got, numbers, then="; the positions of the particles afterward", unit="m", tolerance=0.0
-    )
+    about.cause = "Your spread moves the particles. An operator such as -= changes a position in "
+    about.cause += "place, so compute with new vectors instead."
+    for place, old in zip(after, square, strict=True):
+        name = "; the position of a particle afterward"
+        expect_close(place, old, then=name, unit="m", tolerance=0.0)
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
-    about.call = f"a particle of {m} kg at {p} m; another of {n} kg at {q} m; spread of both"
-    about.cause = (
-        "Weight each squared distance from the center of mass by the particle's mass. For two "
-        "particles the result is sqrt(m n) / (m + n) times the distance between them."
-    )
+    about.call = f"a, a particle of {m} kg at {p} m; b, a particle of {n} kg at {q} m; "
+    about.call += "spread([a, b])"
+    about.cause = "Weight each squared distance from the center of mass by the particle's mass. "
+    about.cause += "For two particles the result is sqrt(m n) / (m + n) times the distance between "
+    about.cause += "them."
     wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
     got = spread_of([p, q], [m, n])[0]
     apart, total = math.dist(p, q), m + n
@@ -246,24 +260,21 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
 
 @pytest.mark.exercise("B8.9")
 @pytest.mark.robust
-def test_a_spread_of_nothing_is_refused() -> None:
+def test_rejects_particles_without_a_center_of_mass() -> None:
     about.read = SPREAD
 
     def allowed() -> None:
         spread_of([ZERO], [1.0])
 
-    about.cause = (
-        "There are no particles, so there is neither a center of mass nor a mean. Raise ValueError."
-    )
+    about.cause = "The list is empty, and without particles there is no center of mass. Raise "
+    about.cause += "ValueError."
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
-    about.cause = (
-        "One of the particles is immovable, so its mass is infinite and there is no center of "
-        "mass. Raise ValueError."
-    )
+    about.cause = "One particle has an infinite mass, so there is no center of mass. Raise "
+    about.cause += "ValueError."
     for masses in ([1.0, math.inf], [math.inf, 1.0]):
         expect_error(
-            lambda masses=masses: spread_of([ZERO, (1.0, 0.0, 0.0)], masses),
+            lambda masses=masses: spread_of([ZERO, (1.0, 0.0, 0.0)], masses)[0],
             ValueError,
-            call=f"two particles with masses of {masses} kg; spread of both",
+            call=f"spread(particles) with two particles whose masses are {masses} kg",
             allowed=allowed,
         )

@@ -11,7 +11,7 @@ import pytest
 
 from ch08_mass_aggregate.scene_probes import bridge_links, deck, hung_bridge
 from draw import Components, positive_number
-from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly
+from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly, expect_that
 
 LINKS = "the docstring of links_of"
 NEAREST = "the docstring of Deck.nearest"
@@ -40,22 +40,19 @@ def wanted_links(places: list[Components]) -> list[tuple[int, int, float]]:
 
 
 @pytest.mark.exercise("B8.4")
-@pytest.mark.parametrize(
-    ("what", "which"),
-    [("rods", "rod"), ("cables from row to row", "cable"), ("cables to the anchors", "support")],
-)
-def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
+@pytest.mark.parametrize("which", ["rod", "cable", "anchored cable"])
+def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     about.read = LINKS
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
-    about.call = "links_of(make_rows()) for 6 rows, whose 12 ends have the numbers 0 to 11; all "
-    about.call += f"ends are moved apart; {what}"
+    about.call = "links_of(make_rows()), where ends 0 and 1 belong to row 0, ends 2 and 3 to row "
+    about.call += "1, and so on; all ends are moved apart"
     about.cause = {
-        "rod": "Join the two ends of each row with a Rod of length WIDTH. Six rows need six rods.",
-        "cable": "Join each end of a row to the end of the next row on the same side, with a Cable "
-        "of length CABLE_LENGTH. Six rows need ten cables.",
-        "support": "Each end of each row hangs from its own anchor. Join all twelve ends to their "
-        "anchor_of(end), each with an AnchoredCable of length support_length(row number).",
+        "rod": "Join the two ends of each row with one Rod of length WIDTH.",
+        "cable": "Join each end to the end of the next row on the same side, with a Cable of "
+        "length CABLE_LENGTH.",
+        "anchored cable": "Hang each end of each row from its anchor_of(end), with an "
+        "AnchoredCable of length support_length(row number).",
     }[which]
 
     def picked(links: Any) -> list[Any]:
@@ -63,33 +60,43 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
         return sorted(
             (i, j, depth)
             for i, j, depth in links
-            if (j < 0) == (which == "support") and (j < 0 or j - i == kinds.get(which))
+            if (j < 0) == (which == "anchored cable") and (j < 0 or j - i == kinds.get(which))
         )
 
     links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     got, wanted = picked(links), picked(wanted_links(places))
     ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
-    wrong = [f"{pair} are not joined" for pair in right if pair not in ends]
-    wrong += [f"{pair} are joined twice" for i, pair in enumerate(ends) if pair in ends[:i]]
-    wrong += [f"{pair} are joined but should not be" for pair in ends if pair not in right]
-    why = f"Ends {wrong[0]}. {about.cause}" if wrong else about.cause
-    expect_exactly(ends, right, then=": the ends of each (-1 stands for an anchor)", cause=why)
-    lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
-    about.cause = f"Your {'cable' if which != 'rod' else 'rod'} joins the right ends, but its "
-    about.cause += f"length is wrong. It should be {lengths[which]}."
-    for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
+    missing = [pair for pair in right if pair not in ends]
+    extra = [pair for n, pair in enumerate(ends) if pair not in right or pair in ends[:n]]
+    why = about.cause
+    if missing:
+        seen = f"only {len(ends)} of the {len(right)} {which}s" if ends else f"no {which}s"
+        if ends and len({i % 2 for i, _ in missing}) == 1:
+            seen = f"{which}s on one side of the bridge only"
+        why = f"You create {seen}. {about.cause}"
+    elif extra:
+        i, j = extra[0]
+        why = f"You join ends {i} and {j} with two links. {about.cause}"
+        if extra[0] not in right:
+            why = f"You join ends {i} and {j}, which are on different sides of the bridge. Join "
+            why += "each row to the next one on the same side."
+    name = "; the ends of each " if "anchor" not in which else "; the end and anchor (-1) of each "
+    expect_exactly(ends, right, then=f"{name}{which}", cause=why)
+    length = {"rod": "WIDTH", "cable": "CABLE_LENGTH"}.get(which, "support_length(row number)")
+    about.cause = f"The length of your {which} is wrong. It should be {length}."
+    first = "You use the length of row 0 for all anchored cables. Use support_length(row number)."
+    for (i, j, depth), (_, _, deeper) in zip(got, wanted, strict=True):
+        x, _, z = START[i]
+        apart = math.dist(places[i], places[j] if j >= 0 else (1.1 * x, 6.0, 0.8 * z))
+        name = f"; the length of the {which} of end {i}"
         # Lengths of some meters, rounded a few times.
-        expect_close(
-            depth,
-            right,
-            then=f": how much too long the link between ends {(i, j)} is",
-            unit="m",
-            tolerance=1e-12,
-        )
+        size, right = apart - depth, apart - deeper
+        seen = cause_of(size, [(SUPPORTS[0], first)], about.cause)
+        expect_close(size, right, then=name, cause=seen, unit="m", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.4")
-def test_nothing_else_holds_them() -> None:
+def test_links_act_at_the_right_lengths() -> None:
     about(
         "links_of(make_rows()) with the planks where they start; the ends of all contacts, by "
         "number",
@@ -107,24 +114,25 @@ def test_nothing_else_holds_them() -> None:
     about.cause += "should be no contacts. Check the lengths that you pass to the links."
     count = len(bridge_links(places))
     mistakes = [
-        (10, "Your ten links from row to row push the planks apart, but ropes can only pull. Make "
-             "these links Cables instead of rods."),
-        (12, "Your twelve links to the anchors push the planks away, but ropes can only pull. Make "
-             "these links AnchoredCables instead of rods."),
-        (22, "Your links from row to row and to the anchors push the planks. Ropes can only pull, "
-             "so make these links cables instead of rods."),
+        (10, "Your links from row to row push the planks apart. Use Cables, which can only pull, "
+             "instead of rods."),
+        (12, "Your links to the anchors push the planks away. Make them AnchoredCables, which can "
+             "only pull, instead of rods."),
+        (22, "Your links from row to row and to the anchors push the planks. Make them cables, "
+             "which can only pull, instead of rods."),
     ]  # fmt: skip
     blame(count, mistakes)
     expect_exactly(count, 0, unit="contacts")
     places = [(1.5 * x, 1.0, 1.5 * z) for x, _, z in START]
-    about.call = "links_of(make_rows()); all planks are pulled apart; the number of contacts, and "
-    about.call += "then each restitution that occurs"
-    about.cause = "Every link is too long here, so each one should have a contact with a "
-    about.cause += "restitution of 0. These are 6 contacts for the rods, 10 for the cables and 12 "
-    about.cause += "for the anchored cables."
+    about.call = "links_of(make_rows()); all planks are pulled apart; the "
+    about.cause = "Every link is too long here, so each one should have a contact: 6 for the rods, "
+    about.cause += "10 for the cables and 12 for the anchored cables."
     found = bridge_links(places)
-    got = (len(found), *{c for _, _, _, c, _ in found})
-    expect_close(got, (28, 0.0), tolerance=0.0)
+    expect_exactly(len(found), 28, then="number of contacts", unit="contacts")
+    about.cause = "You give some links a restitution. Leave this argument out, so that they don't "
+    about.cause += "bounce."
+    got = sorted({c for _, _, _, c, _ in found})
+    expect_close(got, (0.0,), then="restitutions of the contacts", tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.4")
@@ -162,7 +170,7 @@ def middles(rows: list[tuple[Components, Components]]) -> list[tuple[float, floa
 def nearest_of(points: list[tuple[float, float]], x: float) -> str:
     """Return what is called: nearest() of a deck through these midpoints, with the ball at x."""
     deck_and_ball = f"a deck; the midpoints (x, y) of its rows: {points} m; a ball at x = {x:.6g} m"
-    return f"{deck_and_ball}; deck.nearest(), which is (row, height)"
+    return f"{deck_and_ball}; deck.nearest(), which returns (row, height)"
 
 
 @pytest.mark.exercise("B8.5")
@@ -185,16 +193,16 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
                 ((row, points[int(row)][1]),
-                 "You return the height of the nearest row itself. The deck slopes between two "
-                 "rows, so interpolate between the midpoints on either side of the ball."),
+                 "You return the height of the nearest row itself. Interpolate between the "
+                 "midpoints on either side of the ball, because the deck slopes there."),
                 ((float(i), height),
                  "The height is right, but you return the row before the ball. Return the row "
                  "whose midpoint is closer to the ball along X."),
                 ((float(i + 1), height),
                  "The height is right, but you return the row after the ball. Return the row whose "
                  "midpoint is closer to the ball along X."),
-                ((row, near), "You interpolate between one end of each row. A row can tilt, so its "
-                              "ends differ in height: use the midpoints of the rows."),
+                ((row, near), "You interpolate between one end of each row. Use the midpoints of "
+                              "the rows, because the two ends can differ in height."),
             ]  # fmt: skip
             wanted = (row, height)
             blame(got, mistakes)
@@ -218,29 +226,33 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     for i, (low, high) in enumerate(pairwise(heights)):
         about.call = nearest_of(points, 2.0 * i + 1.0)
         about.cause = (
-            "The ball is halfway between two rows, so both are equally near. Return the first one."
+            "The ball is halfway between two rows. Return the first row and the height midway."
         )
         got = deck((2.0 * i + 1.0, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         wanted = (float(i), 0.5 * (low + high))
+        last = "You return the second of two rows that are equally near. Return the first one."
+        blame(got, [((i + 1.0, wanted[1]), last)])
         expect_close(got, wanted, tolerance=1e-12)
     for x, i in ((-1.0, 0), (5.0, 2)):
         about.call = nearest_of(points, x)
         about.cause = (
-            "The deck extends half a SPACING, which is 1 m, beyond its first and last rows, so the "
-            "ball is still above it here. Return None only farther out."
+            "Your deck ends at its outermost rows. It should extend half a SPACING, which is 1 m, "
+            "beyond them."
         )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
-        expect_exactly(got is None, False, then=": is it None")
+        right = f"row {i} at the height {heights[i]:g} m"
+        expect_that(got is not None, "None, so there is no deck here", right)
+        about.cause = f"Beyond row {i} the deck is level, so return that row and its height."
         slope = heights[i] - heights[1]
         mistakes = [((float(i), heights[i] + 0.5 * slope),
-                     "You continue the slope beyond the end of the deck. Beyond its first and last "
-                     "rows the deck is level, so return the height of that row.")]  # fmt: skip
+                     "You continue the slope of the deck beyond its outermost row. The deck is "
+                     "level there, so return the height of that row.")]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, (float(i), heights[i]), tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
         about.call = (
             f"a deck of a single row with its midpoint (x, y) at {points[0]} m; a ball at x = {x} "
-            "m; deck.nearest(), which is (row, height)"
+            "m; deck.nearest(), which returns (row, height)"
         )
         about.cause = (
             "A single row is both the first and the last one, so the deck extends 1 m beyond it on "
@@ -269,16 +281,17 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         about.call = nearest_of(points, at)
         got = deck((at, 9.0, 0.0), rows, 0.3, 0.0)["nearest"]
         expect_close(got, (float(row), height), tolerance=1e-12)
-    about.cause = (
-        "The ball is more than half a SPACING, which is 1 m, beyond the last row, so there is no "
-        "deck below it. Return None from nearest() and no contacts from contacts()."
-    )
     for at in (first - 1.001, last + 1.001):
+        about.cause = "Your deck goes on too far. It ends half a SPACING, which is 1 m, beyond "
+        about.cause += "its outermost rows, so return None here."
         about.call = f"a deck; the midpoints (x, y) of its rows: {points} m; a ball at "
         about.call += f"({at:.6g}, 1, 0) m"
         got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
-        nearest = -1.0 if got["nearest"] is None else got["nearest"]
-        expect_close(nearest, -1.0, then="; deck.nearest(), where -1 stands for None")
+        nearest = got["nearest"]
+        name = f"{about.call}; deck.nearest(), which returns (row, height)"
+        expect_that(nearest is None, str(nearest), "None, because the deck ends there", call=name)
+        about.cause = "There is no deck below the ball, so contacts() should return no contacts."
+        about.call += "; deck.contacts()"
         count = len(got["contacts"])
         expect_exactly(count, 0, then=": the number of contacts", unit="contacts")
 
@@ -296,8 +309,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         about.call = (
             f"a deck with restitution {c}; the midpoints (x, y) of its rows: {middles(rows)} m; "
             f"a ball of radius {radius} m at ({at:g}, {center:.6g}, 0); "
-            "particle 0 is the ball, and particles 3 and 4 are the ends of the nearest row; "
-            "deck.contacts()"
+            "particle 0 is the ball, and 3 and 4 are the ends of the nearest row; deck.contacts()"
         )
         about.cause = (
             "The ball rests on the nearest row, so return one contact for each end of that row. In "
@@ -309,30 +321,30 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
             about.cause = (
-                "The ball touches the deck, but you return no contacts. Compare the lowest point "
-                "of the ball, which is y - radius, with the height of the deck."
+                "You return no contacts although the ball touches the deck, probably because you "
+                "left out its radius. Its lowest point is at y - radius."
             )
             if not depth:
                 about.cause = (
-                    "A ball that just touches the deck is in contact with it. Return those "
-                    "contacts too, with a penetration of 0."
+                    "You return no contacts for a ball that just touches the deck. Return them "
+                    "too, with a penetration of 0."
                 )
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = (
-                "You return a contact for only one end of the nearest row, so the row tilts. "
-                "Return one for each end."
+                "You return a contact for only one end of the nearest row. Return one for each of "
+                "its two ends."
             )
         elif ends == [(3, 0), (4, 0)]:
             about.cause = (
-                "particle and other are swapped. Make the ball the particle and the end of the row "
-                "the other, because the normal points toward the particle."
+                "You swapped particle and other. Make the ball the particle, because the normal "
+                "points toward it, and the end of the row the other."
             )
         elif len(ends) > 2:
             about.cause = (
-                "You return contacts for other rows too, but the ball rests on the nearest row "
-                "alone. Return contacts only for the two ends of that row."
+                "You return contacts for other rows too. Return only those for the two ends of the "
+                "nearest row, on which the ball rests."
             )
-        expect_exactly(ends, [(0, 3), (0, 4)], then=": particle and other of each contact")
+        expect_exactly(ends, [(0, 3), (0, 4)], then=": (particle, other) of each contact")
         for _, _, normal, restitution, penetration in list(got):
             about.cause = (
                 "The normal of a contact is wrong. The deck pushes the ball up, so the normal is "
@@ -340,35 +352,26 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
             expect_close(normal, UP, then=": the normal of a contact", tolerance=1e-15)
             about.cause = (
-                "The restitution or the penetration is wrong. The restitution is self.restitution. "
-                "The penetration is how far the ball's lowest point is below the deck: height + "
-                "radius - y, where height is the height of the deck."
+                "Your contact doesn't have the restitution of the deck. Pass self.restitution to "
+                "each contact."
             )
+            expect_close(restitution, c, then=": the restitution of a contact", tolerance=1e-12)
             mistakes = [
-                ((0.0, depth), "Your contact has the restitution 0, but it should be the deck's. "
-                               "Pass self.restitution to each contact."),
-                ((c, 0.5 * depth), "You divide the depth between the two contacts. Each gets the "
-                                   "full depth, because both ends of the row are below the same "
-                                   "ball."),
-                ((c, depth - radius), "You left out the radius, so this is how deep the ball's "
-                                      "center is. Its lowest point is one radius deeper, so "
-                                      "compute height + radius - y."),
+                (0.5 * depth, "You divide the penetration between the two contacts. Give each of "
+                              "them the full penetration."),
+                (depth - radius, "You left out the radius of the ball. Its lowest point is one "
+                                 "radius below its center."),
             ]  # fmt: skip
-            got = (restitution, penetration)
-            why = cause_of(got, mistakes, about.cause)
-            expect_close(
-                got,
-                (c, depth),
-                then=": the restitution and penetration of a contact",
-                cause=why,
-                tolerance=1e-12,
-            )
+            name = f"{about.call}: the penetration of a contact"
+            why = "The penetration is how far the lowest point of the ball is below the deck."
+            why = cause_of(penetration, mistakes, why)
+            expect_close(penetration, depth, call=name, cause=why, unit="m", tolerance=1e-12)
     level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
     for y, cause in (
-        (4.5, "The ball's lowest point is exactly on the deck, so they are in contact. Return "
-              "contacts with a penetration of 0."),
-        (3.5, "The top of the ball is exactly level with the deck, so the penetration is the "
-              "diameter. The ball has fallen through only if it is deeper than that."),
+        (4.5, "You return no contacts if the ball just touches the deck. Return them for a "
+              "penetration of 0 too."),
+        (3.5, "You return no contacts if the penetration is exactly the diameter. The ball has "
+              "fallen through only if it is deeper than that."),
     ):  # fmt: skip
         about(
             f"a level deck at a height of 4 m; a ball of radius 0.5 m at (2, {y}, 0)", cause=cause
@@ -383,10 +386,9 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ("whose top is just above", 1e-6 - radius, 2, "The top of the ball is still above the "
                                                          "deck, so the ball has not fallen through "
                                                          "yet and is still in contact."),
-        ("whose top is just below", -1e-6 - radius, 0, "The ball is completely below the deck, so "
-                                                          "it has fallen through. Return no "
-                                                          "contact, because a contact pushes it "
-                                                          "back up."),
+        ("whose top is just below", -1e-6 - radius, 0, "You return contacts for a ball that has "
+                                                       "fallen through the deck, so they lift it "
+                                                       "up again. Return none here."),
     ):  # fmt: skip
         about(
             f"a deck; the midpoints (x, y) of its rows: {middles(rows)} m; a ball of radius "

@@ -42,7 +42,7 @@ DRIFT = "the docstring of first_order_drift, and E-31"
 
 
 @pytest.mark.exercise("B9.18")
-def test_a_point_of_what_turns() -> None:
+def test_a_point_of_a_rotating_object() -> None:
     about.read = POINT
     about.call = "q = Vector3(1, 0, 0); p = p' = Vector3(); w = Vector3(0, 0, 2); "
     about.call += "velocity_of_point(q, p, p', w)"
@@ -63,7 +63,7 @@ def test_a_point_of_what_turns() -> None:
 
 
 @pytest.mark.exercise("B9.18")
-def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
+def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
     about.read = POINT
     point, place, v, w = (components(rng) for _ in range(4))
     given = [Vector3(*a) for a in (point, place, v, w)]
@@ -101,7 +101,7 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.18")
 @pytest.mark.robust
-def test_a_point_that_is_nowhere_is_refused() -> None:
+def test_rejects_invalid_vectors() -> None:
     about.read = "the docstring of velocity_of_point"
     good = (1.0, 2.0, 3.0)
     about.cause = "One of the arguments is not a finite vector. Check each of the four with "
@@ -241,7 +241,7 @@ def test_a_step_from_rest(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.18")
 @pytest.mark.robust
-def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
+def test_an_invalid_step_changes_nothing(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
     about.cause = "One of the arguments is not valid. Check all of them with positive and "
@@ -352,7 +352,7 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
 
 
 @pytest.mark.exercise("B9.19")
-def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
+def test_the_drift_of_a_few_rotations(rng: Random) -> None:
     about.read = DRIFT
     for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
         speed, duration = positive_number(rng, low, high), positive_number(rng, 0.5, 1.5)
@@ -373,7 +373,7 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.19")
-def test_what_does_not_turn_does_not_drift() -> None:
+def test_no_drift_at_a_speed_of_zero() -> None:
     about("first_order_drift(0, 2, 10)", read=DRIFT)
     about.cause = "At a speed of 0 nothing rotates, so the length stays 1 and no angle is missing."
     got = tuple(first_order_drift(0.0, 2.0, 10))
@@ -382,7 +382,7 @@ def test_what_does_not_turn_does_not_drift() -> None:
 
 @pytest.mark.exercise("B9.19")
 @pytest.mark.robust
-def test_a_drift_of_nothing_is_refused() -> None:
+def test_rejects_an_invalid_speed_duration_or_step_count() -> None:
     about.read = DRIFT
     expect_finite_numbers(
         "first_order_drift(speed, duration, 3) with (speed, duration) = ",

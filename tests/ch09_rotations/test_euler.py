@@ -103,7 +103,7 @@ def test_one_turn_after_another(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.17")
-def test_what_the_rates_make(rng: Random) -> None:
+def test_the_rate_map(rng: Random) -> None:
     about.read = RATES
     drawn, (_, tilt, _) = draw_angles(rng), draw_angles(rng)
     steep = (0.4, math.pi - tilt, -1.9)
@@ -129,7 +129,7 @@ def test_what_the_rates_make(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.17")
-def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
+def test_the_rates_produce_the_angular_velocity(rng: Random) -> None:
     about.read = BACK
     w = components(rng)
     velocity = Vector3(*w)
@@ -204,7 +204,7 @@ def test_near_gimbal_lock_there_are_rates(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.17")
 @pytest.mark.robust
-def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
+def test_rejects_gimbal_lock_but_not_angles_near_it(rng: Random) -> None:
     about.read = BACK
     x, z, w = draw_locked(rng)
     quarter = 0.5 * math.pi
@@ -238,7 +238,7 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.17", weight=0.5)
 @pytest.mark.robust
-def test_angles_that_are_none_are_refused() -> None:
+def test_rejects_invalid_angles_and_velocities() -> None:
     expect_finite_numbers("euler_to_quaternion", euler_to_quaternion, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers("rate_map", rate_map, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers(

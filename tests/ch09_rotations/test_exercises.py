@@ -157,7 +157,7 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
 
 @pytest.mark.exercise("9.2")
 @pytest.mark.robust
-def test_no_way_back_from_what_is_no_orientation() -> None:
+def test_rejects_what_is_not_an_orientation() -> None:
     about.cause = "This quaternion is not an orientation, because its length is not 1. Call "
     about.cause += "to_axis_angle, which rejects it."
     for numbers in ((1.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)):
@@ -351,7 +351,7 @@ def test_an_error_is_at_most_half_a_turn() -> None:
 
 @pytest.mark.exercise("9.4")
 @pytest.mark.robust
-def test_a_turn_of_nothing_is_refused() -> None:
+def test_rejects_invalid_rates_durations_and_steps() -> None:
     bad = ((1, 0.0), (1, -1.0))
     expect_finite_numbers(
         "turned_by_sense(q, rate, duration) with (rate, duration) = ",

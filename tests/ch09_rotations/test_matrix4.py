@@ -142,7 +142,7 @@ def overwritten(m: Nine, p: Components) -> tuple[Nine, Components]:
 
 
 @pytest.mark.exercise("B9.14")
-def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
+def test_the_determinant_ignores_the_translation(rng: Random) -> None:
     about.read = "book 9.4.3, and E-28"
     m, p = draw_mirror(rng), components(rng)
     twelve = joined(m, p)
@@ -263,7 +263,7 @@ def small_pair() -> tuple:
 
 @pytest.mark.exercise("B9.14")
 @pytest.mark.robust
-def test_only_vectors_and_matrices_of_twelve() -> None:
+def test_rejects_other_vectors_and_matrices() -> None:
     about.read = FIRST_LINES
     matrix, nine, three = small_pair()
     about.cause = (

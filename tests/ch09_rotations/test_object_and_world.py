@@ -84,7 +84,7 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.15")
 @pytest.mark.robust
-def test_no_matrix_of_what_is_no_orientation() -> None:
+def test_rejects_an_invalid_orientation_or_position() -> None:
     about.read = "the docstring of from_orientation_and_position"
     p, q = Vector3(1.0, 2.0, 3.0), Quaternion(0.6, 0.0, 0.8, 0.0)
     off = (
@@ -198,7 +198,7 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
 @pytest.mark.exercise("B9.15")
 @pytest.mark.robust
 @METHODS
-def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
+def test_rejects_a_tuple_instead_of_a_vector(rng: Random, method: str) -> None:
     twelve, a = joined(matrix_of(draw_quad(rng)), components(rng)), components(rng)
     matrix = Matrix4(*twelve)
     expect_error(
@@ -212,7 +212,7 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
 
 
 @pytest.mark.exercise("B9.16")
-def test_a_turn_told_in_other_axes() -> None:
+def test_a_rotation_in_other_axes() -> None:
     about.read = BASIS
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
@@ -260,7 +260,7 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.16")
-def test_a_motion_told_from_another_place(rng: Random) -> None:
+def test_a_motion_with_a_translation(rng: Random) -> None:
     about.read = BASIS
     m, p, basis, q = draw_matrix(rng), components(rng), draw_mirror(rng), components(rng)
     first, second = joined(m, p), joined(basis, q)

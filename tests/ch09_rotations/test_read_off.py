@@ -77,7 +77,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
 
 @pytest.mark.exercise("9.5")
 @pytest.mark.robust
-def test_nothing_is_read_off_what_scales(rng: Random) -> None:
+def test_read_off_rejects_all_but_rotations_and_translations(rng: Random) -> None:
     about.read = OFF
     m, p = draw_slight_turn(rng), components(rng)
     good = joined(m, p)

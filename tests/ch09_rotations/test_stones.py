@@ -212,7 +212,7 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
 
 
 @pytest.mark.exercise("9.7")
-def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
+def test_a_stone_on_the_edge_is_on_neither_side(rng: Random) -> None:
     about.read = BESIDE
     mass, far = positive_number(rng), positive_number(rng, 0.1, 0.9)
     x, y, angle = positive_number(rng), positive_number(rng), number(rng, 0.3, 1.4)
@@ -268,7 +268,7 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
 
 @pytest.mark.exercise("9.7")
 @pytest.mark.robust
-def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
+def test_rejects_stones_without_a_center_of_mass(rng: Random) -> None:
     good = draw_stones(rng)
     calls = (
         ("center_of_stones", center_of_stones, ()),

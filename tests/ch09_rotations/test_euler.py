@@ -76,8 +76,7 @@ def test_one_turn_after_another(rng: Random) -> None:
     x, y, z = draw_angles(rng)
     far = math.copysign(math.pi - abs(y), y)
     about.cause = (
-        "Rotate about the world's X axis first, then about Y and then about Z, and put each later "
-        "rotation on the left of the product."
+        "The product should be Z Y X, so that the object rotates about X first, then Y, then Z."
     )
     for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z), (x, far, z)):
         about.call = f"euler_to_quaternion{short(angles)}"
@@ -85,16 +84,16 @@ def test_one_turn_after_another(rng: Random) -> None:
         got = same_sign(rijk(euler_to_quaternion(*angles)), wanted)
         turns = [quad(axis, t) for axis, t in zip((X_AXIS, Y_AXIS, Z_AXIS), angles, strict=True)]
         slips = {
-            f"the product of the rotations about {', '.join(names)} instead of Z, Y, X": same_sign(
+            f"You multiply the rotations in the order {' '.join(names)}.": same_sign(
                 hamilton(hamilton(*(turns["XYZ".index(name)] for name in names[:2])), last), wanted
             )
             for names in ("XYZ", "XZY", "YXZ", "YZX", "ZXY")
             for last in [turns["XYZ".index(names[2])]]
         }
-        slips["Your angles have the wrong sign."] = same_sign(
+        slips["You reverse the rotations by x, y and z. Keep the signs of the angles."] = same_sign(
             in_order(*(-t for t in angles)), wanted
         )
-        slips["You treat the angles as degrees."] = same_sign(
+        slips["You treat the angles as degrees. They are in radians."] = same_sign(
             in_order(*map(math.radians, angles)), wanted
         )
         slips["You swap x and z."] = same_sign(in_order(*angles[::-1]), wanted)
@@ -111,19 +110,24 @@ def test_the_rate_map(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y:.6g}, {z}), row by row"
         about.cause = (
-            "The columns of the map are the three axes of rotation: X after the rotations by y and "
-            "z, Y after the rotation by z, and Z itself."
+            "The columns should be the rotation axes: X after the rotations by y and z, Y after "
+            "the rotation by z, and Z."
         )
         got = entries(rate_map(x, y, z))
         slips = {
-            "the identity, but the rates are not the angular velocity": IDENTITY,
-            "the transpose, which has the axes as rows": transposed(wanted),
-            "the map for the axes of the object instead of the world": map_to_own(x, y, z),
+            "You return the identity, as if the rates were the angular velocity.": IDENTITY,
+            "Your matrix has the rotation axes as rows. Write them as columns.": transposed(wanted),
+            "You use the axes of the object instead of the world.": map_to_own(x, y, z),
             "the map with its columns in reverse order": [
                 wanted[3 * row + column] for row in range(3) for column in (2, 1, 0)
             ],
             "the map with y and z swapped": map_of(x, z, y),
         }
+        if math.cos(y) < 0.0:
+            slips[
+                "Your cos y is positive, but here it must be negative. Use math.cos(y), not the "
+                "square root of 1 - sin(y)^2."
+            ] = [-n if place in (0, 3) else n for place, n in enumerate(wanted)]
         why = named(got, about.cause, slips, wanted)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
@@ -138,24 +142,21 @@ def test_the_rates_produce_the_angular_velocity(rng: Random) -> None:
         x, y, z = angles
         about.call = f"euler_rates({x}, {y}, {z}, Vector3{short(w)})"
         about.cause = (
-            "The rates exist except at gimbal lock, where cos y is 0. Raise an error only if "
-            "|cos y| is at most SINGULAR."
+            "These angles are not gimbal lock, so the rates exist. Raise an error only if |cos y| "
+            "is at most SINGULAR."
         )
         if math.cos(y) < 0.0:
-            about.cause += f" Here cos y is {math.cos(y):.3g}, so compare its absolute value."
+            about.cause = f"The rates exist, because cos y is {math.cos(y):.3g}, which is not near "
+            about.cause += "0. Compare its absolute value with SINGULAR."
         rates = xyz(euler_rates(*angles, velocity))
-        about.cause = (
-            "The rate map takes the rates to the angular velocity, so multiply the angular "
-            "velocity by the inverse of the map."
-        )
+        about.cause = "Multiply the angular velocity by the inverse of the rate map."
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "You multiply the angular velocity by the rate map instead of its inverse.": applied(
-                there, w
-            ),
-            "You multiply by the transpose of the map, which is right only for a "
-            "rotation.": applied(transposed(there), w),
+            "You multiply by the rate map, but it does the opposite: it takes the rates to the "
+            "angular velocity. Multiply by its inverse.": applied(there, w),
+            "You multiply by the transpose of the rate map. It is the inverse only of a rotation, "
+            "so use the inverse.": applied(transposed(there), w),
         }
         about.cause = named(rates, about.cause, slips)
         got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
@@ -169,8 +170,8 @@ def test_the_rates_produce_the_angular_velocity(rng: Random) -> None:
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
     about.call += f"; the angles change by these rates for {step} s; the rotation per second"
     about.cause = (
-        "Your rates don't produce the angular velocity that was passed in. Multiply the angular "
-        "velocity by the inverse of the rate map."
+        "Your rates don't produce this angular velocity. Multiply the angular velocity by the "
+        "inverse of the rate map."
     )
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
@@ -188,8 +189,8 @@ def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> Non
     """Expect rates when the second angle is ``off`` a quarter turn."""
     about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{short(w)})", read=BACK)
     about.cause = (
-        "The angles are close to gimbal lock, but the rates exist. Return them, because |cos y| is "
-        f"{abs(off)}, which is greater than SINGULAR (1e-13)."
+        f"These angles are close to gimbal lock, but |cos y| is {abs(off)}, which is greater than "
+        "SINGULAR (1e-13). So return the rates."
     )
     rates = euler_rates(x, 0.5 * math.pi + off, z, Vector3(*w))
     expect_vector(rates)
@@ -210,11 +211,6 @@ def test_rejects_gimbal_lock_but_not_angles_near_it(rng: Random) -> None:
     quarter = 0.5 * math.pi
     for off in (5e-13, -5e-13):
         expect_rates_near_lock(x, z, w, off)
-    about.cause = (
-        "At a quarter turn about Y two of the axes line up, so there are no rates. Raise "
-        "ValueError unless abs(cos y) > SINGULAR, because Matrix3.inverse alone doesn't catch all "
-        "such cases."
-    )
     for y, turn in (
         (quarter, z),
         (-quarter, z),
@@ -225,6 +221,15 @@ def test_rejects_gimbal_lock_but_not_angles_near_it(rng: Random) -> None:
         (quarter - 2e-14, z),
         (quarter + 2e-14, z),
     ):
+        about.cause = (
+            "This is gimbal lock: y is a quarter turn, so there are no rates. Raise ValueError "
+            "unless abs(cos y) > SINGULAR."
+        )
+        if turn == 0.0:
+            about.cause = (
+                "Matrix3.inverse doesn't detect this gimbal lock. Raise ValueError yourself unless "
+                "abs(cos y) > SINGULAR."
+            )
         expect_error(
             lambda y=y, turn=turn: euler_rates(x, y, turn, Vector3(*w)),
             ValueError,
@@ -249,8 +254,8 @@ def test_rejects_invalid_angles_and_velocities() -> None:
         read=ANGLES,
     )
     about.cause = (
-        "The angular velocity must have finite components. Check it with finite_vector from "
-        "arguments.py, which raises the ValueError."
+        "A component of the angular velocity is infinite. Check it with finite_vector from "
+        "arguments.py, which raises ValueError."
     )
     good = (1.0, 2.0, 3.0)
     for bad, error in (((1.0, math.nan, 3.0), ValueError), ((math.inf, 2.0, 3.0), ValueError)):
@@ -266,9 +271,6 @@ def test_rejects_invalid_angles_and_velocities() -> None:
         TypeError,
         call="euler_rates(1, 1, 1, (1, 2, 3))",
         allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-        cause=(
-            "The check passed a tuple as the angular velocity. Raise TypeError for anything but a "
-            "Vector3."
-        ),
+        cause="The angular velocity is a tuple, not a Vector3, so raise TypeError.",
         read=ANGLES,
     )

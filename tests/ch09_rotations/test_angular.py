@@ -13,7 +13,6 @@ from ch09_rotations.probes import steps
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components, number, positive_number
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
@@ -27,6 +26,7 @@ from turning import (
     Quad,
     added,
     draw_quad,
+    expect_kept,
     hamilton,
     named,
     quad,
@@ -85,7 +85,7 @@ def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     names = ("point", "position", "velocity", "angular_velocity")
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
-        expect_unchanged(name, xyz(now), before, cause=UNCHANGED)
+        expect_kept(name, xyz(now), before)
     about.call = f"v = Vector3{short(v)}; velocity_of_point(q, p, v, Vector3(0, 0, 0)).invert(); v"
     about.cause = "You return p' itself, so a change of the result also changes p'. Return a new "
     about.cause += "vector, even if nothing rotates."
@@ -169,7 +169,7 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     slips = {name: same_sign(slip, wanted) for name, slip in step_slips(q, w, new, h).items()}
     why = named(got, about.cause, slips)
     expect_close(got, wanted, then="q", cause=why, tolerance=TIGHT)
-    expect_unchanged("the acceleration", xyz(acceleration), a, cause=UNCHANGED)
+    expect_kept("the acceleration", xyz(acceleration), a)
     about.cause = "integrate_rotation works in place, so it shouldn't return anything."
     expect_exactly(returned, None, then="the returned value")
 
@@ -194,7 +194,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
     about.cause = "Your angular velocity is wrong after these steps. Add alpha h in each step."
     expect_close(after, wanted, call=f"{about.call[:-1]}w", tolerance=1e-11)
-    expect_unchanged("alpha", alpha, a, cause=UNCHANGED)
+    expect_kept("alpha", alpha, a)
 
 
 @pytest.mark.exercise("B9.18")
@@ -222,7 +222,7 @@ def test_a_step_from_rest(rng: Random) -> None:
         orientation, velocity = Quaternion(*q), Vector3()
         about.call = f"q = Quaternion{short(q)}; w = Vector3(); integrate_rotation(q, w, "
         about.call += f"Vector3{short(acceleration)}, {h})"
-        about.cause = "The new angular velocity is zero, which is no axis. Leave q as it is."
+        about.cause = "The new angular velocity is 0, so there is no axis. Leave q as it is."
         if any(acceleration):
             about.cause = "w is zero at first, but alpha changes it. Rotate q by the new w."
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
@@ -238,7 +238,7 @@ def test_a_step_from_rest(rng: Random) -> None:
 def test_an_invalid_step_changes_nothing(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
-    changed = "You change a value before you have checked all arguments. Check them first."
+    changed = "You start the step before you have checked all arguments. Check them first."
     nan = math.nan
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),
@@ -341,7 +341,7 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals of the known figure of E-31.
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
-    expect_close(length, 1.0856, then="; the resulting length", cause=why, tolerance=5e-5)
+    expect_close(length, 1.0856, then="; the length after all steps", cause=why, tolerance=5e-5)
     about.cause = "A step should rotate by w h, but it rotates by only 2 atan(w h / 2). Return the "
     about.cause += "sum of these differences over all steps."
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
@@ -363,7 +363,7 @@ def test_the_drift_of_a_few_rotations(rng: Random) -> None:
         # Rounding of 500 steps.
         near = 1e-10 * wanted
         why = named(length, about.cause, length_slips(speed, duration, steps_))
-        expect_close(length, wanted, then="; the resulting length", cause=why, tolerance=near)
+        expect_close(length, wanted, then="; the length after all steps", cause=why, tolerance=near)
         about.cause = "Return the intended angle, which is the speed times the duration, minus the "
         about.cause += "angle of all steps together."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))

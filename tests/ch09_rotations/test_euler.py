@@ -11,12 +11,10 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.euler import euler_rates, euler_to_quaternion, rate_map
 from draw import Components, components, number
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
     expect_finite_numbers,
-    expect_unchanged,
     expect_vector,
     scoped,
     xyz,
@@ -30,6 +28,7 @@ from turning import (
     Quad,
     applied,
     entries,
+    expect_kept,
     hamilton,
     named,
     quad,
@@ -90,7 +89,7 @@ def test_one_turn_after_another(rng: Random) -> None:
             for names in ("XYZ", "XZY", "YXZ", "YZX", "ZXY")
             for last in [turns["XYZ".index(names[2])]]
         }
-        slips["You reverse the rotations by x, y and z. Keep the signs of the angles."] = same_sign(
+        slips["You rotate in the opposite direction. Keep the signs of the angles."] = same_sign(
             in_order(*(-t for t in angles)), wanted
         )
         slips["You treat the angles as degrees. They are in radians."] = same_sign(
@@ -125,7 +124,7 @@ def test_the_rate_map(rng: Random) -> None:
         }
         if math.cos(y) < 0.0:
             slips[
-                "Your cos y is positive, but here it must be negative. Use math.cos(y), not the "
+                "You use a positive cos y, but here it is negative. Use math.cos(y), not the "
                 "square root of 1 - sin(y)^2."
             ] = [-n if place in (0, 3) else n for place, n in enumerate(wanted)]
         why = named(got, about.cause, slips, wanted)
@@ -146,24 +145,24 @@ def test_the_rates_produce_the_angular_velocity(rng: Random) -> None:
             "is at most SINGULAR."
         )
         if math.cos(y) < 0.0:
-            about.cause = f"The rates exist, because cos y is {math.cos(y):.3g}, which is not near "
-            about.cause += "0. Compare its absolute value with SINGULAR."
+            about.cause = f"You reject a negative cos y, which is {math.cos(y):.3g} here. Compare "
+            about.cause += "its absolute value with SINGULAR."
         rates = xyz(euler_rates(*angles, velocity))
         about.cause = "Multiply the angular velocity by the inverse of the rate map."
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "You multiply by the rate map, but it does the opposite: it takes the rates to the "
-            "angular velocity. Multiply by its inverse.": applied(there, w),
-            "You multiply by the transpose of the rate map. It is the inverse only of a rotation, "
-            "so use the inverse.": applied(transposed(there), w),
+            "You multiply the angular velocity by the rate map. Multiply it by the inverse of the "
+            "map instead.": applied(there, w),
+            "You multiply by the transpose of the rate map instead of its inverse. The two differ, "
+            "because the map is not a rotation.": applied(transposed(there), w),
         }
         about.cause = named(rates, about.cause, slips)
         got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
         expect_close(
             got, w, then="; the angular velocity that these rates produce", tolerance=1e-11
         )
-    expect_unchanged("angular_velocity", xyz(velocity), w, cause=UNCHANGED)
+    expect_kept("angular_velocity", xyz(velocity), w)
     step = 1e-6
     x, y, z = (angle + step * rate for angle, rate in zip(angles, rates, strict=True))
     q = in_order(*angles)

@@ -18,7 +18,6 @@ from ch09_rotations.exercises import (
 from ch09_rotations.quaternion import Quaternion
 from draw import components, number, positive_number
 from expect import (
-    UNCHANGED,
     about,
     expect_between,
     expect_close,
@@ -36,6 +35,7 @@ from turning import (
     Z_AXIS,
     Quad,
     draw_quad,
+    expect_kept,
     hamilton,
     named,
     quad,
@@ -67,7 +67,7 @@ def test_two_turns_end_where_two_others_do() -> None:
         "You return the two angles in the wrong order. Return a first.": (90.0, -90.0),
         "Only the sign of a is wrong. Rotations are right-handed.": (90.0, 90.0),
         "Only the sign of b is wrong. Rotations are right-handed.": (-90.0, -90.0),
-        "You return radians instead of degrees.": (-0.5 * math.pi, 0.5 * math.pi),
+        "You return radians. Return degrees.": (-0.5 * math.pi, 0.5 * math.pi),
     }
     about.cause = named((a, b), about.cause, slips)
     for name, axis, wanted in (
@@ -100,7 +100,7 @@ def way_back(q: Quad) -> tuple:
     about.cause = "Return a pair (axis, angle) of a unit Vector3 and an angle in radians."
     orientation = Quaternion(*q)
     axis, angle = back_to_reference(orientation)
-    expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
+    expect_kept("the orientation", rijk(orientation), q)
     unit = expect_vector(axis, then="; the axis")
     length = math.hypot(*unit)
     expect_close(length, 1.0, then="; the length of the axis", tolerance=TIGHT)
@@ -159,7 +159,7 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
 @pytest.mark.robust
 def test_rejects_what_is_not_an_orientation() -> None:
     about.cause = "The length of this quaternion is not 1, so it is not an orientation. Don't "
-    about.cause += "normalize it. to_axis_angle then raises ValueError for you."
+    about.cause += "normalize it, so that to_axis_angle raises ValueError for you."
     for numbers in ((1.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)):
         expect_error(
             lambda numbers=numbers: back_to_reference(Quaternion(*numbers)),
@@ -191,10 +191,15 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     got = rijk(product_without_j_and_k(a, b))
     product = complex(r, i) * complex(s, j)
     wanted = (product.real, product.imag, 0.0, 0.0)
-    expect_unchanged("a", rijk(a), (r, i, 0.0, 0.0), cause=UNCHANGED)
-    expect_unchanged("b", rijk(b), (s, j, 0.0, 0.0), cause=UNCHANGED)
+    expect_kept("the first quaternion", rijk(a), (r, i, 0.0, 0.0))
+    expect_kept("the second quaternion", rijk(b), (s, j, 0.0, 0.0))
     slips = {
-        "You use i i = 1 in r, but i i is -1.": (r * s + i * j, product.imag, 0.0, 0.0),
+        "You add the product of the two i components to r. Subtract it, because i i = -1.": (
+            r * s + i * j,
+            product.imag,
+            0.0,
+            0.0,
+        ),
         "You multiply the quaternions component by component.": (r * s, i * j, 0.0, 0.0),
     }
     why = named(got, about.cause, slips)
@@ -250,13 +255,13 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         about.call = f"turned_by_sense(Quaternion{short(q)}, rate={rate}, duration={duration})"
         about.cause = "Rotate once, by rate * duration about the world's X axis."
         if rate == 0.0:
-            about.cause = "A rate of 0 is valid. Use an axis that doesn't depend on the rate."
+            about.cause = "Your axis depends on the rate, which is 0 here. Use a fixed X axis."
         turn = quad(X_AXIS, rate * duration)
         wanted = hamilton(turn, q)
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
         slips = {
-            "You rotate about the object's own X axis. Put the new rotation on the left of the "
-            "product to rotate about the world's.": hamilton(q, turn),
+            "You rotate about the object's own X axis. To rotate about the world's X axis, put the "
+            "new rotation on the left.": hamilton(q, turn),
             "You return the new rotation alone. Multiply it by the old orientation.": turn,
             "You rotate by half the angle.": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
             "You rotate by the rate alone.": hamilton(quad(X_AXIS, rate), q),
@@ -266,7 +271,7 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         slips = {name: same_sign(slip, wanted) for name, slip in slips.items()}
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
-        expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
+        expect_kept("the orientation", rijk(orientation), q)
     about.call = f"q = Quaternion{short(q)}; turned_by_sense(q, 0, 1).r = 9.0; q"
     about.cause = "You return q itself, so a change of the result also changes q. Return a copy."
     turned_by_sense(orientation, 0.0, 1.0).r = 9.0
@@ -310,7 +315,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         slips = {
             "Each of your steps takes the whole duration. Divide it by the number of "
             "steps.": stepped(q, rate, duration * steps, steps),
-            f"You take only one step. Take {steps} steps.": stepped(q, rate, duration, 1),
+            f"You take a single step. Take {steps} of them.": stepped(q, rate, duration, 1),
             "You don't normalize the result. Normalize it at the end.": [size * c for c in wanted],
             "You rotate exactly instead of taking steps of Eq. 9.5. Call add_scaled in each "
             "step.": hamilton(quad(X_AXIS, rate * duration), q),
@@ -332,7 +337,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
             why = "You use acos, which loses half of the digits of a small angle. Use atan2."
         expect_close(error, missing, call=name, cause=why, tolerance=1e-11)
-        expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
+        expect_kept("the orientation", rijk(orientation), q)
 
 
 @pytest.mark.exercise("9.4")
@@ -340,8 +345,8 @@ def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)
     about.call = f"turned_by_steps(Quaternion{short(q)}, rate=3, duration=2); the error in radians"
-    about.cause = "Your angle is greater than pi. The rotation in the opposite direction has a "
-    about.cause += "smaller angle, so return this one."
+    about.cause = "Your angle is greater than pi. The same rotation in the opposite direction has "
+    about.cause += "a smaller angle, so return that one."
     # Of 6 rad it rotates by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 the other way round.
     wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
     got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]

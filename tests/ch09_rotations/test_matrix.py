@@ -170,7 +170,7 @@ def determinant_slips(m: Nine) -> dict[str, float]:
     }
     return signs | {
         "Your determinant has the wrong sign."
-        + " Here it is negative, so don't return its absolute value." * (right < 0.0): -right,
+        + " It must be negative here, so don't return its absolute value." * (right < 0.0): -right,
         "You return only the product of the three numbers on the diagonal. The other five products "
         "of the determinant are missing.": a * e * i,
         "You add all six products. Three of them must be subtracted.": a * e * i

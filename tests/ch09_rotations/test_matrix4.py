@@ -10,7 +10,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import Components, components
-from expect import UNCHANGED, about, expect_close, expect_error, expect_unchanged, xyz
+from expect import about, expect_close, expect_error, xyz
 from turning import (
     IDENTITY,
     LOOSE,
@@ -21,6 +21,7 @@ from turning import (
     draw_matrix,
     draw_mirror,
     entries,
+    expect_kept,
     joined,
     moved,
     named,
@@ -62,7 +63,7 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     }
     why = named(got, about.cause, slips)
     expect_close(got, moved(m, p, a), cause=why, tolerance=LOOSE)
-    expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
+    expect_kept("the vector", xyz(v), a)
     about.call = f"m = {written(twelve)}; m @ Vector3{short(a)}, which calls m.transform"
     got = xyz(Matrix4(*twelve) @ v)
     expect_close(got, moved(m, p, a), tolerance=LOOSE)
@@ -79,7 +80,8 @@ def test_one_transformation_after_another(rng: Random) -> None:
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
     slips = {
-        "Your last column is the sum of the two translations.": joined(times(m, n), added(p, q)),
+        "Your last column is the sum of the translations. Transform that of b by a instead of "
+        "adding it.": joined(times(m, n), added(p, q)),
         "Your last column lacks the translation of a.": joined(times(m, n), applied(m, q)),
         "Your last column is only the translation of a.": joined(times(m, n), p),
         "Your last column is only the translation of b.": joined(times(m, n), q),
@@ -91,8 +93,8 @@ def test_one_transformation_after_another(rng: Random) -> None:
     }
     why = named(got, about.cause, slips, wanted)
     expect_close(got, wanted, cause=why, tolerance=LOOSE)
-    expect_unchanged("a", entries(one), first, cause=UNCHANGED)
-    expect_unchanged("b", entries(other), second, cause=UNCHANGED)
+    expect_kept("a", entries(one), first)
+    expect_kept("b", entries(other), second)
     about.call = f"a = {written(first)}; b = {written(second)}; a @ b, which calls a.product, row "
     about.call += "by row"
     got = entries(one @ other)
@@ -216,7 +218,7 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
             }
             about.cause = named(got, about.cause, slips)
         expect_close(got, a, tolerance=LOOSE)
-        expect_unchanged("m", entries(matrix), twelve, cause=UNCHANGED)
+        expect_kept("m", entries(matrix), twelve)
 
 
 @pytest.mark.exercise("B9.14")
@@ -260,7 +262,8 @@ def test_rejects_other_vectors_and_matrices() -> None:
         ("m.product(Matrix3(...))", lambda: matrix.product(nine), lambda: matrix.product(matrix)),
         ("m.product(Vector3(...))", lambda: matrix.product(v), lambda: matrix.product(matrix)),
     ):
-        about.cause = "The argument is not a Matrix4, so raise TypeError."
+        kind = "vector" if "Vector3" in name else "Matrix3"
+        about.cause = f"The argument is a {kind}, not a Matrix4, so raise TypeError."
         if "transform" in name:
             about.cause = "The argument is a tuple, not a Vector3, so raise TypeError."
         expect_error(

@@ -11,12 +11,10 @@ from ch09_rotations.exercises import easy_inverse, read_off
 from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import components
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
     expect_exactly,
-    expect_unchanged,
     xyz,
 )
 from turning import (
@@ -26,6 +24,7 @@ from turning import (
     draw_quad,
     draw_slight_turn,
     entries,
+    expect_kept,
     joined,
     matrix_of,
     moved,
@@ -56,7 +55,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     got = entries(rotation)
     slips = {
         "You return the transpose of the rotation. Don't swap rows and columns.": transposed(m),
-        "You return the first nine entries. Leave out every fourth entry, which belongs to the "
+        "You return the first nine entries. Leave out every fourth one, because it belongs to the "
         "position.": twelve[:9],
     }
     why = named(got, about.cause, slips)
@@ -66,15 +65,15 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     got = xyz(position)
     x, y, z = applied(transposed(m), p)
     slips = {
-        "You return the last row.": twelve[8:11],
-        "You return the last three entries.": twelve[9:],
+        "You return the last row as the position.": twelve[8:11],
+        "You return the last three entries as the position.": twelve[9:],
         "You return the first column.": (m[0], m[3], m[6]),
         "You return the position of the inverse matrix.": (-x, -y, -z),
     }
-    about.cause = "The position is the last column."
+    about.cause = "Return the last column instead."
     why = named(got, about.cause, slips)
     expect_close(got, p, call=name, cause=why, tolerance=0.0)
-    expect_unchanged("the matrix", entries(matrix), twelve, cause=UNCHANGED)
+    expect_kept("the matrix", entries(matrix), twelve)
 
 
 @pytest.mark.exercise("9.5")
@@ -152,7 +151,7 @@ def test_the_easy_inverse(rng: Random) -> None:
         why += "position of m."
     # Rounding of numbers up to 17.
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
-    expect_unchanged("the matrix", entries(matrix), twelve, cause=UNCHANGED)
+    expect_kept("the matrix", entries(matrix), twelve)
 
 
 @pytest.mark.exercise("9.6")

@@ -13,12 +13,10 @@ from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
 from draw import components, positive_number
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
     expect_exactly,
-    expect_unchanged,
     scoped,
 )
 from turning import (
@@ -29,6 +27,7 @@ from turning import (
     draw_quad,
     draw_slight_turn,
     entries,
+    expect_kept,
     matrix_of,
     named,
     quad,
@@ -204,7 +203,7 @@ def test_the_matrix_of_any_quaternion(rng: Random) -> None:
         near = TIGHT if abs(scale) == 1.0 else 1e-5
         why = named(got, about.cause, from_slips(q), matrix_of(q) if near == TIGHT else ())
         expect_close(got, matrix_of(q), cause=why, tolerance=near)
-        expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
+        expect_kept("q", rijk(quaternion), q)
 
 
 @pytest.mark.exercise("B9.12")
@@ -253,12 +252,12 @@ def expect_back(q: Quad) -> None:
     r, i, j, k = q
     rows = "With the rows a b c, d e f and g h i,"
     opposite = "You return the conjugate of the right quaternion."
+    equal = {"i": "h - f = 4 i r", "j": "c - g = 4 j r", "k": "d - b = 4 k r"}
     signs = f"{rows} take the signs from h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
     size, letter = max(zip(map(abs, q), "rijk", strict=True))
     if letter != "r":
-        difference = {"i": "h - f", "j": "c - g", "k": "d - b"}[letter]
         opposite = f"If {letter} is the largest component, r gets the wrong sign in your code. "
-        opposite += f"{rows} use {difference} = 4 {letter} r."
+        opposite += f"{rows} use {equal[letter]}."
     slips = {
         opposite: (-r, i, j, k),
         "You lose the signs of the components, because a square root is never negative.": [
@@ -269,7 +268,7 @@ def expect_back(q: Quad) -> None:
     }
     for place, name in enumerate("ijk", start=1):
         other = [-c if p == place else c for p, c in enumerate(q)]
-        slips[f"Only the sign of {name} is wrong."] = other
+        slips[f"Only the sign of {name} is wrong. {rows} use {equal[name]}."] = other
     # If r is nearly 0, the conjugate cannot be told apart from the right result.
     slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
     why = named(got, signs, slips)
@@ -278,8 +277,8 @@ def expect_back(q: Quad) -> None:
     elif r == 0.0 and size < 1.0 and isinstance(got, tuple):
         lost = [abs(abs(g) - abs(c)) for g, c in zip(got, q, strict=True)]
         if max(lost) < TIGHT:  # only signs differ
-            about.cause = f"{rows} h - f, c - g and d - b are 0 in a half-turn, so you can't take "
-            about.cause += "the signs from them. Use the sums, such as b + d = 4 i j."
+            about.cause = "You take the signs from differences such as h - f, which are 0 in a "
+            about.cause += f"half-turn. {rows} use sums such as b + d = 4 i j."
     # Components of 1e-8 come from differences of entries of 1: they are right to 1e-16 / 1.
     expect_close(got, q, tolerance=TIGHT)
 

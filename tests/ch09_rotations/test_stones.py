@@ -49,13 +49,14 @@ def draw_telling_stones(rng: Random) -> Stones:
 
 
 def listed(stones: Stones) -> str:
-    """Return stones as they are written in a call, with six digits for each number."""
-    return f"[{', '.join(f'({name!r}, {m:.6g}, {x:.6g}, {y:.6g})' for name, m, x, y in stones)}]"
+    """Return stones as they are written in a call, one per line, with six digits per number."""
+    each = (f"({name!r}, {m:.6g}, {x:.6g}, {y:.6g})" for name, m, x, y in stones)
+    return "[" + ",\n    ".join(each) + "]"
 
 
 def with_stones(stones: Stones, call: str) -> str:
     """Return what is called: a function of these stones."""
-    return f"stones = {listed(stones)}, each (name, mass, x, y); {call}"
+    return f"stones = {listed(stones)}, each with name, mass, x and y; {call}"
 
 
 def middle(stones: Stones) -> complex:
@@ -168,7 +169,7 @@ def test_it_balances_though_the_masses_differ() -> None:
         "stones on each side.": (2.0, 2.0),
         "You swap left and right. On the left of this edge, y is larger.": (3.0, 1.0),
         "You count the stones on each side. Add their masses instead.": (1.0, 1.0),
-        "You use a line through the corner. Move it to the left by the balance offset.": (4.0, 0.0),
+        "Your edge goes through the corner. Move it left by the balance offset.": (4.0, 0.0),
     }
     why = named(got, about.cause, slips)
     expect_close(got, (1.0, 3.0), cause=why, unit="kg", tolerance=TIGHT)

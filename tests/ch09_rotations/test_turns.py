@@ -11,7 +11,6 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
@@ -26,6 +25,7 @@ from turning import (
     Quad,
     draw_quad,
     draw_turn,
+    expect_kept,
     hamilton,
     named,
     quad,
@@ -79,7 +79,7 @@ def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
             got = same_sign(got, wanted)
         why = named(got, about.cause, make_slips(axis, t))
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
-        expect_unchanged("axis", xyz(v), axis, cause=UNCHANGED)
+        expect_kept("the axis", xyz(v), axis)
 
 
 @scoped
@@ -147,7 +147,7 @@ def axis_angle_of(q: Quad) -> tuple:
     quaternion = Quaternion(*q)
     axis, angle = quaternion.to_axis_angle()
     got = expect_vector(axis, then=", the axis")
-    expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
+    expect_kept("q", rijk(quaternion), q)
     return got, angle
 
 
@@ -177,7 +177,7 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         opposite = "Your axis points in the opposite direction."
         if r < 0.0:
             about.cause += " If r is negative, use -q, which is the same rotation."
-            opposite += " If r is negative, you must reverse the axis, because you use -q."
+            opposite += " If r is negative, reverse the axis too, because -q is the same rotation."
         got, turn = axis_angle_of((r, i, j, k))
         slips = {
             "You return half of the angle. Double it.": 0.5 * angle,
@@ -356,8 +356,8 @@ def test_rotates_a_vector(rng: Random) -> None:
         near = 1e-11 if abs(sign) == 1.0 else 1e-4
         why = named(got, about.cause, rotate_slips(q, a))
         expect_close(got, turned(q, a), cause=why, tolerance=near)
-        expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
-        expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
+        expect_kept("the vector", xyz(v), a)
+        expect_kept("q", rijk(quaternion), q)
     about.call = f"v = Vector3{short(a)}; Quaternion().rotate(v).invert(); v"
     about.cause = (
         "You return v itself, so a change of the result also changes v. Return a new vector, even "

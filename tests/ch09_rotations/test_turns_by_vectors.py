@@ -12,7 +12,6 @@ from ch09_rotations.probes import in_parts
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components, positive_number
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
@@ -21,7 +20,18 @@ from expect import (
     scoped,
     xyz,
 )
-from turning import TIGHT, Quad, draw_quad, hamilton, named, quad, rijk, same_sign, short
+from turning import (
+    TIGHT,
+    Quad,
+    draw_quad,
+    expect_kept,
+    hamilton,
+    named,
+    quad,
+    rijk,
+    same_sign,
+    short,
+)
 
 BY_VECTOR = "book 9.4.10, the docstring of rotate_by, and E-12"
 ADD = "Eq. 9.5, the docstring of add_scaled, and E-31"
@@ -88,7 +98,7 @@ def test_rotates_a_quaternion_by_a_vector(rng: Random) -> None:
         slips = {name: same_sign(slip, wanted) for name, slip in by_vector_slips(q, a).items()}
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-11)
-        expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
+        expect_kept("the vector", xyz(v), a)
         about.call = f"Quaternion{short(q)}.rotate_by(Vector3{short(a)})"
         cause_none = "This method works in place, so it shouldn't return anything."
         expect_exactly(returned, None, cause=cause_none)
@@ -193,7 +203,7 @@ def test_the_step_of_the_book(rng: Random) -> None:
         got = rijk(quaternion)
         why = named(got, about.cause, add_slips(q, a, scale))
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
-        expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
+        expect_kept("the vector", xyz(v), a)
     about.cause = "This method works in place, so it shouldn't return anything."
     about.call = f"Quaternion{short(q)}.add_scaled(Vector3{short(a)}, {scale})"
     expect_exactly(returned, None)

@@ -178,6 +178,13 @@ def named(
     return f"Your matrix is right except for {what}{' and '.join(wrong)}. {cause}"
 
 
+def expect_kept(name: str, now: Sequence[float], before: Sequence[float]) -> None:
+    """Expect that a call did not change an object that it should only read."""
+    __tracebackhide__ = True
+    cause = f"Your code changes {name}, which it should only read. Use local variables instead."
+    expect.expect_unchanged(name, now, before, cause=cause)
+
+
 def same_sign(got: Any, wanted: Sequence[float]) -> Any:
     """Return q or -q, whichever is closer to ``wanted``. Both represent the same orientation."""
     if isinstance(got, NoVector) or len(got) != len(wanted):

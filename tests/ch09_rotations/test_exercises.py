@@ -193,13 +193,9 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     wanted = (product.real, product.imag, 0.0, 0.0)
     expect_kept("the first quaternion", rijk(a), (r, i, 0.0, 0.0))
     expect_kept("the second quaternion", rijk(b), (s, j, 0.0, 0.0))
+    added = (r * s + i * j, product.imag, 0.0, 0.0)
     slips = {
-        "You add the product of the two i components to r. Subtract it, because i i = -1.": (
-            r * s + i * j,
-            product.imag,
-            0.0,
-            0.0,
-        ),
+        "You add the product of the two i components to r. Subtract it, because i i = -1.": added,
         "You multiply the quaternions component by component.": (r * s, i * j, 0.0, 0.0),
     }
     why = named(got, about.cause, slips)
@@ -315,7 +311,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         slips = {
             "Each of your steps takes the whole duration. Divide it by the number of "
             "steps.": stepped(q, rate, duration * steps, steps),
-            f"You take a single step. Take {steps} of them.": stepped(q, rate, duration, 1),
+            f"You take a single step. Take {steps} steps instead.": stepped(q, rate, duration, 1),
             "You don't normalize the result. Normalize it at the end.": [size * c for c in wanted],
             "You rotate exactly instead of taking steps of Eq. 9.5. Call add_scaled in each "
             "step.": hamilton(quad(X_AXIS, rate * duration), q),

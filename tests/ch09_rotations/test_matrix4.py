@@ -147,8 +147,8 @@ def test_the_determinant_ignores_the_translation(rng: Random) -> None:
     slips = {
         "You use the book's formula, which has a plus in place of a minus. Correct it as E-28 "
         "says.": printed_determinant(m),
-        "You use the first nine entries, but every fourth one belongs to the "
-        "translation.": determinant(twelve[:9]),
+        "You use the first nine entries, but every fourth one belongs to the translation. Use the "
+        "nine numbers to the left of the last column.": determinant(twelve[:9]),
         "Your determinant has the wrong sign.": -determinant(m),
         "You return only the product of the diagonal.": m[0] * m[4] * m[8],
     }

@@ -63,7 +63,7 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
         "unchanged.": joined(m, applied(m, p)),
         "Your last column is -p instead of p.": joined(m, subtracted((0.0, 0.0, 0.0), p)),
         "You put the position after the nine numbers of the rotation. The entries are stored row "
-        "by row, so each component of the position belongs at the end of its row.": (*m, *p),
+        "by row, so put each component at the end of its row.": (*m, *p),
         "You transpose the rotation, as the book prints it (E-11).": joined(transposed(m), p),
     }
     why = named(got, about.cause, slips)

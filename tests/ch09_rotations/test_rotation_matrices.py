@@ -275,8 +275,8 @@ def expect_back(q: Quad) -> None:
     if why != signs:
         about.cause = why
     elif r == 0.0 and size < 1.0 and isinstance(got, tuple):
-        lost = [abs(abs(g) - abs(c)) for g, c in zip(got, q, strict=True)]
-        if max(lost) < TIGHT:  # only signs differ
+        lost = [abs(g * g - c * c) for g, c in zip(got, q, strict=True) if type(g) is float]
+        if len(lost) == 4 and max(lost) < TIGHT:  # only signs differ
             about.cause = "You take the signs from differences such as h - f, which are 0 in a "
             about.cause += f"half-turn. {rows} use sums such as b + d = 4 i j."
     # Components of 1e-8 come from differences of entries of 1: they are right to 1e-16 / 1.

@@ -64,10 +64,8 @@ def test_is_unit_accepts_lengths_near_one(rng: Random) -> None:
         off = f"The length differs from 1 by {abs(length - 1.0):.2g}, which is"
         about.cause = f"{off} more than UNIT_TOLERANCE (1e-6), so return False."
         if wanted:
-            about.cause = (
-                f"{off} at most UNIT_TOLERANCE (1e-6), so return True. Compare the length "
-            )
-            about.cause += "itself, not its square, which differs by twice as much."
+            about.cause = f"{off} within UNIT_TOLERANCE (1e-6), so return True. "
+            about.cause += "Compare the length itself, not its square."
         elif 0.9 < length < 1.0:
             about.cause = "You accept every length below 1. Compare the absolute value of "
             about.cause += "length - 1 with UNIT_TOLERANCE (1e-6)."

@@ -13,7 +13,6 @@ from ch09_rotations.probes import steps
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components, number, positive_number
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
@@ -27,6 +26,7 @@ from turning import (
     Quad,
     added,
     draw_quad,
+    expect_kept,
     hamilton,
     named,
     quad,
@@ -42,20 +42,16 @@ DRIFT = "the docstring of first_order_drift, and E-31"
 
 
 @pytest.mark.exercise("B9.18")
-def test_a_point_of_what_turns() -> None:
+def test_a_point_of_a_rotating_object() -> None:
     about.read = POINT
     about.call = "q = Vector3(1, 0, 0); p = p' = Vector3(); w = Vector3(0, 0, 2); "
     about.call += "velocity_of_point(q, p, p', w)"
-    about.cause = "Compute w x (q - p). A rotation about Z is counter-clockwise, so it moves a "
-    about.cause += "point on the X axis along +Y."
+    about.cause = "Compute w x (q - p). The rotation moves a point on the X axis along +Y."
     args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
     got = xyz(velocity_of_point(*args))
     slips = {
-        "You swap the factors of the vector product, which gives (q - p) x w.": (
-            0.0,
-            -2.0,
-            0.0,
-        ),
+        "Your point rotates in the wrong direction. The vector product is w x (q - p), in exactly "
+        "this order.": (0.0, -2.0, 0.0),
         "the velocity without any rotation": (0.0, 0.0, 0.0),
         "the angular velocity itself": (0.0, 0.0, 2.0),
     }
@@ -63,7 +59,7 @@ def test_a_point_of_what_turns() -> None:
 
 
 @pytest.mark.exercise("B9.18")
-def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
+def test_a_point_of_a_moving_and_rotating_object(rng: Random) -> None:
     about.read = POINT
     point, place, v, w = (components(rng) for _ in range(4))
     given = [Vector3(*a) for a in (point, place, v, w)]
@@ -78,19 +74,18 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     )
     wanted = added(turning, v)
     slips = {
-        "You leave out p', the velocity of the object itself.": turning,
-        "You don't subtract the position p, so the point rotates about the world's origin.": added(
-            about_world, v
-        ),
-        "You subtract the velocity p' instead of adding it.": subtracted(turning, v),
-        "You return only p', the velocity of the object, without the rotation.": v,
+        "You leave out p', the velocity of the object itself. Add it to w x (q - p).": turning,
+        "You compute w x q, so the point rotates about the world's origin. Compute w x (q - p), "
+        "where p is the object's position.": added(about_world, v),
+        "You subtract the velocity p'. Add it instead.": subtracted(turning, v),
+        "You return only p', without the rotation. Add w x (q - p).": v,
     }
     why = named(got, about.cause, slips)
     # Two products of up to 200 each.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     names = ("point", "position", "velocity", "angular_velocity")
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
-        expect_unchanged(name, xyz(now), before, cause=UNCHANGED)
+        expect_kept(name, xyz(now), before)
     about.call = f"v = Vector3{short(v)}; velocity_of_point(q, p, v, Vector3(0, 0, 0)).invert(); v"
     about.cause = "You return p' itself, so a change of the result also changes p'. Return a new "
     about.cause += "vector, even if nothing rotates."
@@ -101,12 +96,13 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.18")
 @pytest.mark.robust
-def test_a_point_that_is_nowhere_is_refused() -> None:
+def test_rejects_invalid_vectors() -> None:
     about.read = "the docstring of velocity_of_point"
     good = (1.0, 2.0, 3.0)
-    about.cause = "One of the arguments is not a finite vector. Check each of the four with "
-    about.cause += "finite_vector from arguments.py."
     for place in range(4):
+        name = ("point", "position", "velocity", "angular velocity")[place]
+        about.cause = f"The {name} must be a finite Vector3, so raise an error. Check it with "
+        about.cause += "finite_vector from arguments.py."
         for bad in ((1.0, math.nan, 3.0), (1.0, 2.0, math.inf), None):
             vectors = [Vector3(*good) for _ in range(4)]
             if bad is not None:
@@ -130,17 +126,17 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
     longer = tuple(a + 0.5 * h * b for a, b in zip(q, change, strict=True))
     size = math.hypot(*new)
     return {
-        "You rotate by the old w.": hamilton(quad(old, h * math.hypot(*old)), q),
-        "You rotate by the mean of the old and the new w.": hamilton(
+        "You rotate by the old w. Change w first, and then rotate by the new w.": hamilton(
+            quad(old, h * math.hypot(*old)), q
+        ),
+        "You rotate by the mean of the old and the new w. Rotate by the new w.": hamilton(
             quad(mean, h * math.hypot(*mean)), q
         ),
-        "You make a normalized step of Eq. 9.5, which is only accurate to first order. Rotate by "
-        "w' h with rotate_by instead.": tuple(
-            component / math.hypot(*longer) for component in longer
-        ),
-        "You make a step of Eq. 9.5 without normalizing (E-31). Rotate by w' h instead.": longer,
-        "You rotate by w' alone, without the duration h.": hamilton(quad(new, size), q),
-        "You rotate about an axis of the object instead of the world.": hamilton(
+        "You take a normalized step of Eq. 9.5, which is only accurate to first order. Rotate "
+        "exactly, with rotate_by.": tuple(c / math.hypot(*longer) for c in longer),
+        "You take a step of Eq. 9.5 (E-31). Rotate exactly instead, with rotate_by.": longer,
+        "You rotate by the new w alone. Multiply it by h.": hamilton(quad(new, size), q),
+        "You rotate about an axis of the object. Rotate about w in world axes.": hamilton(
             q, quad(new, h * size)
         ),
         "the old orientation": q,
@@ -155,27 +151,25 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     orientation, velocity, acceleration = Quaternion(*q), Vector3(*w), Vector3(*a)
     about.call = f"q = Quaternion{short(q)}; w = Vector3{short(w)}; alpha = Vector3{short(a)}; h = "
     about.call += f"{h}; integrate_rotation(q, w, alpha, h); "
-    about.cause = "First change the angular velocity to w' = w + alpha h. Change the components of "
-    about.cause += "the vector that was passed in, so that the caller sees the new values."
+    about.cause = "Change the components of w in place to those of w + alpha h."
     returned = integrate_rotation(orientation, velocity, acceleration, h)
     new = tuple(p + h * r for p, r in zip(w, a, strict=True))
     got = xyz(velocity)
     slips = {
-        "The angular velocity hasn't changed. A new vector assigned to the parameter is lost when "
-        "the function returns, so change the components of w in place.": w,
-        "w + alpha, without the duration h": added(w, a),
-        "alpha h alone, without the old w": subtracted(new, w),
+        "The angular velocity hasn't changed. Change the components of w in place, because a new "
+        "vector assigned to the parameter is lost.": w,
+        "You add alpha without multiplying it by h.": added(w, a),
+        "You replace w by alpha h instead of adding alpha h to it.": subtracted(new, w),
     }
     why = named(got, about.cause, slips)
     expect_close(got, new, then="w", cause=why, tolerance=TIGHT)
     wanted = hamilton(quad(new, h * math.hypot(*new)), q)
-    about.cause = "First compute the new angular velocity w' = w + alpha h, and then rotate the "
-    about.cause += "orientation by w' h with rotate_by."
+    about.cause = "Rotate the orientation by the new w times h, with rotate_by."
     got = same_sign(rijk(orientation), wanted)
     slips = {name: same_sign(slip, wanted) for name, slip in step_slips(q, w, new, h).items()}
     why = named(got, about.cause, slips)
     expect_close(got, wanted, then="q", cause=why, tolerance=TIGHT)
-    expect_unchanged("the acceleration", xyz(acceleration), a, cause=UNCHANGED)
+    expect_kept("the acceleration", xyz(acceleration), a)
     about.cause = "integrate_rotation works in place, so it shouldn't return anything."
     expect_exactly(returned, None, then="the returned value")
 
@@ -190,8 +184,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     w, a = tuple(speed * u for u in unit), tuple(gain * u for u in unit)
     about.call = f"q = Quaternion(); w = Vector3{short(w)}; alpha = Vector3{short(a)}; h = {h}; "
     about.call += f"{count} times integrate_rotation(q, w, alpha, h); q"
-    about.cause = "The angular velocity grows in each step, so step k should rotate by (w + k "
-    about.cause += "alpha h) h. Change w before you rotate, and rotate exactly."
+    about.cause = "In each step, change w first, and then rotate exactly by the new w times h."
     got, after, alpha = steps((1.0, 0.0, 0.0, 0.0), w, a, h, count)
     angle = speed * h * count + gain * h * h * count * (count + 1) / 2.0
     wanted = quad(unit, angle)
@@ -199,16 +192,16 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     got = same_sign(got, wanted)
     expect_close(got, wanted, tolerance=1e-11)
     wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
-    about.cause = "The angular velocity w is wrong after these steps. Add alpha h in each step."
+    about.cause = "Your angular velocity is wrong after these steps. Add alpha h in each step."
     expect_close(after, wanted, call=f"{about.call[:-1]}w", tolerance=1e-11)
-    expect_unchanged("alpha", alpha, a, cause=UNCHANGED)
+    expect_kept("alpha", alpha, a)
 
 
 @pytest.mark.exercise("B9.18")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
     about(
-        cause="Rounding changes the length of a quaternion a little in each step. Normalize q at "
-        "the end of the step, so that the changes don't add up.",
+        cause="You don't normalize q. Normalize it at the end of each step, so that rounding "
+        "errors of its length don't add up.",
         read=STEP,
     )
     for off in (1.001, 1.0 + 5e-7):
@@ -229,8 +222,9 @@ def test_a_step_from_rest(rng: Random) -> None:
         orientation, velocity = Quaternion(*q), Vector3()
         about.call = f"q = Quaternion{short(q)}; w = Vector3(); integrate_rotation(q, w, "
         about.call += f"Vector3{short(acceleration)}, {h})"
-        about.cause = "If w' is zero, there is no axis of rotation, so leave q as it is. Otherwise "
-        about.cause += "rotate q by w' h, where w' = w + alpha h."
+        about.cause = "The new angular velocity is 0, so there is no axis. Leave q as it is."
+        if any(acceleration):
+            about.cause = "w is zero at first, but alpha changes it. Rotate q by the new w."
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
         new = tuple(h * component for component in acceleration)
         expect_close(xyz(velocity), new, then="; w", tolerance=TIGHT)
@@ -241,11 +235,10 @@ def test_a_step_from_rest(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.18")
 @pytest.mark.robust
-def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
+def test_an_invalid_step_changes_nothing(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
-    about.cause = "One of the arguments is not valid. Check all of them with positive and "
-    about.cause += "finite_vector from arguments.py before you change anything."
+    changed = "You start the step before you have checked all arguments. Check them first."
     nan = math.nan
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),
@@ -263,6 +256,11 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
         more = None if acceleration is None else Vector3(*acceleration)
         shown = "None" if more is None else f"Vector3{short(acceleration)}"
         about.call = f"integrate_rotation(q, Vector3{short(velocity)}, {shown}, {h!r})"
+        which = "velocity" if acceleration is a else "acceleration"
+        about.cause = f"The angular {which} must be a finite Vector3, so raise "
+        if velocity is w and acceleration is a:
+            about.cause = f"The duration is {h!r}. It must be a positive number, so raise "
+        about.cause += f"{error.__name__}."
         expect_error(
             lambda orientation=orientation, spin=spin, more=more, h=h: integrate_rotation(
                 orientation, spin, more, h
@@ -270,18 +268,18 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
             error,
             allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
         )
-        expect_unchanged("q", rijk(orientation), q)
+        expect_unchanged("q", rijk(orientation), q, cause=changed)
         if velocity is w:
-            expect_unchanged("the velocity", xyz(spin), w)
+            expect_unchanged("the angular velocity", xyz(spin), w, cause=changed)
     spin = Vector3(*w)
     about.call = f"integrate_rotation({q}, Vector3{short(w)}, Vector3{short(a)}, 0.1)"
     expect_error(
         lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
         TypeError,
         allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        cause="The check passed a tuple. Raise TypeError for anything but a Quaternion.",
+        cause="The orientation is a tuple, not a Quaternion, so raise TypeError.",
     )
-    expect_unchanged("the velocity", xyz(spin), w)
+    expect_unchanged("the angular velocity", xyz(spin), w, cause=changed)
     for name, velocity, acceleration in (
         (f"{w}, Vector3{short(a)}", w, Vector3(*a)),
         (f"Vector3{short(w)}, {a}", Vector3(*w), a),
@@ -294,10 +292,9 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
             ),
             TypeError,
             allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-            cause="Both vectors must be Vector3s with finite components. Check each one with "
-            "finite_vector from arguments.py.",
+            cause="One of the vectors is a tuple, not a Vector3, so raise TypeError.",
         )
-        expect_unchanged("q", rijk(orientation), q)
+        expect_unchanged("q", rijk(orientation), q, cause=changed)
 
 
 def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
@@ -318,20 +315,21 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
     return {
         "the squared length, without the square root": growth**count,
         "the length after a single step": math.sqrt(growth),
-        "You add the growth of the steps instead of multiplying it.": 1.0
-        + count * (math.sqrt(growth) - 1.0),
-        "You return only the first term, 1 + steps (w h)^2 / 8.": 1.0 + 0.125 * count * turn * turn,
-        "You use w h in place of w h / 2.": (1.0 + turn * turn) ** (0.5 * count),
+        "You add up the growth of the steps.": 1.0 + count * (math.sqrt(growth) - 1.0),
+        "You return only the first term of a series.": 1.0 + 0.125 * count * turn * turn,
+        "You use w h instead of w h / 2.": (1.0 + turn * turn) ** (0.5 * count),
     }
 
 
 def lag_slips(right: float, turn: float) -> dict[str, float]:
     """Return the missing angles that likely mistakes give, out of a whole turn."""
     return {
-        "half of the angle, because a quaternion contains half-angles": 0.5 * right,
-        "the angle of all steps together instead of the missing angle": turn - right,
-        "Your angle has the wrong sign.": -right,
-        "the angle in degrees": math.degrees(right),
+        "You return half of the missing angle, because a quaternion contains half-angles. Double "
+        "it.": 0.5 * right,
+        "You return the angle of all steps. Subtract it from the intended angle.": turn - right,
+        "Your angle has the wrong sign."
+        + " It must be negative if the speed is negative." * (turn < 0.0): -right,
+        "You return the angle in degrees. Return it in radians.": math.degrees(right),
     }
 
 
@@ -343,7 +341,7 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals of the known figure of E-31.
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
-    expect_close(length, 1.0856, then="; the length of q", cause=why, tolerance=5e-5)
+    expect_close(length, 1.0856, then="; the length after all steps", cause=why, tolerance=5e-5)
     about.cause = "A step should rotate by w h, but it rotates by only 2 atan(w h / 2). Return the "
     about.cause += "sum of these differences over all steps."
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
@@ -352,28 +350,29 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
 
 
 @pytest.mark.exercise("B9.19")
-def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
+def test_the_drift_of_a_few_rotations(rng: Random) -> None:
     about.read = DRIFT
     for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
         speed, duration = positive_number(rng, low, high), positive_number(rng, 0.5, 1.5)
         about.call = f"first_order_drift(angular_speed={speed}, duration={duration}, "
         about.call += f"steps={steps_})"
-        about.cause = "Each step multiplies the length by the same factor. So the length is (1 + "
-        about.cause += "(w h / 2)^2)^(steps / 2), where h is the duration of a step."
+        about.cause = "Each step multiplies the length by sqrt(1 + (w h / 2)^2), where w is the "
+        about.cause += "angular speed, and h is the duration of a step."
         length, lag = first_order_drift(speed, duration, steps_)
         wanted, missing = drift_of(speed, duration, steps_)
         # Rounding of 500 steps.
         near = 1e-10 * wanted
         why = named(length, about.cause, length_slips(speed, duration, steps_))
-        expect_close(length, wanted, then="; the length of q", cause=why, tolerance=near)
-        about.cause = "Return the intended angle, w times the duration, minus the angle of all "
-        about.cause += "steps together. This is negative for a negative speed."
+        expect_close(length, wanted, then="; the length after all steps", cause=why, tolerance=near)
+        about.cause = "Return the intended angle, which is the speed times the duration, minus the "
+        about.cause += "angle of all steps together."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))
-        expect_close(lag, missing, then="; the missing angle", cause=why, tolerance=1e-10)
+        about.call += "; the missing angle in radians"
+        expect_close(lag, missing, cause=why, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B9.19")
-def test_what_does_not_turn_does_not_drift() -> None:
+def test_no_drift_at_a_speed_of_zero() -> None:
     about("first_order_drift(0, 2, 10)", read=DRIFT)
     about.cause = "At a speed of 0 nothing rotates, so the length stays 1 and no angle is missing."
     got = tuple(first_order_drift(0.0, 2.0, 10))
@@ -382,7 +381,7 @@ def test_what_does_not_turn_does_not_drift() -> None:
 
 @pytest.mark.exercise("B9.19")
 @pytest.mark.robust
-def test_a_drift_of_nothing_is_refused() -> None:
+def test_rejects_an_invalid_speed_duration_or_step_count() -> None:
     about.read = DRIFT
     expect_finite_numbers(
         "first_order_drift(speed, duration, 3) with (speed, duration) = ",
@@ -390,8 +389,8 @@ def test_a_drift_of_nothing_is_refused() -> None:
         (1, 1),
         ((1, 0.0), (1, -1.0)),
     )
-    about.cause = "The number of steps must be positive. Check it with whole from arguments.py."
     for bad, error in ((0, ValueError), (-2, ValueError), (2.0, TypeError), ("2", TypeError)):
+        about.cause = f"{bad!r} is not a whole number of at least 1, so raise {error.__name__}."
         expect_error(
             lambda bad=bad: first_order_drift(1.0, 1.0, bad),
             error,

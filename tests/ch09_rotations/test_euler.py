@@ -11,12 +11,10 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.euler import euler_rates, euler_to_quaternion, rate_map
 from draw import Components, components, number
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
     expect_finite_numbers,
-    expect_unchanged,
     expect_vector,
     scoped,
     xyz,
@@ -30,6 +28,7 @@ from turning import (
     Quad,
     applied,
     entries,
+    expect_kept,
     hamilton,
     named,
     quad,
@@ -76,8 +75,7 @@ def test_one_turn_after_another(rng: Random) -> None:
     x, y, z = draw_angles(rng)
     far = math.copysign(math.pi - abs(y), y)
     about.cause = (
-        "Rotate about the world's X axis first, then about Y and then about Z, and put each later "
-        "rotation on the left of the product."
+        "The product should be Z Y X, so that the object rotates about X first, then Y, then Z."
     )
     for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z), (x, far, z)):
         about.call = f"euler_to_quaternion{short(angles)}"
@@ -85,16 +83,16 @@ def test_one_turn_after_another(rng: Random) -> None:
         got = same_sign(rijk(euler_to_quaternion(*angles)), wanted)
         turns = [quad(axis, t) for axis, t in zip((X_AXIS, Y_AXIS, Z_AXIS), angles, strict=True)]
         slips = {
-            f"the product of the rotations about {', '.join(names)} instead of Z, Y, X": same_sign(
+            f"You multiply the rotations in the order {' '.join(names)}.": same_sign(
                 hamilton(hamilton(*(turns["XYZ".index(name)] for name in names[:2])), last), wanted
             )
             for names in ("XYZ", "XZY", "YXZ", "YZX", "ZXY")
             for last in [turns["XYZ".index(names[2])]]
         }
-        slips["Your angles have the wrong sign."] = same_sign(
+        slips["You rotate in the opposite direction. Keep the signs of the angles."] = same_sign(
             in_order(*(-t for t in angles)), wanted
         )
-        slips["You treat the angles as degrees."] = same_sign(
+        slips["You treat the angles as degrees. They are in radians."] = same_sign(
             in_order(*map(math.radians, angles)), wanted
         )
         slips["You swap x and z."] = same_sign(in_order(*angles[::-1]), wanted)
@@ -103,7 +101,7 @@ def test_one_turn_after_another(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.17")
-def test_what_the_rates_make(rng: Random) -> None:
+def test_the_rate_map(rng: Random) -> None:
     about.read = RATES
     drawn, (_, tilt, _) = draw_angles(rng), draw_angles(rng)
     steep = (0.4, math.pi - tilt, -1.9)
@@ -111,25 +109,30 @@ def test_what_the_rates_make(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y:.6g}, {z}), row by row"
         about.cause = (
-            "The columns of the map are the three axes of rotation: X after the rotations by y and "
-            "z, Y after the rotation by z, and Z itself."
+            "Each column should be a rotation axis: X rotated by y and then z, Y rotated by z, and "
+            "Z itself."
         )
         got = entries(rate_map(x, y, z))
         slips = {
-            "the identity, but the rates are not the angular velocity": IDENTITY,
-            "the transpose, which has the axes as rows": transposed(wanted),
-            "the map for the axes of the object instead of the world": map_to_own(x, y, z),
+            "You return the identity, as if the rates were the angular velocity.": IDENTITY,
+            "Your matrix has the rotation axes as rows. Write them as columns.": transposed(wanted),
+            "You use the axes of the object instead of the world.": map_to_own(x, y, z),
             "the map with its columns in reverse order": [
                 wanted[3 * row + column] for row in range(3) for column in (2, 1, 0)
             ],
             "the map with y and z swapped": map_of(x, z, y),
         }
+        if math.cos(y) < 0.0:
+            slips[
+                "You use a positive cos y, but here it is negative. Use math.cos(y), not the "
+                "square root of 1 - sin(y)^2."
+            ] = [-n if place in (0, 3) else n for place, n in enumerate(wanted)]
         why = named(got, about.cause, slips, wanted)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.17")
-def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
+def test_the_rates_produce_the_angular_velocity(rng: Random) -> None:
     about.read = BACK
     w = components(rng)
     velocity = Vector3(*w)
@@ -138,39 +141,36 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
         x, y, z = angles
         about.call = f"euler_rates({x}, {y}, {z}, Vector3{short(w)})"
         about.cause = (
-            "The rates exist except at gimbal lock, where cos y is 0. Raise an error only if "
-            "|cos y| is at most SINGULAR."
+            "These angles are not gimbal lock, so the rates exist. Raise an error only if |cos y| "
+            "is at most SINGULAR."
         )
         if math.cos(y) < 0.0:
-            about.cause += f" Here cos y is {math.cos(y):.3g}, so compare its absolute value."
+            about.cause = f"You reject a negative cos y, which is {math.cos(y):.3g} here. Compare "
+            about.cause += "its absolute value with SINGULAR."
         rates = xyz(euler_rates(*angles, velocity))
-        about.cause = (
-            "The rate map takes the rates to the angular velocity, so multiply the angular "
-            "velocity by the inverse of the map."
-        )
+        about.cause = "Multiply the angular velocity by the inverse of the rate map."
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "You multiply the angular velocity by the rate map instead of its inverse.": applied(
-                there, w
-            ),
-            "You multiply by the transpose of the map, which is right only for a "
-            "rotation.": applied(transposed(there), w),
+            "You multiply the angular velocity by the rate map. Multiply it by the inverse of the "
+            "map instead.": applied(there, w),
+            "You multiply by the transpose of the rate map instead of its inverse. The two differ, "
+            "because the map is not a rotation.": applied(transposed(there), w),
         }
         about.cause = named(rates, about.cause, slips)
         got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
         expect_close(
             got, w, then="; the angular velocity that these rates produce", tolerance=1e-11
         )
-    expect_unchanged("angular_velocity", xyz(velocity), w, cause=UNCHANGED)
+    expect_kept("angular_velocity", xyz(velocity), w)
     step = 1e-6
     x, y, z = (angle + step * rate for angle, rate in zip(angles, rates, strict=True))
     q = in_order(*angles)
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
     about.call += f"; the angles change by these rates for {step} s; the rotation per second"
     about.cause = (
-        "Your rates don't produce the angular velocity that was passed in. Multiply the angular "
-        "velocity by the inverse of the rate map."
+        "Your rates don't produce this angular velocity. Multiply the angular velocity by the "
+        "inverse of the rate map."
     )
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
@@ -188,8 +188,8 @@ def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> Non
     """Expect rates when the second angle is ``off`` a quarter turn."""
     about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{short(w)})", read=BACK)
     about.cause = (
-        "The angles are close to gimbal lock, but the rates exist. Return them, because |cos y| is "
-        f"{abs(off)}, which is greater than SINGULAR (1e-13)."
+        f"These angles are close to gimbal lock, but |cos y| is {abs(off)}, which is greater than "
+        "SINGULAR (1e-13). So return the rates."
     )
     rates = euler_rates(x, 0.5 * math.pi + off, z, Vector3(*w))
     expect_vector(rates)
@@ -204,17 +204,12 @@ def test_near_gimbal_lock_there_are_rates(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.17")
 @pytest.mark.robust
-def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
+def test_rejects_gimbal_lock_but_not_angles_near_it(rng: Random) -> None:
     about.read = BACK
     x, z, w = draw_locked(rng)
     quarter = 0.5 * math.pi
     for off in (5e-13, -5e-13):
         expect_rates_near_lock(x, z, w, off)
-    about.cause = (
-        "At a quarter turn about Y two of the axes line up, so there are no rates. Raise "
-        "ValueError unless abs(cos y) > SINGULAR, because Matrix3.inverse alone doesn't catch all "
-        "such cases."
-    )
     for y, turn in (
         (quarter, z),
         (-quarter, z),
@@ -225,6 +220,15 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
         (quarter - 2e-14, z),
         (quarter + 2e-14, z),
     ):
+        about.cause = (
+            "This is gimbal lock: y is a quarter turn, so there are no rates. Raise ValueError "
+            "unless abs(cos y) > SINGULAR."
+        )
+        if turn == 0.0:
+            about.cause = (
+                "Matrix3.inverse doesn't detect this gimbal lock. Raise ValueError yourself unless "
+                "abs(cos y) > SINGULAR."
+            )
         expect_error(
             lambda y=y, turn=turn: euler_rates(x, y, turn, Vector3(*w)),
             ValueError,
@@ -238,7 +242,7 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.17", weight=0.5)
 @pytest.mark.robust
-def test_angles_that_are_none_are_refused() -> None:
+def test_rejects_invalid_angles_and_velocities() -> None:
     expect_finite_numbers("euler_to_quaternion", euler_to_quaternion, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers("rate_map", rate_map, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers(
@@ -249,8 +253,8 @@ def test_angles_that_are_none_are_refused() -> None:
         read=ANGLES,
     )
     about.cause = (
-        "The angular velocity must have finite components. Check it with finite_vector from "
-        "arguments.py, which raises the ValueError."
+        "A component of the angular velocity is infinite. Check it with finite_vector from "
+        "arguments.py, which raises ValueError."
     )
     good = (1.0, 2.0, 3.0)
     for bad, error in (((1.0, math.nan, 3.0), ValueError), ((math.inf, 2.0, 3.0), ValueError)):
@@ -266,9 +270,6 @@ def test_angles_that_are_none_are_refused() -> None:
         TypeError,
         call="euler_rates(1, 1, 1, (1, 2, 3))",
         allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-        cause=(
-            "The check passed a tuple as the angular velocity. Raise TypeError for anything but a "
-            "Vector3."
-        ),
+        cause="The angular velocity is a tuple, not a Vector3, so raise TypeError.",
         read=ANGLES,
     )

@@ -165,15 +165,17 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         "+ c (d h - e g)": c * (d * h - e * g),
     }
     signs = {
-        f"With the rows a b c, d e f and g h i, your determinant has the wrong sign in the term "
-        f"{name}.": right - 2.0 * product
+        f"The term {name[2:]} has the wrong sign in your determinant. With the rows a b c, d e f "
+        f"and g h i, it must be {'added' if name[0] == '+' else 'subtracted'}.": right
+        - 2.0 * product
         for name, product in products.items()
     }
     return signs | {
-        "Your determinant has the wrong sign.": -right,
-        "You return only the product of the three numbers on the diagonal. The other numbers count "
-        "too.": a * e * i,
-        "You add all six products, but three of them need a minus sign.": a * e * i
+        "Your determinant has the wrong sign."
+        + " It must be negative here, so don't return its absolute value." * (right < 0.0): -right,
+        "You return only the product of the three numbers on the diagonal. The other five products "
+        "of the determinant are missing.": a * e * i,
+        "You add all six products. Three of them must be subtracted.": a * e * i
         + b * f * g
         + c * d * h
         + c * e * g
@@ -197,15 +199,15 @@ def test_the_determinant(rng: Random) -> None:
         # Six products of up to 700.
         why = named(got, about.cause, determinant_slips(n))
         expect_close(got, determinant(n), cause=why, tolerance=1e-10)
-    about.cause += " Zeros on the diagonal don't make it zero."
+    about.cause = (
+        "The zeros on the diagonal don't make the determinant 0. The products of other numbers "
+        "count too."
+    )
     for n in ring_and_swap():
         about.call = f"n = {written(n)}; n.determinant()"
         got = Matrix3(*n).determinant()
         expect_close(got, determinant(n))
-    about.cause = (
-        "The determinant is small, but it is not zero. Return it as is, without rounding it to "
-        "zero."
-    )
+    about.cause = "The determinant is small, but it is not zero. Don't round it to 0."
     n = tuple(number * 1e-7 for number in m)
     about.call = f"n = {written(n)}; n.determinant()"
     got = Matrix3(*n).determinant()
@@ -234,37 +236,50 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         n = tuple(number * scale for number in rows)
         matrix = Matrix3(*n)
         about.call = f"m = {written(n)}; m @ m.inverse(), row by row"
-        about.cause = (
-            f"The determinant is {determinant(n):.4g}, so the matrix has an inverse. Don't raise "
-            "an error."
-        )
+        about.cause = f"The determinant is {determinant(n):.4g}, so the matrix has an inverse. "
+        if determinant(n) < 0.0:
+            about.cause += "Compare the absolute value of the determinant with the limit."
+        else:
+            about.cause += "Don't raise an error."
         if scale != 1.0:
             about.cause = small
         got = entries(matrix.inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         slips = {
-            "You didn't divide by the determinant.": [determinant(n) * one for one in IDENTITY],
-            "You divided by the determinant twice instead of once.": [
+            "You didn't divide by the determinant. Divide every number of the inverse by it.": [
+                determinant(n) * one for one in IDENTITY
+            ],
+            "You divide by the determinant twice. Divide every number by it only once.": [
                 one / determinant(n) for one in IDENTITY
             ],
-            "You divide by the absolute value of the determinant.": [-one for one in IDENTITY],
-            "You return the transpose instead of the inverse.": times(n, transposed(n)),
+            "You divide by the absolute value of the determinant. Keep its sign.": [
+                -one for one in IDENTITY
+            ],
+            "You return the transpose. It is the inverse only if the matrix is a rotation.": times(
+                n, transposed(n)
+            ),
             "You return the matrix itself instead of its inverse.": times(n, n),
         }
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
                 slips[
-                    "You swap the rows and columns of the inverse, which gives its transpose."
+                    "You return the transpose of the inverse. Write the three vector products into "
+                    "its columns, not into its rows."
                 ] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
         expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)
     about.cause = (
-        "This matrix has an inverse, even if it has zeros on its diagonal or rows of very "
-        "different lengths. Only the determinant decides."
+        "The diagonal of this matrix contains zeros, but the matrix still has an inverse. Don't "
+        "divide by the numbers on the diagonal."
     )
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
+        if n[0]:
+            about.cause = (
+                "The rows of this matrix have very different lengths, but it has an inverse. "
+                "Compare the determinant with SINGULAR times the product of the row lengths."
+            )
         about.call = f"m = {written(n)}; m @ m.inverse(), row by row"
         got = entries(Matrix3(*n).inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
@@ -286,8 +301,8 @@ def expect_no_inverse(m: Nine) -> None:
 @pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     about.cause = (
-        "The determinant of this matrix is 0, so it has no inverse. Raise ValueError, also if the "
-        "absolute value of the determinant equals the limit."
+        "The determinant of this matrix is 0, so it has no inverse. Raise ValueError unless the "
+        "absolute value of the determinant is greater than the limit."
     )
     expect_no_inverse((0.0,) * 9)
     expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
@@ -329,7 +344,7 @@ def test_how_near_to_singular_is_too_near() -> None:
 @pytest.mark.exercise("B9.5", weight=0.5)
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
-def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
+def test_a_matrix_that_is_not_finite_has_no_inverse(bad: float) -> None:
     about.cause = (
         "Every comparison with NaN is False. Write `if not abs(determinant) > limit`, which also "
         "catches NaN."

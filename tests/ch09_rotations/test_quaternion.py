@@ -10,16 +10,12 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 from draw import number
-from expect import UNCHANGED, about, expect_close, expect_error, expect_exactly, expect_unchanged
-from turning import Quad, draw_quad, hamilton, named, rijk, short
+from expect import about, expect_close, expect_error, expect_exactly
+from turning import Quad, draw_quad, expect_kept, hamilton, named, rijk, short
 
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
 NORMALIZE = "book 9.4.8, and the docstring of normalize"
 PRODUCT = "book 9.4.9"
-ONLY_LOOKS = (
-    "Your method changes the quaternion, although it should only read it. Use local variables "
-    "instead."
-)
 
 
 def draw_four(rng: Random) -> Quad:
@@ -30,28 +26,28 @@ def draw_four(rng: Random) -> Quad:
 @pytest.mark.exercise("B9.7")
 def test_the_length_of_four_components(rng: Random) -> None:
     about(
-        cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2), with all four components.",
+        cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2).",
         read=LENGTH,
     )
     about.call = "Quaternion(1, -3, 5, 1).magnitude()"
     got = Quaternion(1.0, -3.0, 5.0, 1.0).magnitude()
     slips = {
-        "the sum of the squares, without the square root": 36.0,
-        "the length of (i, j, k), without r": math.sqrt(35.0),
+        "Your result is the sum of the squares. Take the square root of it.": 36.0,
+        "You leave out r. Add r^2 to the other three squares.": math.sqrt(35.0),
         "the sum of the four components": 4.0,
         "the sum of the four absolute values": 10.0,
     }
     expect_close(got, 6.0, cause=named(got, about.cause, slips))
     q = draw_four(rng)
-    about.call = f"Quaternion{short(q)}.magnitude()"
+    about.call = f"q = Quaternion{short(q)}; q.magnitude()"
     quaternion = Quaternion(*q)
     got = quaternion.magnitude()
     expect_close(got, math.hypot(*q))
-    expect_unchanged("q", rijk(quaternion), q, cause=ONLY_LOOKS)
+    expect_kept("q", rijk(quaternion), q)
 
 
 @pytest.mark.exercise("B9.7")
-def test_near_which_length_it_is_a_turn(rng: Random) -> None:
+def test_is_unit_accepts_lengths_near_one(rng: Random) -> None:
     about.read = LENGTH
     q = draw_quad(rng)
     for length, wanted in (
@@ -65,22 +61,20 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
     ):
         scaled = tuple(component * length for component in q)
         about.call = f"q = Quaternion{short(scaled)}, whose length is {abs(length)}; q.is_unit()"
-        about.cause = (
-            "Accept a quaternion if its length differs from 1 by at most UNIT_TOLERANCE (1e-6) in "
-            "either direction."
-        )
-        if 0.0 < abs(length - 1.0) < 1e-5:
-            about.cause += (
-                f" Here it is off by {abs(length - 1.0):.2g}. Compare the length, not its square, "
-                "which is off by twice as much."
-            )
+        off = f"The length differs from 1 by {abs(length - 1.0):.2g}, which is"
+        about.cause = f"{off} more than UNIT_TOLERANCE (1e-6), so return False."
+        if wanted:
+            about.cause = f"{off} within UNIT_TOLERANCE (1e-6), so return True. "
+            about.cause += "Compare the length itself, not its square."
+        elif 0.9 < length < 1.0:
+            about.cause = "You accept every length below 1. Compare the absolute value of "
+            about.cause += "length - 1 with UNIT_TOLERANCE (1e-6)."
         quaternion = Quaternion(*scaled)
         got = quaternion.is_unit()
         expect_exactly(got, wanted)
-        expect_unchanged("q", rijk(quaternion), scaled, cause=ONLY_LOOKS)
+        expect_kept("q", rijk(quaternion), scaled)
     cause = (
-        "The length of this quaternion is 1, so return True. For a half-turn r is 0, but that "
-        "doesn't affect the length."
+        "You reject a half-turn, where r is 0. The length of this quaternion is 1, so return True."
     )
     about("Quaternion(0, 0.6, 0, 0.8).is_unit()", cause=cause)
     got = Quaternion(0.0, 0.6, 0.0, 0.8).is_unit()
@@ -94,26 +88,30 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
     opposite = tuple(-component for component in drawn)
     for q in (drawn, opposite, tuple(component * (1.0 + 5e-7) for component in near)):
         length = math.hypot(*q)
-        about.cause = (
-            "Compute the length before you change any component, and then divide all four "
-            "components by it."
-        )
+        about.cause = "Divide each of the four components by the length."
         quaternion = Quaternion(*q)
         about.call = f"q = Quaternion{short(q)}; q.normalize(); q"
         returned = quaternion.normalize()
         wanted = tuple(component / length for component in q)
         got = rijk(quaternion)
+        in_turn = [*q]
+        for place in range(4):
+            in_turn[place] /= math.hypot(*in_turn)
         slips = {
+            "You compute the length again after you have changed a component. Compute it only "
+            "once, before the first change.": in_turn,
             "The quaternion hasn't changed. Assign the new values to the components of self, "
             "because a new quaternion is lost when the method returns.": q,
             "You divide by the squared length instead of the length.": [c / length**2 for c in q],
         }
         if length != 1.0 and abs(length - 1.0) < 1e-6:
-            slips = {"You leave the quaternion as it is.": q}
             about.cause = (
-                "is_unit() accepts its length, but the length is not exactly 1. Divide by it in "
-                "this case too."
+                "The length is not exactly 1, although is_unit() accepts it. Divide by it."
             )
+            slips = {
+                "You leave this quaternion unchanged because is_unit() accepts it. Its length is "
+                "not exactly 1, so divide by it.": q
+            }
         expect_close(got, wanted, cause=named(got, about.cause, slips))
     about.cause = "normalize works in place, so it shouldn't return anything."
     about.call = f"Quaternion{short(q)}.normalize()"
@@ -129,17 +127,19 @@ def test_zero_becomes_the_reference() -> None:
     )
     quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
     quaternion.normalize()
+    about.cause = "You leave the zero quaternion as it is. Set it to (1, 0, 0, 0), the rotation by "
+    about.cause += "0, because it has no direction."
     expect_close(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))
 
 
 @pytest.mark.exercise("B9.7")
 @pytest.mark.robust
-def test_what_is_huge_or_not_finite_is_no_turn(rng: Random) -> None:
+def test_is_unit_rejects_huge_components_and_nan(rng: Random) -> None:
     about.read = LENGTH
     q = draw_quad(rng)
     about.cause = (
-        "Every comparison with NaN is False, so a test for a length far from 1 doesn't catch NaN. "
-        "Test for a length close to 1 instead."
+        "You test whether the length is too far from 1, which is False for NaN. Test whether it is "
+        "close enough to 1 instead."
     )
     for length in (math.nan, math.inf):
         scaled = tuple(component * length for component in q)
@@ -148,7 +148,8 @@ def test_what_is_huge_or_not_finite_is_no_turn(rng: Random) -> None:
         expect_exactly(got, False)
     about.call = "Quaternion(1e200, 0, 0, 1e200).is_unit()"
     about.cause = (
-        "The square of 1e200 is too large for a float. Compute the length with magnitude() instead."
+        "You square 1e200, and the square is too large for a float. Compute the length with "
+        "magnitude() instead."
     )
     got = Quaternion(1e200, 0.0, 0.0, 1e200).is_unit()
     expect_exactly(got, False)
@@ -162,8 +163,8 @@ def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
     length = math.hypot(*q)
     wanted = tuple(component / length for component in q)
     about.cause = (
-        "The squares of these components don't fit into a float. Use math.hypot, which takes all "
-        "four numbers and doesn't overflow."
+        "You square the components, but their squares don't fit into a float. Use math.hypot, "
+        "which avoids this."
     )
     for scale in (1e200, 1e-200):
         scaled = tuple(component * scale for component in q)
@@ -189,18 +190,13 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     r, i, j, k = q
     wanted = (r, -i, -j, -k)
     slips = {
-        "You reverse all four signs, which gives -q, the same orientation as q.": (
-            -r,
-            -i,
-            -j,
-            -k,
-        ),
-        "You reverse the sign of r instead of those of i, j and k.": (-r, i, j, k),
+        "You reverse all four signs. Keep the sign of r.": (-r, -i, -j, -k),
+        "You reverse the sign of r. Keep it, and reverse the signs of i, j and k.": (-r, i, j, k),
         "the original quaternion": q,
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=0.0)
-    expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
+    expect_kept("q", rijk(quaternion), q)
 
 
 @pytest.mark.exercise("B9.8")
@@ -221,14 +217,25 @@ def test_the_table_of_i_j_and_k() -> None:
         for second, b in units.items():
             about.call = f"Quaternion{short(a)} * Quaternion{short(b)}, which is {first} {second}"
             one, other = Quaternion(*a), Quaternion(*b)
-            products.append((about.call, a, b, rijk(one * other)))
-            expect_unchanged("the first factor", rijk(one), a, cause=UNCHANGED)
-            expect_unchanged("the second factor", rijk(other), b, cause=UNCHANGED)
-    if all(got == hamilton(b, a) for _, a, b, got in products):
-        about.cause = f"Your result is the product in the other order. {about.cause}"
-    for call, a, b, got in products:
-        about.call = call
-        expect_close(got, hamilton(a, b), tolerance=0.0)
+            products.append((about.call, f"{first} {second}", a, b, rijk(one * other)))
+            expect_kept("the first factor", rijk(one), a)
+            expect_kept("the second factor", rijk(other), b)
+    in_reverse = all(got == hamilton(b, a) for *_, a, b, got in products)
+    for call, name, a, b, got in products:
+        about.call, wanted = call, hamilton(a, b)
+        first, second = name.split()
+        right = "-" * (min(wanted) < 0.0) + "1ijk"[[*map(abs, wanted)].index(1.0)]
+        slips = {
+            f"Your product {name} has the wrong sign. The rule is {name} = {right}.": [
+                -component for component in wanted
+            ]
+        }
+        if in_reverse:
+            slips = {
+                "You multiply the factors in the wrong order. Your result is "
+                f"{second} {first} instead of {name}.": hamilton(b, a)
+            }
+        expect_close(got, wanted, cause=named(got, about.cause, slips), tolerance=0.0)
 
 
 @pytest.mark.exercise("B9.8", weight=2)
@@ -244,8 +251,8 @@ def test_the_product_of_any_two(rng: Random) -> None:
     got = rijk(first * second)
     # Four products of up to 90.
     expect_close(got, hamilton(a, b), tolerance=1e-12)
-    expect_unchanged("a", rijk(first), a, cause=UNCHANGED)
-    expect_unchanged("b", rijk(second), b, cause=UNCHANGED)
+    expect_kept("a", rijk(first), a)
+    expect_kept("b", rijk(second), b)
 
 
 @pytest.mark.exercise("B9.8")
@@ -255,7 +262,7 @@ def test_a_quaternion_times_a_number_is_refused(rng: Random) -> None:
     q = draw_four(rng)
     about.cause = (
         "The factor on the right is not a Quaternion, so return NotImplemented. Python then raises "
-        "the TypeError for you."
+        "TypeError."
     )
     for other in (2.0, "2", None, (1.0, 0.0, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)):
         name = "Vector3(1, 2, 3)" if isinstance(other, Vector3) else repr(other)

@@ -11,12 +11,10 @@ from ch09_rotations.exercises import easy_inverse, read_off
 from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import components
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
     expect_exactly,
-    expect_unchanged,
     xyz,
 )
 from turning import (
@@ -26,6 +24,7 @@ from turning import (
     draw_quad,
     draw_slight_turn,
     entries,
+    expect_kept,
     joined,
     matrix_of,
     moved,
@@ -55,8 +54,9 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     name = f"{about.call}; the rotation, row by row"
     got = entries(rotation)
     slips = {
-        "the transpose of the rotation": transposed(m),
-        "You return the first nine entries.": twelve[:9],
+        "You return the transpose of the rotation. Don't swap rows and columns.": transposed(m),
+        "You return the first nine entries. Leave out every fourth one, because it belongs to the "
+        "position.": twelve[:9],
     }
     why = named(got, about.cause, slips)
     # If you compute it from transformed points, numbers up to 11 are rounded.
@@ -65,32 +65,33 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     got = xyz(position)
     x, y, z = applied(transposed(m), p)
     slips = {
-        "the last row": twelve[8:11],
-        "the last three entries": twelve[9:],
-        "the first column": (m[0], m[3], m[6]),
-        "the position of the inverse matrix": (-x, -y, -z),
+        "You return the last row as the position.": twelve[8:11],
+        "You return the last three entries as the position.": twelve[9:],
+        "You return the first column.": (m[0], m[3], m[6]),
+        "You return the position of the inverse matrix.": (-x, -y, -z),
     }
+    about.cause = "Return the last column instead."
     why = named(got, about.cause, slips)
     expect_close(got, p, call=name, cause=why, tolerance=0.0)
-    expect_unchanged("the matrix", entries(matrix), twelve, cause=UNCHANGED)
+    expect_kept("the matrix", entries(matrix), twelve)
 
 
 @pytest.mark.exercise("9.5")
 @pytest.mark.robust
-def test_nothing_is_read_off_what_scales(rng: Random) -> None:
+def test_read_off_rejects_all_but_rotations_and_translations(rng: Random) -> None:
     about.read = OFF
     m, p = draw_slight_turn(rng), components(rng)
     good = joined(m, p)
     near = tuple(n * (1.0 + 4e-6) for n in m)
     about.call = f"m = {written(joined(near, p))}; len(read_off(m))"
     about.cause = (
-        "The rows of this matrix have a length of 1 + 4e-6, which is_rotation() accepts. So accept "
-        "it too."
+        "You reject this matrix, but is_rotation() accepts it, because its rows have a length of "
+        "1 + 4e-6. Use is_rotation() for your test."
     )
     expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
     about.cause = (
-        "The first three columns are not a rotation. Check them with is_rotation(), and raise "
-        "ValueError."
+        "The first three columns are not a rotation. Call is_rotation() on them, and raise "
+        "ValueError if it returns False."
     )
     for linear in (
         tuple(2.0 * n for n in m),
@@ -113,7 +114,7 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
             TypeError,
             call=f"read_off({name})",
             allowed=lambda: read_off(Matrix4(*good)),
-            cause="The argument must be a Matrix4. Raise TypeError for anything else.",
+            cause="The argument is not a Matrix4, so raise TypeError.",
         )
 
 
@@ -125,31 +126,32 @@ def test_the_easy_inverse(rng: Random) -> None:
     matrix = Matrix4(*twelve)
     about.call = f"m = {written(twelve)}; easy_inverse(m), row by row"
     about.cause = (
-        "The inverse consists of the transposed rotation T and the position -T p, where p is the "
-        "position of m."
+        "It should be -T p, where p is the position of m, and T is the transposed rotation."
     )
     got = entries(easy_inverse(matrix))
     t = transposed(m)
     x, y, z = applied(t, p)
     wanted = joined(t, (-x, -y, -z))
     turned_on = applied(m, p)
-    last = "the right matrix except for the last column, which is"
     slips = {
-        f"{last} -p": joined(t, subtracted((0.0, 0.0, 0.0), p)),
-        f"{last} p": joined(t, p),
-        f"{last} T p, without the minus": joined(t, (x, y, z)),
-        f"{last} rotated forward instead of back": joined(
+        "Your last column is -p.": joined(t, subtracted((0.0, 0.0, 0.0), p)),
+        "Your last column is p.": joined(t, p),
+        "Your last column is T p, without the minus.": joined(t, (x, y, z)),
+        "Your last column is -p rotated forward instead of back.": joined(
             t, subtracted((0.0, 0.0, 0.0), turned_on)
         ),
-        "Your position is right, but you don't transpose the rotation.": joined(m, (-x, -y, -z)),
-        "You don't transpose the rotation, and your position is only -p.": joined(
+        "You don't transpose the rotation. Swap its rows and columns.": joined(m, (-x, -y, -z)),
+        "You negate the position of m but don't change the rotation. Transpose it.": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
     }
     why = named(got, about.cause, slips)
+    if why == about.cause:
+        why = "The inverse is the transposed rotation T with the position -T p, where p is the "
+        why += "position of m."
     # Rounding of numbers up to 17.
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
-    expect_unchanged("the matrix", entries(matrix), twelve, cause=UNCHANGED)
+    expect_kept("the matrix", entries(matrix), twelve)
 
 
 @pytest.mark.exercise("9.6")
@@ -162,7 +164,7 @@ def test_the_easy_inverse_of_something_else() -> None:
             TypeError,
             call=f"easy_inverse({name})",
             allowed=lambda: easy_inverse(Matrix4(*twelve)),
-            cause="The argument must be a Matrix4. Raise TypeError for anything else.",
+            cause="The argument is not a Matrix4, so raise TypeError.",
             read="the docstring at the top of exercises.py",
         )
 
@@ -175,8 +177,8 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
         twelve = joined(linear, p)
         about.call = f"m = {written(twelve)}, which is not a rotation; easy_inverse(m), row by row"
         about.cause = (
-            "You probably use a general inverse, which divides by the determinant. Use the "
-            "transpose, even though it is not the inverse of this matrix."
+            "You use a general inverse, which divides by the determinant. Always transpose the "
+            "nine numbers, even if they are not a rotation."
         )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)
@@ -193,8 +195,8 @@ def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     there = moved(m, p, a)
     about.call = f"m = {written(twelve)}; easy_inverse(m) @ (m @ Vector3{short(a)})"
     about.cause = (
-        "The inverse undoes the two steps in reverse order: it first subtracts the position and "
-        "then rotates back."
+        "Your inverse doesn't take the point back. It should subtract the position of m and then "
+        "rotate back."
     )
     got = entries(easy_inverse(Matrix4(*twelve)))
     if isinstance(got, tuple) and len(got) == 12:

@@ -49,13 +49,14 @@ def draw_telling_stones(rng: Random) -> Stones:
 
 
 def listed(stones: Stones) -> str:
-    """Return stones as they are written in a call, with six digits for each number."""
-    return f"[{', '.join(f'({name!r}, {m:.6g}, {x:.6g}, {y:.6g})' for name, m, x, y in stones)}]"
+    """Return stones as they are written in a call, one per line, with six digits per number."""
+    each = (f"({name!r}, {m:.6g}, {x:.6g}, {y:.6g})" for name, m, x, y in stones)
+    return "[" + ",\n    ".join(each) + "]"
 
 
 def with_stones(stones: Stones, call: str) -> str:
     """Return what is called: a function of these stones."""
-    return f"stones, each a (name, mass, x, y): {listed(stones)}; {call}"
+    return f"stones = {listed(stones)}, each with name, mass, x and y; {call}"
 
 
 def middle(stones: Stones) -> complex:
@@ -86,20 +87,15 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
     """Return the centers of mass that likely mistakes give."""
     swapped = middle(stones).imag, middle(stones).real
     ends = {
-        "the mean of the positions, which ignores the masses": middle(
-            [(n, 1.0, x, y) for n, _, x, y in stones]
-        ),
-        "You leave out the first stone, or you keep only one stone per name.": middle(
-            stones[1:] or stones
-        ),
+        "You take the mean of the positions, which ignores the masses. Pass the masses to "
+        "center_of_mass.": middle([(n, 1.0, x, y) for n, _, x, y in stones]),
+        "You leave out the first stone, which has the same name as the third. Count every "
+        "stone.": middle(stones[1:] or stones),
         "You leave out the last stone.": middle(stones[:-1] or stones),
-        "You return the sum of mass times position, without dividing by the total mass.": middle(
-            stones
-        )
-        * sum(m for _, m, _, _ in stones),
+        "You don't divide by the total mass.": middle(stones) * sum(m for _, m, _, _ in stones),
     }
     slips = {name: (z.real, z.imag) for name, z in ends.items()}
-    return {"You swap x and y.": swapped} | slips
+    return {"You swap x and y. Pass each position as (x, y).": swapped} | slips
 
 
 @pytest.mark.exercise("9.7")
@@ -123,15 +119,13 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     half = 0.5 * math.fsum(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     return {
-        "You measure the offset to the right instead of the left, so its sign is wrong.": -left_of(
-            center, angle
-        ),
-        "You measure the distance along the edge instead of to the left of it.": left_of(
-            center, angle - 0.5 * math.pi
-        ),
+        "You measure the offset to the right, so its sign is wrong. Measure it to the "
+        "left.": -left_of(center, angle),
+        "You measure the offset along the edge. Measure it at a right angle to the edge, to the "
+        "left.": left_of(center, angle - 0.5 * math.pi),
         "You treat the angle as degrees.": left_of(center, math.radians(angle)),
-        "Your edge has equal masses on both sides, but the box doesn't balance on it "
-        "(E-32).": offset,
+        "Your edge has equal masses on both sides (E-32). Put it below the center of mass "
+        "instead.": offset,
     }
 
 
@@ -140,16 +134,16 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     about.read = OFFSET
     stones = draw_stones(rng)
     cause = (
-        "The box balances if the edge is below its center of mass. For an edge parallel to X, the "
-        "offset is the y of the center of mass."
+        "The edge must be below the center of mass. If it is parallel to X, its offset is the y of "
+        "the center of mass."
     )
     about(with_stones(stones, "balance_offset(stones, angle=0)"), cause=cause)
     got = balance_offset(stones, 0.0)
     why = named(got, about.cause, offset_slips(stones, 0.0))
     expect_close(got, middle(stones).imag, cause=why, unit="m", tolerance=TIGHT)
     about.cause = (
-        "The offset is measured to the left of the edge, so it is the scalar product of the center "
-        "of mass and (-sin(angle), cos(angle))."
+        "The offset should be the scalar product of the center of mass and (-sin(angle), "
+        "cos(angle))."
     )
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
@@ -171,16 +165,11 @@ def test_it_balances_though_the_masses_differ() -> None:
     )
     got = masses_beside(stones, 0.0)
     slips = {
-        "You divide the mass equally between the two sides, as the book does (E-32).": (
-            2.0,
-            2.0,
-        ),
-        "You swap left and right.": (3.0, 1.0),
-        "You return the number of stones on each side instead of their mass.": (1.0, 1.0),
-        "You use a line through the corner instead of a line through the center of mass.": (
-            4.0,
-            0.0,
-        ),
+        "You return half of the mass for each side, as the book does (E-32). Add the masses of the "
+        "stones on each side.": (2.0, 2.0),
+        "You swap left and right. On the left of this edge, y is larger.": (3.0, 1.0),
+        "You count the stones on each side. Add their masses instead.": (1.0, 1.0),
+        "Your edge goes through the corner. Move it left by the balance offset.": (4.0, 0.0),
     }
     why = named(got, about.cause, slips)
     expect_close(got, (1.0, 3.0), cause=why, unit="kg", tolerance=TIGHT)
@@ -196,8 +185,8 @@ def test_it_balances_though_the_masses_differ() -> None:
 def test_the_masses_on_both_sides(rng: Random) -> None:
     about.read = BESIDE
     about.cause = (
-        "Compute the offset of each stone from the corner. A stone is to the left of the edge if "
-        "its offset is greater than the edge's."
+        "You put a stone on the wrong side. A stone is to the left of the edge if its offset from "
+        "the corner is greater than the edge's."
     )
     cases = [(draw_telling_stones(rng), 0.3)]
     while len(cases) < 4:
@@ -212,7 +201,7 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
 
 
 @pytest.mark.exercise("9.7")
-def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
+def test_a_stone_on_the_edge_is_on_neither_side(rng: Random) -> None:
     about.read = BESIDE
     mass, far = positive_number(rng), positive_number(rng, 0.1, 0.9)
     x, y, angle = positive_number(rng), positive_number(rng), number(rng, 0.3, 1.4)
@@ -224,18 +213,20 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
     ]
     about.call = with_stones(stones, SIDES.format(angle))
     about.cause = (
-        "One stone is on the edge, except for a rounding error of 1e-16 m. A stone within 1e-9 m "
-        "of the edge counts as on it, so add it to neither side."
+        "You add the stone on the edge to one side, because of a rounding error. Add a stone "
+        "within 1e-9 m of the edge to neither side."
     )
     got = tuple(masses_beside(stones, angle))
     expect_close(got, (0.7, 0.7), unit="kg", tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
-        about.cause = (
-            f"A stone within 1e-9 m of the edge counts as on it. These stones are {off:.0e} m "
-            f"away, which is {'less' if off < 1e-9 else 'more'}."
-        )
+        about.cause = f"Each stone is only {off:.0e} m from the edge. Add it to neither side."
+        if off > 1e-9:
+            about.cause = (
+                f"You treat a stone {off:.0e} m from the edge as on the edge. Only stones "
+            )
+            about.cause += "within 1e-9 m of the edge are on it."
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
-        about.call = with_stones(stones, SIDES.format(0)) + f"; each stone is {off} m from the edge"
+        about.call = with_stones(stones, SIDES.format(0))
         got = tuple(masses_beside(stones, 0.0))
         expect_close(got, wanted, unit="kg", tolerance=TIGHT)
 
@@ -248,8 +239,8 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     angle = "" if name == "center_of_stones" else ", angle=0.3"
     about.call = with_stones(stones, f"{name}(stones{angle})")
     about.cause = (
-        "Your function changes its list, which it should only read. If you need to sort the list "
-        "or remove something from it, work on a copy."
+        "Your function changes the list of stones, which it should only read. Work on a copy of "
+        "the list."
     )
     center = middle(stones)
     wanted = {
@@ -259,25 +250,18 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     }[name]
     got, after = stones_after(name, stones)
     expect_unchanged("the list", after, stones)
-    about.cause = (
-        "The list is unchanged, but the result for these stones is wrong. Compare your formula "
-        "with the docstring."
-    )
+    about.cause = "Your result for these stones is wrong. Compare your formula with the docstring."
     expect_close(got, wanted, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
 @pytest.mark.robust
-def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
+def test_rejects_stones_without_a_center_of_mass(rng: Random) -> None:
     good = draw_stones(rng)
     calls = (
         ("center_of_stones", center_of_stones, ()),
         ("balance_offset", balance_offset, (0.3,)),
         ("masses_beside", masses_beside, (0.3,)),
-    )
-    about.cause = (
-        "These stones have no center of mass. Pass them all to center_of_mass, which raises the "
-        "error for you."
     )
     for name, function, more in calls:
         for stones in (
@@ -287,6 +271,12 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
             [*good, ("a balloon", -0.01, 0.1, 0.2)],
             [*good, ("nowhere", 1.0, math.nan, 0.2)],
         ):
+            about.cause = "The list is empty"
+            if stones:
+                about.cause = (
+                    f"The mass of the last stone is {stones[-1][1]}, but it must be positive"
+                )
+            about.cause += ". Pass all stones to center_of_mass, which raises ValueError for you."
             expect_error(
                 lambda function=function, stones=stones, more=more: function(stones, *more),
                 ValueError,
@@ -295,8 +285,8 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
                 read=f"the docstring of {name}",
             )
     about.cause = (
-        "The angle must be finite. Check it with finite from arguments.py, which raises the "
-        "ValueError for you."
+        "The angle is infinite. Check it with finite from arguments.py, which raises ValueError "
+        "for you."
     )
     for name, function, _ in calls[1:]:
         for angle in (math.nan, math.inf):

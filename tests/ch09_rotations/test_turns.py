@@ -11,7 +11,6 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
@@ -26,6 +25,7 @@ from turning import (
     Quad,
     draw_quad,
     draw_turn,
+    expect_kept,
     hamilton,
     named,
     quad,
@@ -45,18 +45,16 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
     """Return the results of likely mistakes in from_axis_angle."""
     cosine, sine, length = math.cos(0.5 * angle), math.sin(0.5 * angle), math.hypot(*axis)
     return {
-        "You use the whole angle instead of half of it.": quad(axis, 2.0 * angle),
+        "You use the whole angle. Use half the angle instead.": quad(axis, 2.0 * angle),
         "You use the whole angle instead of half of it, and you don't normalize the axis.": (
             math.cos(angle),
             *(component * math.sin(angle) for component in axis),
         ),
-        "You don't normalize the axis.": (cosine, *(c * sine for c in axis)),
-        "You treat the angle as degrees.": quad(axis, math.radians(angle)),
+        "You don't normalize the axis. Divide it by its length before you multiply it by the "
+        "sine.": (cosine, *(c * sine for c in axis)),
+        "You treat the angle as degrees. It is in radians.": quad(axis, math.radians(angle)),
         "You swap sine and cosine.": (sine, *(c / length * cosine for c in axis)),
-        "You use the axis as it is, without multiplying it by the sine.": (
-            cosine,
-            *(c / length for c in axis),
-        ),
+        "You don't multiply the axis by the sine.": (cosine, *(c / length for c in axis)),
         "Your rotation goes in the opposite direction.": quad(axis, -angle),
     }
 
@@ -81,7 +79,7 @@ def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
             got = same_sign(got, wanted)
         why = named(got, about.cause, make_slips(axis, t))
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
-        expect_unchanged("axis", xyz(v), axis, cause=UNCHANGED)
+        expect_kept("the axis", xyz(v), axis)
 
 
 @scoped
@@ -100,8 +98,7 @@ def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
     expect_any_length(
         rng,
         1e-3,
-        "Normalize the axis before you use it, because it can have any "
-        "length. Work on a copy, so that the axis stays as it is.",
+        "You don't normalize the axis. Use a normalized copy of it.",
     )
 
 
@@ -109,34 +106,31 @@ def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
 @pytest.mark.robust
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
-        about.cause = "The squares of these components don't fit into a float. Call Vector3's "
-        about.cause += "normalized, which handles such vectors."
+        about.cause = "You square the components, but their squares don't fit into a float. "
+        about.cause += "Normalize the axis with a method of Vector3, which avoids this."
         expect_any_length(rng, scale, about.cause)
 
 
 @pytest.mark.exercise("B9.9")
 @pytest.mark.robust
-def test_no_axis_or_no_angle_is_refused() -> None:
+def test_rejects_an_invalid_axis_or_angle() -> None:
     about.read = MAKE
-    for axis, angle, error in (
-        ((0.0, 0.0, 0.0), 1.0, ValueError),
-        ((0.0, math.nan, 1.0), 1.0, ValueError),
-        ((0.0, math.inf, 1.0), 1.0, ValueError),
-        ((0.0, 1.0, 1.0), math.nan, ValueError),
-        ((0.0, 1.0, 1.0), math.inf, ValueError),
-        ((0.0, 1.0, 1.0), "1.0", TypeError),
+    for axis, angle, error, problem in (
+        ((0.0, 0.0, 0.0), 1.0, ValueError, "The axis is zero, so it has no direction."),
+        ((0.0, math.nan, 1.0), 1.0, ValueError, ""),
+        ((0.0, math.inf, 1.0), 1.0, ValueError, "A component of the axis is infinite."),
+        ((0.0, 1.0, 1.0), math.nan, ValueError, ""),
+        ((0.0, 1.0, 1.0), math.inf, ValueError, "The angle is infinite."),
+        ((0.0, 1.0, 1.0), "1.0", TypeError, "The angle is a string, not a number."),
     ):
         about.call = f"Quaternion.from_axis_angle(Vector3{short(axis)}, {angle!r})"
-        about.cause = "A zero axis has no direction, and all numbers must be finite. Raise "
-        about.cause += "ValueError for a zero axis, and check the arguments with finite_vector and "
-        about.cause += "finite from arguments.py."
+        about.cause = f"{problem} Raise {error.__name__}."
         expect_error(
             lambda axis=axis, angle=angle: Quaternion.from_axis_angle(Vector3(*axis), angle),
             error,
             allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
         )
-    about.cause = "The check passed a tuple as the axis. Raise TypeError for anything but a "
-    about.cause += "Vector3."
+    about.cause = "The axis is a tuple, not a Vector3, so raise TypeError."
     expect_error(
         lambda: Quaternion.from_axis_angle((0.0, 1.0, 1.0), 1.0),
         TypeError,
@@ -153,7 +147,7 @@ def axis_angle_of(q: Quad) -> tuple:
     quaternion = Quaternion(*q)
     axis, angle = quaternion.to_axis_angle()
     got = expect_vector(axis, then=", the axis")
-    expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
+    expect_kept("q", rijk(quaternion), q)
     return got, angle
 
 
@@ -180,23 +174,23 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         wanted = tuple(component / length for component in axis)
         r, i, j, k = (sign * component for component in quad(axis, angle))
         about.call = f"q = Quaternion{short((r, i, j, k))}; q.to_axis_angle(), "
+        opposite = "Your axis points in the opposite direction."
         if r < 0.0:
-            about.cause += (
-                " If r is negative, use -q, which is the same rotation and reverses the axis."
-            )
+            about.cause += " If r is negative, use -q, which is the same rotation."
+            opposite += " If r is negative, reverse the axis too, because -q is the same rotation."
         got, turn = axis_angle_of((r, i, j, k))
         slips = {
-            "half of the angle": 0.5 * angle,
+            "You return half of the angle. Double it.": 0.5 * angle,
             "Your angle is greater than pi, so it is the longer way around. If r is negative, use "
             "-q, which is the same rotation by the smaller angle.": math.tau - angle,
-            "the angle in degrees": math.degrees(angle),
+            "You return the angle in degrees. Return it in radians.": math.degrees(angle),
             "Your angle has the wrong sign.": -angle,
             "You return half of the angle for the longer way around.": math.pi - 0.5 * angle,
         }
         why = named(turn, about.cause, slips)
         expect_close(turn, angle, then="the angle in radians", cause=why, tolerance=TIGHT)
         slips = {
-            "Your axis points the wrong way for this angle.": [-c for c in wanted],
+            opposite: [-c for c in wanted],
             "You return (i, j, k) without normalizing it.": (i, j, k),
         }
         why = named(got, about.cause, slips)
@@ -209,18 +203,15 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    about.cause = "This quaternion is a rotation by 0, so it has no particular axis. By "
-    about.cause += "convention, return the X axis and the angle 0."
+    about.cause = "A rotation by 0 has no particular axis. By convention, return the X axis and "
+    about.cause += "the angle 0."
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
         about.call = f"q = Quaternion{short(q)}; q.to_axis_angle(), "
         got, turn = axis_angle_of(q)
         expect_close(turn, 0.0, then="the angle in radians", tolerance=0.0)
         expect_close(got, X_AXIS, then="the axis", tolerance=0.0)
     about.cause = "Here r is 0, so the angle is pi. The axis may point in either direction."
-    by_asin = (
-        "Your angle has too few correct digits. asin loses half of them near pi, and acos near 0, "
-        "so use atan2."
-    )
+    by_asin = "You compute the angle with asin, which loses half of its digits near pi. Use atan2."
     q = (0.0, *unit)
     about.call = f"q = Quaternion{short(q)}; q.to_axis_angle(), "
     got, turn = axis_angle_of(q)
@@ -237,8 +228,8 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         expect_close(turn, wanted, then="the angle in radians", tolerance=TIGHT)
         expect_close(got, unit, then="the axis", tolerance=TIGHT)
     about.cause = (
-        "Near 0 the cosine of the angle rounds to 1, so acos can't recover the angle. Use atan2 "
-        "instead."
+        "You compute the angle with acos, which fails near 0, because the cosine rounds to 1. Use "
+        "atan2 instead."
     )
     for small in (1e-5, 1e-9):
         expect_small_turn(unit, small)
@@ -251,8 +242,8 @@ def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
     about.cause = (
-        "The squares of these components round to 0. Use Vector3's magnitude() and normalize(), "
-        "which handle such vectors."
+        "You square the components, but their squares round to 0. Use Vector3's magnitude() and "
+        "normalize(), which avoid this."
     )
     expect_small_turn(unit, 1e-200)
 
@@ -264,8 +255,8 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     length = math.hypot(*drawn[1:])
     unit = tuple(component / length for component in drawn[1:])
     about.cause = (
-        "A length that is_unit accepts may be slightly above or below 1. Use atan2, which works "
-        "for any length."
+        "Your result is wrong if the length is slightly above or below 1, which is_unit() accepts. "
+        "Use atan2, which works for any length."
     )
     for off in (1.0 + 5e-7, 1.0 - 5e-7):
         for whole in (drawn, (0.0, *unit), (1.0, 0.0, 0.0, 0.0)):
@@ -285,8 +276,8 @@ def test_each_axis_is_a_new_vector() -> None:
     about.call = "axis, _ = Quaternion().to_axis_angle(); axis.invert(); "
     about.call += "Quaternion().to_axis_angle()[0]"
     about.cause = (
-        "All calls return the same vector object as the axis. If a caller changes it, all other "
-        "results change too, so return a new vector on every call."
+        "You return the same X vector from every call, so a change of one result also changes the "
+        "others. Return a new vector each time."
     )
     first, _ = Quaternion().to_axis_angle()
     first.invert()
@@ -299,7 +290,7 @@ def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
     """Expect a quaternion to be refused if its length is off by 2e-6, but not by 5e-7."""
     about(
         cause="The length of this quaternion is not 1, so it is not a rotation. Call is_unit() "
-        "first, and raise ValueError if the answer is False.",
+        "first, and raise ValueError if it returns False.",
         read=read,
     )
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
@@ -317,7 +308,7 @@ def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
 
 @pytest.mark.exercise("B9.9")
 @pytest.mark.robust
-def test_what_is_no_turn_has_no_axis(rng: Random) -> None:
+def test_to_axis_angle_rejects_all_but_unit_quaternions(rng: Random) -> None:
     expect_unit_wanted(".to_axis_angle()", lambda q: q.to_axis_angle(), draw_quad(rng), BACK)
 
 
@@ -326,17 +317,21 @@ def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
     back = (q[0], -q[1], -q[2], -q[3])
     once = hamilton(q, (0.0, *v))
     return {
-        "Your computation loses the sign of r.": turned((abs(q[0]), *q[1:]), v),
-        "q* (0, v) q, which rotates in the opposite direction": turned(back, v),
-        "q (0, v), without q* on the right": once[1:],
-        "(0, v) q*, without q on the left": hamilton((0.0, *v), back)[1:],
-        "q (0, v) q, without the conjugate": hamilton(once, q)[1:],
+        "Your code ignores the sign of r, which is negative here. Use the component r "
+        "itself.": turned((abs(q[0]), *q[1:]), v),
+        "You compute q* (0, v) q, which rotates in the opposite direction. Put the conjugate q* on "
+        "the right.": turned(back, v),
+        "You compute q (0, v), without q* on the right. Multiply by q* too.": once[1:],
+        "You compute (0, v) q*, without q on the left. Multiply by it too.": hamilton(
+            (0.0, *v), back
+        )[1:],
+        "You compute q (0, v) q. Use the conjugate of q on the right.": hamilton(once, q)[1:],
         "the original v": v,
     }
 
 
 @pytest.mark.exercise("B9.10", weight=2)
-def test_a_vector_is_turned(rng: Random) -> None:
+def test_rotates_a_vector(rng: Random) -> None:
     about.read = ROTATE
     half = math.sqrt(0.5)
     about.call = f"q = Quaternion({half:.6g}, 0, 0, {half:.6g}), a rotation by 90 degrees about Z; "
@@ -361,12 +356,12 @@ def test_a_vector_is_turned(rng: Random) -> None:
         near = 1e-11 if abs(sign) == 1.0 else 1e-4
         why = named(got, about.cause, rotate_slips(q, a))
         expect_close(got, turned(q, a), cause=why, tolerance=near)
-        expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
-        expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
+        expect_kept("the vector", xyz(v), a)
+        expect_kept("q", rijk(quaternion), q)
     about.call = f"v = Vector3{short(a)}; Quaternion().rotate(v).invert(); v"
     about.cause = (
         "You return v itself, so a change of the result also changes v. Return a new vector, even "
-        "if nothing rotates."
+        "if the rotation is by 0."
     )
     same = Quaternion().rotate(v)
     same.invert()
@@ -375,17 +370,15 @@ def test_a_vector_is_turned(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.10")
 @pytest.mark.robust
-def test_what_is_no_turn_turns_nothing(rng: Random) -> None:
+def test_rotate_rejects_all_but_unit_quaternions(rng: Random) -> None:
     v = Vector3(1.0, 2.0, 3.0)
     expect_unit_wanted(".rotate(Vector3(1, 2, 3))", lambda q: q.rotate(v), draw_quad(rng), ROTATE)
 
 
 @pytest.mark.exercise("B9.10")
 @pytest.mark.robust
-def test_only_a_vector_is_turned(rng: Random) -> None:
-    about(
-        cause="The argument must be a Vector3. Raise TypeError for anything else.", read=FIRST_LINES
-    )
+def test_rotate_rejects_all_but_vectors(rng: Random) -> None:
+    about(cause="The argument is not a Vector3, so raise TypeError.", read=FIRST_LINES)
     q = draw_quad(rng)
     for other in ((1.0, 2.0, 3.0), 1.0):
         expect_error(

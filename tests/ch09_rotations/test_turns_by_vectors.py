@@ -12,7 +12,6 @@ from ch09_rotations.probes import in_parts
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components, positive_number
 from expect import (
-    UNCHANGED,
     about,
     expect_close,
     expect_error,
@@ -21,7 +20,18 @@ from expect import (
     scoped,
     xyz,
 )
-from turning import TIGHT, Quad, draw_quad, hamilton, named, quad, rijk, same_sign, short
+from turning import (
+    TIGHT,
+    Quad,
+    draw_quad,
+    expect_kept,
+    hamilton,
+    named,
+    quad,
+    rijk,
+    same_sign,
+    short,
+)
 
 BY_VECTOR = "book 9.4.10, the docstring of rotate_by, and E-12"
 ADD = "Eq. 9.5, the docstring of add_scaled, and E-31"
@@ -44,18 +54,27 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
     book = "as in the book's listing. (0, vector) is not a rotation (E-12), so make one from the "
     book += "vector with from_axis_angle."
     first_order = "which is only accurate to first order (E-12). Make an exact rotation from the "
-    first_order += "vector with from_axis_angle instead, and multiply it by q."
+    first_order += "vector with from_axis_angle instead."
+    make = (
+        "but (0, vector) is not a rotation (E-12). Make one from the vector with from_axis_angle."
+    )
     return {
         f"You multiply q by (0, vector), {book}": right,
         f"You multiply q by (0, vector) and normalize the product, {book}": unit(right),
-        "(0, vector) times q, where (0, vector) is not a rotation (E-12)": left,
-        "(0, vector) times q, normalized, where (0, vector) is not a rotation (E-12)": unit(left),
+        f"You multiply (0, vector) by q, {make}": left,
+        f"You multiply (0, vector) by q and normalize the product, {make}": unit(left),
         f"You use Eq. 9.9, {first_order}": stepped(q, left, 0.5),
         f"You use Eq. 9.9 and normalize, {first_order}": unit(stepped(q, left, 0.5)),
-        "q times the rotation, which is about the object's own axis": hamilton(q, quad(a, size)),
-        "You rotate by half the angle.": hamilton(quad(a, 0.5 * size), q),
-        "You rotate by twice the angle.": hamilton(quad(a, 2.0 * size), q),
-        "You rotate by 1 radian, no matter how long the vector is.": hamilton(quad(a, 1.0), q),
+        "You rotate about the object's own axes. Put the new rotation on the left of q, not on the "
+        "right.": hamilton(q, quad(a, size)),
+        "You rotate by half the angle. The angle is the whole length of the vector.": hamilton(
+            quad(a, 0.5 * size), q
+        ),
+        "You rotate by twice the angle. The angle is the length of the vector.": hamilton(
+            quad(a, 2.0 * size), q
+        ),
+        "You rotate by 1 radian, no matter how long the vector is. Use its length as the "
+        "angle.": hamilton(quad(a, 1.0), q),
         "You rotate in the opposite direction.": hamilton(quad(a, -size), q),
         "The quaternion hasn't changed. Assign the new values to the components of self, because a "
         "new quaternion is lost when the method returns.": q,
@@ -63,7 +82,7 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
 
 
 @pytest.mark.exercise("B9.11", weight=2)
-def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
+def test_rotates_a_quaternion_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     about.cause = (
         "Make a rotation with from_axis_angle, where the vector is the axis and its length is the "
@@ -79,18 +98,18 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
         slips = {name: same_sign(slip, wanted) for name, slip in by_vector_slips(q, a).items()}
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-11)
-        expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
+        expect_kept("the vector", xyz(v), a)
         about.call = f"Quaternion{short(q)}.rotate_by(Vector3{short(a)})"
         cause_none = "This method works in place, so it shouldn't return anything."
         expect_exactly(returned, None, cause=cause_none)
 
 
 @pytest.mark.exercise("B9.11")
-def test_a_steady_turn_is_exact_in_any_parts() -> None:
+def test_a_steady_rotation_is_exact_in_any_number_of_parts() -> None:
     about.read = BY_VECTOR
     about.cause = (
-        "Each call should rotate by exactly the length of its vector. Then all calls together give "
-        "the same result, however many there are."
+        "You don't rotate by exactly the length of the vector, so the errors of all calls add up. "
+        "Make an exact rotation from the vector."
     )
     for parts in (1, 7, 100):
         about.call = f"{parts} times q.rotate_by(Vector3(0.3, -0.5, 0.8) * 2 / {parts}), from "
@@ -106,10 +125,7 @@ def test_a_steady_turn_is_exact_in_any_parts() -> None:
 def expect_tiny_turn(tiny: float) -> None:
     """Expect rotate_by to add half of a very small vector."""
     about.read = BY_VECTOR
-    about.cause = (
-        "You treat this small angle as 0. Rotate by it as usual: (i, j, k) should become half of "
-        "the vector."
-    )
+    about.cause = "You treat this small angle as 0. Rotate by it as by any other angle."
     quaternion = Quaternion()
     about.call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
     quaternion.rotate_by(Vector3(0.0, tiny, 0.0))
@@ -118,13 +134,14 @@ def expect_tiny_turn(tiny: float) -> None:
 
 
 @pytest.mark.exercise("B9.11")
-def test_turned_on_by_next_to_nothing(rng: Random) -> None:
+def test_rotates_by_a_zero_or_tiny_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     q = draw_quad(rng)
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{short(q)}; q.rotate_by(Vector3(0, 0, 0)); q"
     about.cause = (
-        "A zero vector has no direction and means an angle of 0. Leave the quaternion as it is."
+        "A zero vector means a rotation by 0, but it has no direction that could be an axis. Leave "
+        "the quaternion unchanged."
     )
     quaternion.rotate_by(Vector3(0.0, 0.0, 0.0))
     # Normalizing at the end causes a rounding error here.
@@ -134,7 +151,7 @@ def test_turned_on_by_next_to_nothing(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.11")
 @pytest.mark.robust
-def test_turned_on_by_the_least_there_is() -> None:
+def test_rotates_by_an_extremely_short_vector() -> None:
     expect_tiny_turn(1e-200)
 
 
@@ -148,12 +165,12 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         "You leave out the factor 1/2 of Eq. 9.5. Add scale/2 times the product (0, vector) q to "
         "q.": stepped(q, left, scale),
         "You don't multiply the vector by the scale.": stepped(q, left, 0.5),
-        "Your factors are in the wrong order, so the step rotates about an axis of the object "
-        "instead of the world.": stepped(q, right, 0.5 * scale),
-        "You normalize the result, but a step of Eq. 9.5 should change the length a little (E-31). "
-        "The exercises measure this error, so leave it.": unit(stepped(q, left, 0.5 * scale)),
-        "You make the exact rotation that rotate_by makes. Make the first-order step of Eq. 9.5 "
-        "instead: add scale/2 times (0, vector) q to q.": hamilton(
+        "You rotate about an axis of the object instead of the world, because you compute q (0, "
+        "vector). Swap the two factors.": stepped(q, right, 0.5 * scale),
+        "You normalize the result. Don't, because the exercises measure by how much a step of Eq. "
+        "9.5 changes the length (E-31).": unit(stepped(q, left, 0.5 * scale)),
+        "You rotate exactly, as rotate_by does. add_scaled takes the first-order step of Eq. 9.5 "
+        "instead: it adds scale/2 times (0, vector) q to q.": hamilton(
             quad(a, scale * math.hypot(*a)), q
         ),
         "You use components of q that you have already changed. Compute all four from "
@@ -186,7 +203,7 @@ def test_the_step_of_the_book(rng: Random) -> None:
         got = rijk(quaternion)
         why = named(got, about.cause, add_slips(q, a, scale))
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
-        expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
+        expect_kept("the vector", xyz(v), a)
     about.cause = "This method works in place, so it shouldn't return anything."
     about.call = f"Quaternion{short(q)}.add_scaled(Vector3{short(a)}, {scale})"
     expect_exactly(returned, None)
@@ -195,13 +212,10 @@ def test_the_step_of_the_book(rng: Random) -> None:
 @pytest.mark.exercise("B9.11")
 @pytest.mark.robust
 @pytest.mark.parametrize("method", ["rotate_by", "add_scaled"])
-def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
+def test_rejects_an_invalid_vector_or_scale(rng: Random, method: str) -> None:
     about.read = f"the docstring of {method}"
     q, scale = draw_quad(rng), positive_number(rng)
-    about.cause = (
-        "The vector and the scale must be finite. Check them with finite_vector and finite from "
-        "arguments.py before you change anything."
-    )
+    changed = "You change q before you have checked all arguments. Check them first."
     good = (0.0, 1.0, 1.0)
     bad = [((0.0, n, 1.0), scale, ValueError) for n in (math.nan, math.inf)]
     bad += [(good, n, ValueError) for n in (math.nan, math.inf) if method == "add_scaled"]
@@ -216,12 +230,17 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
         about.call = f"q = Quaternion{short(q)}; "
         about.call += f"q.{method}({'None' if a is None else f'Vector3{short(a)}'}"
         about.call += f", {by!r})" if method == "add_scaled" else ")"
+        which = "scale" if a is good else "vector"
+        kind = "a string, not a number" if a is good else "None, not a Vector3"
+        about.cause = f"The {which} must be finite, so raise ValueError."
+        if error is TypeError:
+            about.cause = f"The {which} is {kind}, so raise TypeError."
         expect_error(
             lambda quaternion=quaternion, vector=vector, by=by: use(quaternion, vector, by),
             error,
             allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
         )
-        expect_unchanged("q", rijk(quaternion), q)
+        expect_unchanged("q", rijk(quaternion), q, cause=changed)
     more = (scale,) if method == "add_scaled" else ()
     shown = ", ".join(map(str, (good, *more)))
     expect_error(
@@ -229,6 +248,6 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
         TypeError,
         call=f"Quaternion{short(q)}.{method}({shown})",
         allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
-        cause="The check passed a tuple. Raise TypeError for anything but a Vector3.",
+        cause="The vector is a tuple, not a Vector3, so raise TypeError.",
         read=FIRST_LINES,
     )

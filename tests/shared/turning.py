@@ -165,14 +165,24 @@ def named(
     if likely != cause or not isinstance(got, tuple) or not 0 < len(wanted) == len(got):
         return likely
     columns, near = len(wanted) // 3, 1e-9 * max(map(abs, wanted))
-    wrong = [
-        f"row {place // columns + 1}, column {place % columns + 1}"
+    if not all(type(g) in (int, float) for g in got):
+        return cause
+    wrong = {  # whether only the sign is wrong, keyed by the place
+        f"row {place // columns + 1}, column {place % columns + 1}": abs(g + w) <= near
         for place, (g, w) in enumerate(zip(got, wanted, strict=True))
-        if type(g) not in (int, float) or not abs(g - w) <= near
-    ]
+        if not abs(g - w) <= near
+    }
     if len(wrong) not in (1, 2):
         return cause
-    return f"Your matrix is right except for {' and '.join(wrong)}. {cause}"
+    what = ("the sign in ", "the signs in ")[len(wrong) - 1] if all(wrong.values()) else ""
+    return f"Your matrix is right except for {what}{' and '.join(wrong)}. {cause}"
+
+
+def expect_kept(name: str, now: Sequence[float], before: Sequence[float]) -> None:
+    """Expect that a call did not change an object that it should only read."""
+    __tracebackhide__ = True
+    cause = f"Your code changes {name}, which it should only read. Use local variables instead."
+    expect.expect_unchanged(name, now, before, cause=cause)
 
 
 def same_sign(got: Any, wanted: Sequence[float]) -> Any:

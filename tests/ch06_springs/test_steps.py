@@ -22,16 +22,15 @@ EXERCISES = {
 }
 RULES = {
     "explicit_euler": (
-        "First move the particle with the old velocity, p' = p + v h. Then set the new "
-        "velocity v' = (v + a h) d^h, where a is the acceleration at the start."
+        "Your result differs from explicit Euler, p' = p + v h and v' = (v + a h) d^h. Use the old "
+        "velocity v and the acceleration a at the start."
     ),
     "semi_implicit_euler": (
-        "First set the new velocity, v' = (v + a h) d^h. Then move the particle with this "
-        "velocity, p' = p + v' h."
+        "Your result differs from semi-implicit Euler, v' = (v + a h) d^h and then p' = p + v' h."
     ),
     "leapfrog": (
-        "Move for half the step, p1 = p + v h / 2, and evaluate the forces there. Then set v' "
-        "= (v + a h) d^h, and move for the other half, p' = p1 + v' h / 2."
+        "Your result differs from leapfrog, p1 = p + v h / 2, v' = (v + a h) d^h with a at p1, and "
+        "p' = p1 + v' h / 2."
     ),
     "velocity_verlet": (
         "Move the particle first, p' = p + v h + a h^2 / 2. Then evaluate the acceleration b "
@@ -45,6 +44,15 @@ RULES = {
 }
 COUNTS = {1: "exactly one call", 2: "exactly two calls", 4: "exactly four calls"}
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
+BY_HAND = (
+    "It acts during the whole step, so include it in every evaluation.",
+    "Don't clear the accumulators before you call apply_forces.",
+)
+INSTEAD = {  # what to do if a step is that of another method
+    "explicit_euler": "Move each particle with its old velocity, before you change the velocity.",
+    "semi_implicit_euler": "Change the velocity first, and then move with the new velocity.",
+    "leapfrog": "Drift for h / 2, kick for h, and drift for the other h / 2.",
+}
 methods = pytest.mark.parametrize(
     "method",
     [pytest.param(name, marks=pytest.mark.exercise(id_)) for name, id_ in EXERCISES.items()],
@@ -64,15 +72,15 @@ def walk(method: str, body: Body, k: float, c: float, h: float, frames: int) -> 
 
 
 def slips_of(
-    method: str, body: Body, k: float, c: float, h: float, frames: int
+    method: str, body: Body, k: float, c: float, h: float, frames: int, asked: int
 ) -> dict[str, list[float]]:
     """Return what walk would return after each likely mistake, keyed by its explanation."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
         "Your step leaves out p.acceleration, the constant acceleration. Add it to f / m, the "
         "acceleration that the forces cause.": (p, v, ZERO, mass, d, hand),
-        "Your step leaves out the force that was added to p before the step. This force acts "
-        "during the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
+        "Your step leaves out the force that was added to p before the step. "
+        + BY_HAND[EVALUATIONS[method] == 1]: (p, v, a, mass, d, ZERO),
         "You didn't divide the forces by the mass. The acceleration is p.acceleration + f / m, "
         "where f is the sum of the forces.": (p, v, a, 1.0, d, hand),
         "Your velocity is never damped. Multiply it by d^h once per step, where d is the "
@@ -82,14 +90,16 @@ def slips_of(
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
-        (
-            "Your step ignores the forces of apply_forces. Call apply_forces with the duration "
-            "of the step, and read the accumulators after that."
-        )
+        "You call apply_forces too late, so its forces have no effect on the step. Call it before "
+        "you use the accumulators."
+        if asked
+        else "You never call apply_forces. Call it in every step, before you use the accumulators."
     ] = walk(method, body, 0.0, 0.0, h, frames)
     slips |= {
-        f"This is a step of {other}, not of {method}. Compare the order of your operations with "
-        "the docstring.": walk(other, body, k, c, h, frames)
+        f"This is a step of {other}, not of {method}. "
+        f"{INSTEAD.get(method, 'Compare the order of your operations with the docstring.')}": (
+            walk(other, body, k, c, h, frames)
+        )
         for other in EXERCISES
         if other != method
     }
@@ -116,8 +126,7 @@ def call_of(method: str, what: str) -> str:
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = "The check adds a force to p before the step. It acts during the whole step, so "
-    by_hand += "include it in every evaluation of the forces."
+    by_hand = "The check adds a force to p before the step. " + BY_HAND[0]
     for what, body, frames, cause in (
         ("one step", draw_body(rng), 1, RULES[method]),
         ("one step", draw_body(rng, components(rng)), 1, by_hand),
@@ -125,8 +134,8 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three steps",
             draw_body(rng),
             3,
-            "Your first step is right, but the next ones are not. Perhaps the forces of a step "
-            "still act in the next one, so clear the accumulators before the step ends.",
+            "Your first step is right, but its forces still act in the next steps. Clear the "
+            "accumulators at the end of each step.",
         ),
         (
             "one step",
@@ -148,7 +157,7 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
         about.call += f"velocity v{pushed}; {what} of h = {h} s"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
-        slips = slips_of(method, body, k, c, h, frames)
+        slips = slips_of(method, body, k, c, h, frames, len(ends["asked"]))
         slip = named((*ends["positions"][0], *ends["velocities"][0]), about.cause, slips)
         expect_exactly(ends["dampings"], [d], then="; p.damping")
         # A few roundings of numbers up to 10^4.
@@ -175,9 +184,8 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     about.call = call_of(
         method, f"two particles of {mass} kg joined by a spring of {s} N/m; h = {h} s"
     )
-    about.cause = "The force on each particle depends on the positions of both. Move all "
-    about.cause += "particles before you evaluate the forces again, not one particle after the "
-    about.cause += "other."
+    about.cause = "You call apply_forces when only one of the particles has moved. Call it once "
+    about.cause += "for all particles, not once for each."
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
         one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
@@ -222,8 +230,8 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     expect_exactly(
         len(asked), frames * EVALUATIONS[method], then="; number of calls of apply_forces"
     )
-    about.cause = "Pass the duration of the whole step to apply_forces, even when you evaluate "
-    about.cause += "the forces in the middle of the step."
+    about.cause = "You don't pass the duration h of the whole step to apply_forces. Pass h, even "
+    about.cause += "in the middle of the step."
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
@@ -253,6 +261,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
         f"adds -{k} x; h = {h} s",
     )
     about.cause = RULES[method]
+    if EVALUATIONS[method] == 1:
+        when = "after the first half drift" if method == "leapfrog" else "before you move anything"
+        about.cause = f"You call apply_forces at the wrong time. Call it {when}."
     asked = stepped(method, [body], (k, 0.0), h, 1)["asked"]
     wanted = []
     for i in range(3):
@@ -316,8 +327,8 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     about.call = call_of(
         method, f"an immovable particle at {place} with velocity {velocity}, and a movable one"
     )
-    about.cause = "An immovable particle must stay where it is and keep its velocity. Skip it, or "
-    about.cause += "use drift and kick, which leave it alone."
+    about.cause = "Your step moves an immovable particle or changes its velocity. Skip it, or use "
+    about.cause += "drift and kick, which leave it alone."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(
         ends["positions"][0],
@@ -358,10 +369,6 @@ def test_a_step_needs_a_duration(method: str) -> None:
         "The duration of a step must be positive and finite. Raise ValueError otherwise, with the "
         "function positive from arguments.py."
     )
-    late = (
-        "You raised an error because of the duration, but only after changing the particle. Check "
-        "the duration before anything else."
-    )
     for bad in (0.0, -1.0, math.inf, math.nan):
         about(f"{method}([p], apply_forces, {bad})", cause=refuse)
         expect_error(
@@ -370,22 +377,14 @@ def test_a_step_needs_a_duration(method: str) -> None:
             allowed=lambda: stepped(method, [body], (5.0, 0.0), 0.5, 1),
         )
         after = refused(method, bad)
-        got = (*after["position"], *after["velocity"], *after["force"])
-        wanted = (1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0)
-        expect_close(
-            got,
-            wanted,
-            then=" raised an error; p.position, p.velocity and p.force_accumulator",
-            cause=late,
-            tolerance=0.0,
-        )
-        about.cause = (
-            "You raised an error because of the duration, but only after calling apply_forces. "
-            "Check the duration before anything else."
-        )
-        expect_exactly(
-            after["asked"], [0], then=(" raised an error; number of calls of apply_forces")
-        )
+        first = "before you check the duration. Check it before anything else."
+        about.cause = f"You call apply_forces {first}"
+        for name, wanted in zip(after, ((1, 0, 0), (0, 2, 0), (0, 0, 3)), strict=False):
+            then = f", which raised an error; p.{name}" + "_accumulator" * (name == "force")
+            cause = about.cause if name == "force" else f"You change the {name} {first}"
+            expect_close(after[name], wanted, then=then, cause=cause, tolerance=0.0)
+        then = ", which raised an error; number of calls of apply_forces"
+        expect_exactly(after["asked"], [0], then=then)
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = (
         "An empty list of particles is not an error, because there is simply nothing to do. A "

@@ -65,7 +65,13 @@ def wrong_steps(
             pushed += weight * rate
         return x + moved / sum(weights) * h, (v + pushed / sum(weights) * h) * keep
 
-    keep, first = d**h, force(x, v)
+    keep, first, half_keep = d**h, force(x, v), d ** (0.5 * h)
+    if method == "explicit_euler":
+        middle, early = x + 0.5 * h * v, (v + 0.5 * h * first) * half_keep
+        return {
+            "You make two steps of h / 2, so the second half uses a new velocity. Make a single "
+            "step of h.": (middle + 0.5 * h * early, (early + 0.5 * h * acceleration) * half_keep),
+        }
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
         return {
@@ -73,15 +79,22 @@ def wrong_steps(
             "Move it only once, with the new velocity.": (x + (v + new) * h, new),
             "You move the position with the mean of the old and the new velocity. Semi-implicit "
             "Euler uses only the new velocity.": (x + 0.5 * (v + new) * h, new),
-            "You move the position with the undamped velocity. Apply the damping first, and "
-            "then move the position.": (x + (v + first * h) * h, new),
+            "You move the position with the velocity before damping. Multiply the velocity by d^h "
+            "first, and then move the position.": (x + (v + first * h) * h, new),
         }
     if method == "leapfrog":
         middle = x + 0.5 * h * v
         new = (v + force(middle, v) * h) * keep
         early = (v + first * h) * keep
-        halved = (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h)
+        halved = (v + 0.5 * h * force(middle, v)) * half_keep
+        kicked = (v + 0.5 * h * first) * half_keep
+        ahead = x + h * kicked
         return {
+            "You kick for h / 2, drift for h, and kick again. Drift for h / 2, kick for h, and "
+            "drift for h / 2 instead, so that apply_forces is called only once.": (
+                ahead,
+                (kicked + 0.5 * h * force(ahead, kicked)) * half_keep,
+            ),
             "You evaluate the forces at the start of the step. Evaluate them after the first half "
             "drift instead.": (x + 0.5 * h * (v + early), early),
             "After the kick, you drift for the whole step h. The first drift already covered h "

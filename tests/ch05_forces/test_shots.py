@@ -92,10 +92,10 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         }
         blame(got, slips)
         expect_close(got, wanted, then="; range.bullet.velocity, in m/s")
-        about.cause = "Your bullet doesn't start at the muzzle. Its position must be MUZZLE."
+        about.cause = "Your bullet doesn't start at the muzzle. Use MUZZLE as its position."
         got = xyz(bullet.position)
         expect_close(got, (0, 1.5, 0), then="; range.bullet.position, in m")
-        about.cause = "Gravity doesn't act on your bullet. Its acceleration must be GRAVITY."
+        about.cause = "Gravity doesn't act on your bullet. Use GRAVITY as its acceleration."
         got = xyz(bullet.acceleration)
         expect_close(got, (0, -2, 0), then="; range.bullet.acceleration, in m/s^2")
         about.cause = "The bullet's mass must be BULLET_MASS, and its damping must be 1."
@@ -112,7 +112,7 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator, in N"
-    about.cause = "The wind doesn't act on your bullet as it should. In shoot, add the pair of the "
+    about.cause = "The wind doesn't act on your bullet. In shoot, add the pair of the "
     about.cause += "new bullet and the wind to self.forces."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
@@ -123,7 +123,7 @@ def test_the_wind_acts_on_the_bullet() -> None:
     drag = 0.02 + 0.0003 * math.hypot(4.0, 100.0)
     wanted = (4.0 * drag, 0.0, -100.0 * drag)
     got = xyz(bullet.force_accumulator)
-    twice = "The wind acts on your bullet twice. Register it with self.forces only once."
+    twice = "You registered the wind for your bullet twice. Register it only once."
     blame(got, [([2.0 * part for part in wanted], twice)])
     expect_close(got, wanted)
 
@@ -142,6 +142,9 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     place = xyz(bullet.position)
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
     blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call integrate in it.")])
+    if place[1] > wanted[1]:
+        about.cause = "Your bullet moves too far in one step, as if integrate were called twice. "
+        about.cause += "Call it once in update, and not in shoot."
     name, way = "; x and y of range.bullet.position, in m", "the docstring of update"
     expect_close(place[:2], wanted, then=name, read=way, tolerance=1e-12)
     about.call += "; range.shoot(0.0, 0.0)"
@@ -182,12 +185,12 @@ def test_rejects_an_angle_beyond_swing(bad: float) -> None:
     about.read = SHOOT
     for angles, name in (((bad, 0.0), "azimuth"), ((0.0, bad), "elevation")):
         about.call = f"range.shoot{angles}"
-        about.cause = f"The {name} is {bad} rad. It must be from -SWING to SWING, which is 0.2 "
-        about.cause += "rad, so raise ValueError."
+        about.cause = f"The {name} is {bad} rad, but it must be from -0.2 to 0.2 rad (SWING). "
+        about.cause += "Raise ValueError."
         at = SniperRange(1)
 
         def allowed() -> None:
-            at_limit = "An angle of exactly SWING, 0.2 rad, is valid. Use > instead of >=."
+            at_limit = "You reject an angle of exactly SWING, which is valid. Use > instead of >=."
             for good in ((0.2, -0.2), (-0.2, 0.2)):
                 about(f"range.shoot{good}", cause=at_limit)
                 SniperRange(1).shoot(*good)
@@ -216,13 +219,13 @@ def test_only_the_smallest_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
     about.cause = "Only the smallest ring around the hole counts. A hole scores 10 points up to "
     about.cause += "0.1 m from the center, 5 up to 0.25 m, 2 up to 0.5 m, and 0 beyond."
-    use = "Compare the distance from the center, math.hypot(x, y), with the radii."
-    add = "You add up the points of all rings around the hole. Count only those of the smallest."
+    use = "Compare the true distance, math.hypot(x, y), with the radii."
+    add = "You add up the points of all rings around the hole. Count only the smallest one."
     largest = "You return the points of the largest ring. Check the smallest ring first."
     for x, y, points, slip, gives in (
         (0.0, 0.3, 2, "You compare only x with the radii of the rings.", 10),
         (0.3, 0.0, 2, "You compare only y with the radii of the rings.", 10),
-        (0.08, -0.08, 5, "You treat a hole 0.113 m from the center as if it were closer.", 10),
+        (0.08, -0.08, 5, "Your distance from the center is smaller than 0.1131 m.", 10),
         (0.2, 0.2, 2, "You use the larger of |x| and |y|, which makes the rings square.", 5),
     ):
         about.call = f"ring_points({x}, {y}), for a hole {math.hypot(x, y):.4f} m from the center"
@@ -318,7 +321,7 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
 def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
     about.cause = "You find no hole, although the path goes straight through a target. Subtract "
-    about.cause += "the target's x and y, because ring_points needs a position from the center."
+    about.cause += "the target's x and y, because ring_points measures from the center."
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)

@@ -57,8 +57,8 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         y = math.hypot(x, distance) * math.tan(elevation) - fallen(distance / (level * FRAME))
         about.call = f"range = SniperRange(1), without drag; range.shoot(azimuth={azimuth:.6g}, "
         about.call += f"elevation={elevation:.6g}); range.update(1/60) until range.bullet is None"
-        about.cause = "The bullet flies through a target, but you found no hit. integrate changes "
-        about.cause += "bullet.position in place, so start must be a copy made before it."
+        about.cause = "The bullet flies through a target, but you find no hit. integrate moves "
+        about.cause += "bullet.position in place, so copy the position before you call integrate."
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
         if came["score"]:
@@ -98,7 +98,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
     frames = (len(blown), len(still))
     # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in step 109.
-    none = "Your bullet flies as if there were no drag. Call update_forces in each step."
+    none = "Your bullet flies as if there were no drag. Call update_forces before each integrate."
     blame(frames, [((105, 105), none)])
     if min(frames) > 109:
         about.cause = "Your bullet flies on beyond the end of the range. End the shot as soon as "
@@ -163,8 +163,8 @@ def test_a_step_takes_the_given_duration(rng: Random) -> None:
 def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     about("range.bullet at (20, 1, 178) with velocity (0, -2, 64), without forces; ", read=UPDATE)
     about.call += "range.update(0.5), which moves the bullet to (20, 0, 210)"
-    about.cause = "You end the shot although y is exactly 0 and z exactly 210. End it only if y < "
-    about.cause += "0 or z > 210, and not if they are equal."
+    about.cause = "You end the shot at y = 0 and z = 210, which is exactly on the edge. End it "
+    about.cause += "only if y < 0 or z > 210."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
@@ -259,8 +259,8 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
         "self.bullet to None when a shot lands.",
     )
     about.call += "; range.forces.update_forces(0.5); bullet.force_accumulator, in N"
-    about.cause = "The wind still acts on a bullet that has landed. Remove its forces from "
-    about.cause += "self.forces when the shot ends."
+    about.cause = "The wind still acts on a bullet that has landed. Clear the registered forces "
+    about.cause += "when the shot ends."
     at.forces.update_forces(0.5)
     expect_close(xyz(bullet.force_accumulator), (0, 0, 0))
     about.cause = "A bullet that has landed must no longer move. If self.bullet is None, return "

@@ -180,8 +180,8 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "You left out the damping. Add the damping times the rate at which the length "
-                "grows to the pull.": [-k * extension * part for part in d],
+                "You left out the damping. To the pull, add the damping times the rate at which "
+                "the length grows.": [-k * extension * part for part in d],
                 (
                     "The damping is so large here that your rope pushes. A rope can only pull, "
                     "so add no force in this case."

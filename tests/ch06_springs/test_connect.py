@@ -138,8 +138,8 @@ def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.call = f"a and b at {place}, a with velocity {v}; c = Connection(a, b, stiffness=100.0, "
     about.call += "rest_length=2.0, damping=3.0); c.update_force(a, 0.5)"
     about.cause = (
-        "The length is 0, because both ends are at the same position. Don't divide by it, because "
-        "the spring exerts no force here."
+        "You divide by the length, which is 0 because both ends are at the same position. The "
+        "spring exerts no force here."
     )
     a, b = Particle(Vector3(*place), Vector3(*v)), Particle(Vector3(*place))
     c = Connection(a, b, 100.0, 2.0, 3.0)
@@ -246,7 +246,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     nothing = "connect returned nothing. Return the Connection that it registers."
     expect_that(s is not None, "nothing (None)", "a Connection", cause=nothing)
     got = (s.stiffness, s.rest_length, s.damping)
-    undamped = "You didn't pass the damping to Connection, so the spring has a damping of 0."
+    undamped = "You left out the damping. Pass it to Connection, besides the other two numbers."
     blame(got, [((k, rest, 0.0), undamped)])
     expect_close(got, (k, rest, c), then="; s.stiffness, s.rest_length and s.damping")
     about.cause = "The spring that you return doesn't have the ends a and b. Create a single "
@@ -353,8 +353,8 @@ def test_connect_rejects_invalid_numbers() -> None:
         ("damping", (1.0, 1.0, -1.0)),
         ("stiffness", (math.nan, 1.0, 0.0)),
     ):
-        about.cause = f"The {name} is -1, but it must not be negative. Pass it unchanged to "
-        about.cause += "Connection, whose constructor raises the ValueError."
+        about.cause = f"Your connect accepts a negative {name}. Pass it unchanged to Connection, "
+        about.cause += "whose constructor raises the ValueError."
         about.call = "connect(registry, a, b, stiffness={}, rest_length={}, damping={})".format(
             *bad
         )

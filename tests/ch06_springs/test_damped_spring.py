@@ -48,7 +48,8 @@ def by_roots(x0: float, v0: float, k: float, c: float, m: float, t: float) -> tu
 @scoped
 def expect_position(arguments: tuple[float, ...], wanted: float, tolerance: float) -> None:
     """Expect the position that damped_spring_state gives of these arguments."""
-    call = "damped_spring_state(x0={}, v0={}, stiffness={}, damping={}, mass={}, time={})[0]"
+    call = "damped_spring_state(x0={:g}, v0={:g}, stiffness={:g}, damping={:g}, mass={:g}, "
+    call += "time={:g})[0]"
     about(f"{call.format(*arguments)}, the position in m", read=READ)
     got = damped_spring_state(*arguments)[0]
     expect_close(got, wanted, tolerance=tolerance)
@@ -67,8 +68,8 @@ def test_the_three_cases_by_known_values() -> None:
         * math.cos(0.5 * damped),
         "Your spring oscillates at the undamped frequency sqrt(k / m). Use the damped frequency "
         "gamma, which is lower.": math.exp(-0.5) * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "Your position of this critically damped spring is only e^(-half t), with half = c / (2 "
-        "m). Add the second term, half t e^(-half t).": math.exp(-5.0),
+        "The spring is critically damped, but your position is only e^(-half t), with half = c / "
+        "(2 m). Add the second term, half t e^(-half t).": math.exp(-5.0),
     }
     over = math.sqrt(300.0)  # gamma for c = 40
     slips |= {
@@ -120,7 +121,7 @@ def test_the_three_cases_by_known_values() -> None:
         )
         state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, t)
         count = len(state) if isinstance(state, (tuple, list)) else 1
-        both = "Your function must return two numbers, the position and the velocity."
+        both = "You didn't return two numbers. Return both the position and the velocity."
         expect_exactly(count, 2, then="; number of values returned", cause=both)
         expect_close(
             state[0], x, then="[0], the position in m", cause=named(state[0], about.cause, slips)
@@ -225,11 +226,9 @@ def test_the_motion_is_smooth_at_critical_damping(rng: Random) -> None:
         ):
             about.cause = cause
             c = critical * (1.0 + share)
-            about.call = (
-                f"c = {critical:g} * (1 + {share:g}); damped_spring_state(x0={x0}, v0={v0}, "
-            )
-            about.call += f"stiffness={k}, damping=c, mass={m}, time={t}); (position in m, "
-            about.call += "velocity in m/s)"
+            about.call = f"c = {critical:g} * (1 + {share:g}); damped_spring_state(x0={x0}, "
+            about.call += f"v0={v0}, stiffness={k}, damping=c, mass={m}, time={t}); (position in "
+            about.call += "m, velocity in m/s)"
             got = damped_spring_state(x0, v0, k, c, m, t)
             if "nan" in f"{got}":
                 about.cause = "Your result is NaN very close to critical damping. Compute gamma in "

@@ -83,7 +83,7 @@ def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
 
 
 @pytest.mark.exercise("6.1")
-def test_beyond_its_limit_the_stiffness_is_smaller(rng: Random) -> None:
+def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
     about.read = READ
     base, d = components(rng), direction(rng)
     k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
@@ -106,8 +106,8 @@ def test_beyond_its_limit_the_stiffness_is_smaller(rng: Random) -> None:
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "Your force stops growing at the limit. Let it grow with the length beyond the "
-                "limit too, with share * stiffness."
+                "Your force stops growing at the limit. Beyond the limit, let the force grow with "
+                "share * stiffness."
             ): limit - rest,
             (
                 "You multiply the whole extension by share. Apply share only to the part of "

@@ -44,12 +44,12 @@ def spring_slips(
         "compressed spring pulls. Remove abs, so that it pushes.": along(-abs(pull) - c * rate),
         "Your damping has the wrong sign, so it pushes in the direction of the motion. It must "
         "oppose the motion.": along(c * rate - pull),
-        "The sign of your force is wrong, so a stretched spring pushes. Its pull must point "
-        "against the offset.": along(pull + c * rate),
+        "The sign of your force is wrong, so a stretched spring pushes. A stretched "
+        "spring must pull against the offset.": along(pull + c * rate),
         "Your force is the stiffness times the whole length. Only the extension counts, so "
         "subtract the rest length from the length.": along(-k * length - c * rate),
-        "You multiply by the whole offset, so a long spring is too strong. Only its direction "
-        "counts, so normalize it first.": along(-(pull + c * rate) * length),
+        "You multiply the force by the whole offset instead of its direction. Normalize the "
+        "offset first.": along(-(pull + c * rate) * length),
         "You use the squared length of the offset. The extension needs the length itself, so "
         "use magnitude().": along(-k * (length**2 - rest) - c * rate),
         "You left out the damping. Add a force along the spring: the damping times the rate at "
@@ -137,16 +137,16 @@ def test_damping_acts_only_along_the_spring(rng: Random) -> None:
 def test_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.read = READ
     v = components(rng)
-    about.call = f"spring_force(offset=Vector3(), velocity=Vector3{v}, stiffness=100.0, "
+    about.call = f"offset, v = Vector3(), Vector3{v}; spring_force(offset, v, stiffness=100.0, "
     about.call += "rest_length=2.0, damping=3.0), in N"
     about.cause = (
-        "The length is 0, because both ends are at the same position. Don't divide by it, but use "
+        "You divide by the length, which is 0 because both ends are at the same position. Use "
         "normalized(), which returns a zero vector here."
     )
     got = xyz(spring_force(Vector3(), Vector3(*v), 100.0, 2.0, 3.0))
     expect_close(got, ZERO)
-    about.call = "spring_force(offset=Vector3(0, 1e-9, 0), velocity=Vector3(), stiffness=100.0, "
-    about.call += "rest_length=2.0), in N"
+    about.call = "spring_force(offset=Vector3(0, 1e-9, 0), velocity=Vector3(), stiffness=100, "
+    about.call += "rest_length=2), in N"
     about.cause = (
         "Your spring exerts no force, although its ends are 1e-9 m apart. It still has a "
         "direction, so don't treat a short length as 0."

@@ -119,7 +119,7 @@ def draw_body(rng: Random, hand: Components = ZERO) -> Body:
 
 
 def call_of(method: str, what: str) -> str:
-    return f"{method}(particles, apply_forces, h); {what}"
+    return f"{what}; {method}(particles, apply_forces, h)"
 
 
 @methods
@@ -128,17 +128,17 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
     by_hand = "The check adds a force to p before the step. " + BY_HAND[0]
     for what, body, frames, cause in (
-        ("one step", draw_body(rng), 1, RULES[method]),
-        ("one step", draw_body(rng, components(rng)), 1, by_hand),
+        ("one step of", draw_body(rng), 1, RULES[method]),
+        ("one step of", draw_body(rng, components(rng)), 1, by_hand),
         (
-            "three steps",
+            "three steps of",
             draw_body(rng),
             3,
             "Your first step is right, but its forces still act in the next steps. Clear the "
             "accumulators at the end of each step.",
         ),
         (
-            "one step",
+            "one step of",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
             "With a damping d of 0 the factor d^h is 0, so the velocity must be 0 at the end "
@@ -148,13 +148,11 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
         about.cause = cause
         p, v, a, mass, d, hand = body
         pushed = f"; the check adds {hand} N to p before the step" if any(hand) else ""
-        about.call = call_of(
-            method,
-            f"p at {p} with velocity {v}; p has acceleration {a}, mass {mass} and damping d = "
-            f"{d}; ",
+        about.call = f"p at {p} with velocity {v}; p has acceleration {a}, mass {mass} and damping "
+        about.call += f"d = {d}; apply_forces adds the spring force -{k} x - {c} v, with position "
+        about.call += (
+            f"x and velocity v{pushed}; {what} {method}([p], apply_forces, h) with h = {h} s"
         )
-        about.call += f"apply_forces adds the spring force -{k} x - {c} v, with position x and "
-        about.call += f"velocity v{pushed}; {what} of h = {h} s"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
         slips = slips_of(method, body, k, c, h, frames, len(ends["asked"]))
@@ -222,7 +220,7 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     bodies = [draw_body(rng, hand), draw_body(rng)]
     about.call = call_of(
         method,
-        f"{frames} steps of h = {h} s; before each step, the check adds {hand} N to particles[0]",
+        f"h = {h} s; before each of {frames} steps, the check adds {hand} N to particles[0]",
     )
     about.cause = f"{method} needs {COUNTS[EVALUATIONS[method]]} of apply_forces in each step. "
     about.cause += "Each call evaluates the forces of all particles together."
@@ -232,11 +230,13 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     )
     about.cause = "You don't pass the duration h of the whole step to apply_forces. Pass h, even "
     about.cause += "in the middle of the step."
-    expect_close(
-        [d for d, _, _ in asked],
-        [h] * len(asked),
-        then="; the durations in s that apply_forces is called with",
+    durations, all_of_it = [d for d, _, _ in asked], [h] * len(asked)
+    half = (
+        "You pass h / 2 to apply_forces. Pass the whole duration h, even in the middle of the step."
     )
+    why = named(durations, about.cause, {half: [0.5 * d for d in all_of_it]})
+    then = "; the durations in s that apply_forces is called with"
+    expect_close(durations, all_of_it, then=then, cause=why)
     about.cause = "Perhaps the forces of an earlier evaluation are still in the accumulators. "
     about.cause += "Clear them before each evaluation, and then add again the forces that were "
     about.cause += "there before the step."
@@ -327,7 +327,7 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     about.call = call_of(
         method, f"an immovable particle at {place} with velocity {velocity}, and a movable one"
     )
-    about.cause = "Your step moves an immovable particle or changes its velocity. Skip it, or use "
+    about.cause = "Your step moves an immovable particle. Skip it, or use "
     about.cause += "drift and kick, which leave it alone."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(
@@ -336,6 +336,7 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
         then="; the position of the immovable particle, in m",
         tolerance=0.0,
     )
+    about.cause = about.cause.replace("moves", "changes the velocity of")
     expect_close(
         ends["velocities"][0],
         velocity,

@@ -90,8 +90,8 @@ def wrong_steps(
         kicked = (v + 0.5 * h * first) * half_keep
         ahead = x + h * kicked
         return {
-            "You kick for h / 2, drift for h, and kick again. Drift for h / 2, kick for h, and "
-            "drift for h / 2 instead, so that apply_forces is called only once.": (
+            "You kick for h / 2, drift for h, and kick again. Leapfrog drifts for h / 2, kicks for "
+            "h, and drifts for h / 2.": (
                 ahead,
                 (kicked + 0.5 * h * force(ahead, kicked)) * half_keep,
             ),

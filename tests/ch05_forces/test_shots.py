@@ -141,7 +141,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     bullet: Any = at.bullet
     place = xyz(bullet.position)
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
-    blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call integrate in it.")])
+    blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call integrate.")])
     if place[1] > wanted[1]:
         about.cause = "Your bullet moves too far in one step, as if integrate were called twice. "
         about.cause += "Call it once in update, and not in shoot."
@@ -150,7 +150,8 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     about.call += "; range.shoot(0.0, 0.0)"
     about.cause = "You fire a second bullet while the first one is still in flight. Return False "
     about.cause += "in this case."
-    expect_exactly(at.shoot(0.0, 0.0), False)
+    result = "; the result of this last call"
+    expect_exactly(at.shoot(0.0, 0.0), False, then=result)
     about.cause = "You reduce shots_left even if no bullet is fired. Return False before you "
     about.cause += "change anything."
     expect_exactly(at.shots_left, 9, then="; range.shots_left")
@@ -173,7 +174,7 @@ def test_without_shots_left_none_is_fired() -> None:
         cause="There is one shot left, so shoot must fire it and return True.",
     )
     at.bullet = None
-    expect_exactly(at.shoot(0.0, 0.0), False)
+    expect_exactly(at.shoot(0.0, 0.0), False, then="; the result of this last call")
     expect_exactly(at.shots_left, 0, then="; range.shots_left")
     expect_exactly(at.bullet is None, True, then="; range.bullet is None")
 
@@ -328,8 +329,8 @@ def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
             end = (middle + x, height + y, distance + 1.0)
             expect_hole(start, end, (distance, x, y, 10 * factor))
         about.cause = "You check only the nearest target. Check every target along the path."
-    about.cause = "You don't use x and y where this path crosses the target's plane. Interpolate "
-    about.cause += "them there, which is a quarter of the way from start to end."
+    about.cause = "Your x and y are not those where the path crosses the target's plane. "
+    about.cause += "Interpolate them there, a quarter of the way from start to end."
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)

@@ -246,7 +246,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     nothing = "connect returned nothing. Return the Connection that it registers."
     expect_that(s is not None, "nothing (None)", "a Connection", cause=nothing)
     got = (s.stiffness, s.rest_length, s.damping)
-    undamped = "You left out the damping. Pass it to Connection, besides the other two numbers."
+    undamped = "You left out the damping. Pass it to Connection too."
     blame(got, [((k, rest, 0.0), undamped)])
     expect_close(got, (k, rest, c), then="; s.stiffness, s.rest_length and s.damping")
     about.cause = "The spring that you return doesn't have the ends a and b. Create a single "

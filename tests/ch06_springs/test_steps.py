@@ -22,37 +22,35 @@ EXERCISES = {
 }
 RULES = {
     "explicit_euler": (
-        "Your result differs from explicit Euler, p' = p + v h and v' = (v + a h) d^h. Use the old "
-        "velocity v and the acceleration a at the start."
+        "Your result differs from p' = p + v h and v' = (v + a h) d^h. Use the old velocity v and "
+        "the acceleration a at the start in both."
     ),
     "semi_implicit_euler": (
-        "Your result differs from semi-implicit Euler, v' = (v + a h) d^h and then p' = p + v' h."
+        "Your result differs from v' = (v + a h) d^h and p' = p + v' h. Compute v' first, and use "
+        "it for p'."
     ),
     "leapfrog": (
-        "Your result differs from leapfrog, p1 = p + v h / 2, v' = (v + a h) d^h with a at p1, and "
-        "p' = p1 + v' h / 2."
+        "Your result differs from p1 = p + v h / 2, v' = (v + a h) d^h and p' = p1 + v' h / 2, "
+        "where a is the acceleration at p1."
     ),
     "velocity_verlet": (
         "Move the particle first, p' = p + v h + a h^2 / 2. Then evaluate the acceleration b "
         "at p' with the velocity v + a h, and set v' = (v + (a + b) h / 2) d^h."
     ),
     "runge_kutta_4": (
-        "Runge-Kutta takes a weighted mean of four rates, in which the second and the third "
-        "count double. Apply this mean to the state at the start, and multiply the new "
-        "velocity by d^h once."
+        "Your new state is not the one to which the weighted mean of the four rates leads. Give "
+        "the second and the third rate twice the weight of the others."
     ),
 }
-COUNTS = {1: "exactly one call", 2: "exactly two calls", 4: "exactly four calls"}
-EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
-BY_HAND = (
-    "It acts during the whole step, so include it in every evaluation.",
-    "Don't clear the accumulators before you call apply_forces.",
-)
-INSTEAD = {  # what to do if a step is that of another method
-    "explicit_euler": "Move each particle with its old velocity, before you change the velocity.",
-    "semi_implicit_euler": "Change the velocity first, and then move with the new velocity.",
-    "leapfrog": "Drift for h / 2, kick for h, and drift for the other h / 2.",
+WAYS = {
+    "explicit_euler": "moves p with its old velocity",
+    "semi_implicit_euler": "moves p with its new velocity",
+    "leapfrog": "moves p for half the step before and after it changes the velocity",
+    "velocity_verlet": "moves p by v h + a h^2 / 2 and uses the mean of two accelerations",
+    "runge_kutta_4": "uses the weighted mean of four rates",
 }
+COUNTS = {1: "once", 2: "exactly twice", 4: "exactly four times"}
+EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
     "method",
     [pytest.param(name, marks=pytest.mark.exercise(id_)) for name, id_ in EXERCISES.items()],
@@ -77,11 +75,11 @@ def slips_of(
     """Return what walk would return after each likely mistake, keyed by its explanation."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "Your step leaves out p.acceleration, the constant acceleration. Add it to f / m, the "
+        "You leave out p.acceleration, the constant acceleration. Add it to f / m, the "
         "acceleration that the forces cause.": (p, v, ZERO, mass, d, hand),
-        "Your step leaves out the force that was added to p before the step. "
-        + BY_HAND[EVALUATIONS[method] == 1]: (p, v, a, mass, d, ZERO),
-        "You didn't divide the forces by the mass. The acceleration is p.acceleration + f / m, "
+        "Your step leaves out the force that was added to p before it. This force acts during the "
+        "whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
+        "You don't divide the forces by the mass. The acceleration is p.acceleration + f / m, "
         "where f is the sum of the forces.": (p, v, a, 1.0, d, hand),
         "Your velocity is never damped. Multiply it by d^h once per step, where d is the "
         "damping and h the duration.": (p, v, a, mass, 1.0, hand),
@@ -95,20 +93,19 @@ def slips_of(
         if asked
         else "You never call apply_forces. Call it in every step, before you use the accumulators."
     ] = walk(method, body, 0.0, 0.0, h, frames)
-    slips |= {
-        f"This is a step of {other}, not of {method}. "
-        f"{INSTEAD.get(method, 'Compare the order of your operations with the docstring.')}": (
-            walk(other, body, k, c, h, frames)
-        )
-        for other in EXERCISES
-        if other != method
-    }
     if frames == 1:
         axes = [
             wrong_steps(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h, a[i])
             for i in range(3)
         ]
         slips |= {s: [axis[s][0] for axis in axes] + [axis[s][1] for axis in axes] for s in axes[0]}
+    slips |= {
+        f"This is a step of {other}, which {WAYS[other]}. A step of {method} {WAYS[method]}.": walk(
+            other, body, k, c, h, frames
+        )
+        for other in EXERCISES
+        if other != method
+    }
     return slips
 
 
@@ -118,27 +115,24 @@ def draw_body(rng: Random, hand: Components = ZERO) -> Body:
     return place, velocity, acceleration, positive_number(rng), damping, hand
 
 
-def call_of(method: str, what: str) -> str:
-    return f"{what}; {method}(particles, apply_forces, h)"
-
-
 @methods
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = "The check adds a force to p before the step. " + BY_HAND[0]
+    by_hand = "Your step is wrong if a force was added to p before it. This force acts during the "
+    by_hand += "whole step, so include it in every evaluation of the forces."
     for what, body, frames, cause in (
-        ("one step of", draw_body(rng), 1, RULES[method]),
-        ("one step of", draw_body(rng, components(rng)), 1, by_hand),
+        ("once", draw_body(rng), 1, RULES[method]),
+        ("once", draw_body(rng, components(rng)), 1, by_hand),
         (
-            "three steps of",
+            "three times",
             draw_body(rng),
             3,
-            "Your first step is right, but its forces still act in the next steps. Clear the "
-            "accumulators at the end of each step.",
+            "Your first step is right, but the forces of a step still act in the next one. Clear "
+            "the accumulators before the step ends.",
         ),
         (
-            "one step of",
+            "once",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
             "With a damping d of 0 the factor d^h is 0, so the velocity must be 0 at the end "
@@ -147,12 +141,12 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     ):
         about.cause = cause
         p, v, a, mass, d, hand = body
-        pushed = f"; the check adds {hand} N to p before the step" if any(hand) else ""
-        about.call = f"p at {p} with velocity {v}; p has acceleration {a}, mass {mass} and damping "
-        about.call += f"d = {d}; apply_forces adds the spring force -{k} x - {c} v, with position "
-        about.call += (
-            f"x and velocity v{pushed}; {what} {method}([p], apply_forces, h) with h = {h} s"
-        )
+        about.call = f"p is at {p} m and moves at {v} m/s; its acceleration is {a} m/s^2, its mass "
+        about.call += f"{mass} kg and its damping d = {d}; "
+        if any(hand):
+            about.call += f"before the step, the check adds a force of {hand} N to p; "
+        about.call += f"apply_forces adds the force -{k} x - {c} v, where x is p's position and v "
+        about.call += f"its velocity; {method}([p], apply_forces, duration={h}) {what}"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
         slips = slips_of(method, body, k, c, h, frames, len(ends["asked"]))
@@ -179,11 +173,12 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     one, two = components(rng), components(rng)
     v, w = components(rng), components(rng)
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
-    about.call = call_of(
-        method, f"two particles of {mass} kg joined by a spring of {s} N/m; h = {h} s"
+    about.call = f"two particles of {mass} kg are joined by a spring of {s} N/m; {method}(particles"
+    about.call += f", apply_forces, duration={h}) once"
+    about.cause = "You finish the step of one particle before you move the other. The force "
+    about.cause += (
+        "depends on both positions, so move all particles before you evaluate the forces again."
     )
-    about.cause = "You call apply_forces when only one of the particles has moved. Call it once "
-    about.cause += "for all particles, not once for each."
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
         one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
@@ -218,28 +213,28 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     h, hand = positive_number(rng, 0.05, 0.2), components(rng)
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
-    about.call = call_of(
-        method,
-        f"h = {h} s; before each of {frames} steps, the check adds {hand} N to particles[0]",
-    )
-    about.cause = f"{method} needs {COUNTS[EVALUATIONS[method]]} of apply_forces in each step. "
-    about.cause += "Each call evaluates the forces of all particles together."
+    about.call = f"{method}(particles, apply_forces, duration={h}) {frames} times; before each "
+    about.call += f"step, the check adds a force of {hand} N to particles[0]"
+    about.cause = RULES[method]
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
+    about.cause = (
+        f"Your step calls apply_forces {len(asked) / frames:.3g} times, but it must do so "
+    )
+    about.cause += (
+        f"{COUNTS[EVALUATIONS[method]]}. Each call evaluates the forces of all particles."
+    )
     expect_exactly(
-        len(asked), frames * EVALUATIONS[method], then="; number of calls of apply_forces"
+        len(asked), frames * EVALUATIONS[method], then="; the number of calls of apply_forces"
     )
-    about.cause = "You don't pass the duration h of the whole step to apply_forces. Pass h, even "
-    about.cause += "in the middle of the step."
-    durations, all_of_it = [d for d, _, _ in asked], [h] * len(asked)
-    half = (
-        "You pass h / 2 to apply_forces. Pass the whole duration h, even in the middle of the step."
+    about.cause = "You call apply_forces with only a part of the duration. Pass the duration of "
+    about.cause += "the whole step in every call."
+    expect_close(
+        [d for d, _, _ in asked],
+        [h] * len(asked),
+        then="; the duration that apply_forces gets in each call, in s",
     )
-    why = named(durations, about.cause, {half: [0.5 * d for d in all_of_it]})
-    then = "; the durations in s that apply_forces is called with"
-    expect_close(durations, all_of_it, then=then, cause=why)
-    about.cause = "Perhaps the forces of an earlier evaluation are still in the accumulators. "
-    about.cause += "Clear them before each evaluation, and then add again the forces that were "
-    about.cause += "there before the step."
+    about.cause = "The forces of an earlier evaluation are still in the accumulators. Clear them "
+    about.cause += "before each evaluation, and add only the forces from before the step."
     gone = "The force that was added to particles[0] before the step is lost. Store it, and add "
     gone += "it again before each evaluation."
     for number, (_, sums, _) in enumerate(asked, 1):
@@ -255,14 +250,12 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
     k, h = positive_number(rng), positive_number(rng, 0.1, 0.4)
     body = draw_body(rng)
     p, v, a, mass, _, _ = body
-    about.call = call_of(
-        method,
-        f"p at {p} with velocity {v}, acceleration {a} and mass {mass}; apply_forces "
-        f"adds -{k} x; h = {h} s",
-    )
+    about.call = f"p is at {p} m and moves at {v} m/s; its acceleration is {a} m/s^2 and its mass "
+    about.call += f"{mass} kg; apply_forces adds the force -{k} x, where x is p's position; "
+    about.call += f"{method}([p], apply_forces, duration={h})"
     about.cause = RULES[method]
     if EVALUATIONS[method] == 1:
-        when = "after the first half drift" if method == "leapfrog" else "before you move anything"
+        when = "after the first half drift" if method == "leapfrog" else "before you move p"
         about.cause = f"You call apply_forces at the wrong time. Call it {when}."
     asked = stepped(method, [body], (k, 0.0), h, 1)["asked"]
     wanted = []
@@ -274,9 +267,12 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
         elif method == "velocity_verlet":
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
-            about.cause = "Runge-Kutta evaluates the rates in four states, and the first one is "
-            about.cause += "the start. For each of the other three, go back to the start and "
-            about.cause += "follow the previous rate for h / 2, h / 2 and h."
+            about.cause = (
+                "At least one of your four rates belongs to a wrong state. For each rate, "
+            )
+            about.cause += (
+                "go back to the start and move at the previous rate: 0, h / 2, h / 2 and h."
+            )
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
             places.append(p[i] + 0.5 * h * (v[i] + 0.5 * h * first))
@@ -298,11 +294,9 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
     body = draw_body(rng, components(rng))
     p, v, a, mass, d, hand = body
-    about.call = call_of(
-        method,
-        f"p with acceleration {a} and mass {mass}; the check adds {hand} N to p, and "
-        f"apply_forces adds -{k} x - {c} v; h = {h} s",
-    )
+    about.call = f"p has an acceleration of {a} m/s^2 and a mass of {mass} kg; the check adds "
+    about.call += f"{hand} N to p, and apply_forces adds -{k} x - {c} v; "
+    about.call += f"{method}([p], apply_forces, duration={h})"
     about.cause = "Some forces are still in the accumulators at the end of the step, so they act "
     about.cause += "again in the next step. Clear the accumulators."
     ends = stepped(method, [body], (k, c), h, 1)
@@ -324,11 +318,10 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     place, velocity, a = components(rng), components(rng), components(rng)
     still: Body = (place, velocity, a, math.inf, 0.5, components(rng))
     other: Body = ((1.0, 2.0, 3.0), ZERO, ZERO, 2.0, 1.0, ZERO)
-    about.call = call_of(
-        method, f"an immovable particle at {place} with velocity {velocity}, and a movable one"
-    )
-    about.cause = "Your step moves an immovable particle. Skip it, or use "
-    about.cause += "drift and kick, which leave it alone."
+    about.call = f"an immovable particle is at {place} m, with a velocity of {velocity} m/s; the "
+    about.call += f"next particle can move; {method}(particles, apply_forces, duration=0.25) twice"
+    about.cause = "You move an immovable particle. Skip it, or use drift and kick, which leave it "
+    about.cause += "where it is."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(
         ends["positions"][0],
@@ -336,7 +329,7 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
         then="; the position of the immovable particle, in m",
         tolerance=0.0,
     )
-    about.cause = about.cause.replace("moves", "changes the velocity of")
+    about.cause = "You change the velocity of an immovable particle, which must stay the same."
     expect_close(
         ends["velocities"][0],
         velocity,
@@ -354,8 +347,8 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
     about.cause = (
-        "The movable particle after the immovable one has the wrong position. Perhaps your loop "
-        "ends at the immovable particle, so skip only that one."
+        "The particle after the immovable one has the wrong position. Your loop probably ends at "
+        "the immovable particle, so skip only that one."
     )
     got = ends["positions"][1][0]
     expect_close(got, x, then="; the x of the movable particle's position, in m", tolerance=1e-12)
@@ -366,26 +359,28 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    refuse = (
-        "The duration of a step must be positive and finite. Raise ValueError otherwise, with the "
-        "function positive from arguments.py."
-    )
     for bad in (0.0, -1.0, math.inf, math.nan):
-        about(f"{method}([p], apply_forces, {bad})", cause=refuse)
+        about.call = f"{method}([p], apply_forces, {bad})"
+        about.cause = f"The duration is {bad}. It must be positive and finite, so raise "
+        about.cause += "ValueError. The function positive from arguments.py does this for you."
         expect_error(
             lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
             ValueError,
             allowed=lambda: stepped(method, [body], (5.0, 0.0), 0.5, 1),
         )
         after = refused(method, bad)
-        first = "before you check the duration. Check it before anything else."
-        about.cause = f"You call apply_forces {first}"
-        for name, wanted in zip(after, ((1, 0, 0), (0, 2, 0), (0, 0, 3)), strict=False):
-            then = f", which raised an error; p.{name}" + "_accumulator" * (name == "force")
-            cause = about.cause if name == "force" else f"You change the {name} {first}"
-            expect_close(after[name], wanted, then=then, cause=cause, tolerance=0.0)
-        then = ", which raised an error; number of calls of apply_forces"
-        expect_exactly(after["asked"], [0], then=then)
+        about.call += " raised an error"
+        about.cause = "Your step checks the duration only after it has changed p. Check the "
+        about.cause += "duration before anything else."
+        for name, key, wanted in (
+            ("position, in m", "position", (1.0, 0.0, 0.0)),
+            ("velocity, in m/s", "velocity", (0.0, 2.0, 0.0)),
+            ("force_accumulator, in N", "force", (0.0, 0.0, 3.0)),
+        ):
+            expect_close(after[key], wanted, then=f"; p.{name}", tolerance=0.0)
+        about.cause = "Your step checks the duration only after it has called apply_forces. Check "
+        about.cause += "the duration before anything else."
+        expect_exactly(after["asked"], [0], then="; the number of calls of apply_forces")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = (
         "An empty list of particles is not an error, because there is simply nothing to do. A "

@@ -175,10 +175,10 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
     about.call = f"two particles of {mass} kg are joined by a spring of {s} N/m; {method}(particles"
     about.call += f", apply_forces, duration={h}) once"
-    about.cause = "You finish the step of one particle before you move the other. The force "
-    about.cause += (
-        "depends on both positions, so move all particles before you evaluate the forces again."
+    about.cause = (
+        "You finish the step of one particle before you move the other. The force depends on "
     )
+    about.cause += "both positions, so move all particles before you evaluate the forces again."
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
         one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
@@ -213,8 +213,10 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     h, hand = positive_number(rng, 0.05, 0.2), components(rng)
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
-    about.call = f"{method}(particles, apply_forces, duration={h}) {frames} times; before each "
-    about.call += f"step, the check adds a force of {hand} N to particles[0]"
+    about.call = (
+        f"{method}(particles, apply_forces, duration={h}) {frames} times; before each step, "
+    )
+    about.call += f"the check adds a force of {hand} N to particles[0]"
     about.cause = RULES[method]
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
     about.cause = (
@@ -226,8 +228,10 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     expect_exactly(
         len(asked), frames * EVALUATIONS[method], then="; the number of calls of apply_forces"
     )
-    about.cause = "You call apply_forces with only a part of the duration. Pass the duration of "
-    about.cause += "the whole step in every call."
+    about.cause = (
+        "You call apply_forces with only a part of the duration. Pass the duration of the "
+    )
+    about.cause += "whole step in every call."
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
@@ -318,8 +322,10 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     place, velocity, a = components(rng), components(rng), components(rng)
     still: Body = (place, velocity, a, math.inf, 0.5, components(rng))
     other: Body = ((1.0, 2.0, 3.0), ZERO, ZERO, 2.0, 1.0, ZERO)
-    about.call = f"an immovable particle is at {place} m, with a velocity of {velocity} m/s; the "
-    about.call += f"next particle can move; {method}(particles, apply_forces, duration=0.25) twice"
+    about.call = (
+        f"an immovable particle is at {place} m, with a velocity of {velocity} m/s; the next "
+    )
+    about.call += f"particle can move; {method}(particles, apply_forces, duration=0.25) twice"
     about.cause = "You move an immovable particle. Skip it, or use drift and kick, which leave it "
     about.cause += "where it is."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
@@ -361,8 +367,10 @@ def test_a_step_needs_a_duration(method: str) -> None:
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
     for bad in (0.0, -1.0, math.inf, math.nan):
         about.call = f"{method}([p], apply_forces, {bad})"
-        about.cause = f"The duration is {bad}. It must be positive and finite, so raise "
-        about.cause += "ValueError. The function positive from arguments.py does this for you."
+        about.cause = (
+            f"The duration is {bad}. It must be positive and finite, so raise ValueError. "
+        )
+        about.cause += "The function positive from arguments.py does this for you."
         expect_error(
             lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
             ValueError,

@@ -148,8 +148,8 @@ def test_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.call = "spring_force(offset=Vector3(0, 1e-9, 0), velocity=Vector3(), stiffness=100, "
     about.call += "rest_length=2), in N"
     about.cause = (
-        "Your spring exerts no force, although its ends are 1e-9 m apart. It still has a "
-        "direction, so don't treat a short length as 0."
+        "Your spring exerts no force, although its ends are 1e-9 m apart. Don't treat a "
+        "short length as 0."
     )
     got = xyz(spring_force(Vector3(0.0, 1e-9, 0.0), Vector3(), 100.0, 2.0))
     expect_close(got, (0.0, 200.0 - 1e-7, 0.0), tolerance=1e-10)

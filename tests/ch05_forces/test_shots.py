@@ -147,14 +147,12 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
         about.cause += "Call it once in update, and not in shoot."
     name, way = "; x and y of range.bullet.position, in m", "the docstring of update"
     expect_close(place[:2], wanted, then=name, read=way, tolerance=1e-12)
-    about.call += "; range.shoot(0.0, 0.0)"
-    about.cause = "You fire a second bullet while the first one is still in flight. Return False "
-    about.cause += "in this case."
-    result = "; the result of this last call"
-    expect_exactly(at.shoot(0.0, 0.0), False, then=result)
-    about.cause = "You reduce shots_left even if no bullet is fired. Return False before you "
-    about.cause += "change anything."
-    expect_exactly(at.shots_left, 9, then="; range.shots_left")
+    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); one step of 1/60 s; "
+    about.call += "range.shoot(0.0, 0.0)"
+    about.cause = "You fire a second bullet while the first one is in flight. Return False instead."
+    expect_exactly(at.shoot(0.0, 0.0), False, then="; the result of this last call")
+    early = "You reduce shots_left even if no bullet is fired. Return False before that."
+    expect_exactly(at.shots_left, 9, then="; range.shots_left", cause=early)
     bullet = at.bullet
     expect_close(xyz(bullet.position), place, then="; range.bullet.position, in m")
 

@@ -69,8 +69,8 @@ def wrong_steps(
     if method == "explicit_euler":
         middle, early = x + 0.5 * h * v, (v + 0.5 * h * first) * half_keep
         return {
-            "You make two steps of half the duration, so the second half uses a new velocity. Make a "
-            "single step instead.": (
+            "You make two steps of half the duration, so the second half uses a new velocity. Make "
+            "a single step instead.": (
                 middle + 0.5 * h * early,
                 (early + 0.5 * h * acceleration) * half_keep,
             ),
@@ -93,19 +93,19 @@ def wrong_steps(
         kicked = (v + 0.5 * h * first) * half_keep
         ahead = x + h * kicked
         return {
-            "You kick for half the step, drift for all of it, and kick again. Leapfrog drifts for half "
-            "the step, kicks for all of it, and drifts again.": (
+            "You kick for half the step, drift for all of it, and kick again. Leapfrog drifts for "
+            "half the step, kicks for all of it, and drifts again.": (
                 ahead,
                 (kicked + 0.5 * h * force(ahead, kicked)) * half_keep,
             ),
             "You evaluate the forces at the start of the step. Evaluate them after the first half "
             "drift instead.": (x + 0.5 * h * (v + early), early),
-            "After the kick, you drift for the whole step. The first drift already covered half of it, "
-            "so drift only for the other half.": (middle + h * new, new),
-            "The second half drift is missing. After the kick, move the position by the new velocity "
-            "times half the duration.": (middle, new),
-            "You kick for only half the step. Leapfrog has a single kick, which must cover the whole "
-            "step.": (middle + 0.5 * h * halved, halved),
+            "After the kick, you drift for the whole step. The first drift already covered half of "
+            "it, so drift only for the other half.": (middle + h * new, new),
+            "The second half drift is missing. After the kick, move the position by the new "
+            "velocity times half the duration.": (middle, new),
+            "You kick for only half the step. Leapfrog has a single kick, which must cover the "
+            "whole step.": (middle + 0.5 * h * halved, halved),
         }
     if method == "velocity_verlet":
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h

@@ -141,7 +141,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     bullet: Any = at.bullet
     place = xyz(bullet.position)
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
-    blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call integrate.")])
+    blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call its integrate.")])
     if place[1] > wanted[1]:
         about.cause = "Your bullet moves too far in one step, as if integrate were called twice. "
         about.cause += "Call it once in update, and not in shoot."
@@ -319,16 +319,16 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
 @pytest.mark.exercise("P4.2b")
 def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
-    about.cause = "You find no hole, although the path goes straight through a target. Subtract "
-    about.cause += "the target's x and y, because ring_points measures from the center."
+    about.cause = "The path goes through a target, but you find no hole. Subtract the target's x "
+    about.cause += "and y before you call ring_points, which measures from the center."
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)
             end = (middle + x, height + y, distance + 1.0)
             expect_hole(start, end, (distance, x, y, 10 * factor))
         about.cause = "You check only the nearest target. Check every target along the path."
-    about.cause = "Your x and y are not those where the path crosses the target's plane. "
-    about.cause += "Interpolate them there, a quarter of the way from start to end."
+    about.cause = "Your x and y are not those of the point where the path crosses the plane of "
+    about.cause += "the target. Interpolate them, a quarter of the way from start to end."
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)

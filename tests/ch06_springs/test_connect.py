@@ -192,11 +192,9 @@ def test_connect_registers_the_spring_once(rng: Random) -> None:
     wanted = tension(here, ZERO, there, ZERO, (k, rest, 0.0))
     masses = ((2.0, 3.0), (math.inf, 3.0), (2.0, math.inf))
     for mass_a, mass_b in masses:
-        still = "an immovable particle"
-        for name, mass, place in (("a", mass_a, here), ("b", mass_b, there)):
-            what = f"a particle of {mass:g} kg" if mass < math.inf else still
-            about.call = f"{about.call}; " * (name == "b") + f"{name} is {what} at {place}"
-        about.call += f"; connect(registry, a, b, stiffness={k}, rest_length={rest}); "
+        about.call = f"a of {mass_a:g} kg at {here}; b of {mass_b:g} kg at {there}; "
+        about.call = about.call.replace("of inf kg", "is immovable,")
+        about.call += f"connect(registry, a, b, stiffness={k}, rest_length={rest}); "
         about.call += "registry.update_forces(0.5)"
         unmoved = "You didn't register the spring. Add it to the registry for one of its ends."
         if not mass_a < mass_b < math.inf:

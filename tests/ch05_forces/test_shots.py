@@ -17,6 +17,7 @@ from expect import (
     expect_close,
     expect_error,
     expect_exactly,
+    expect_that,
     expect_unchanged,
     named,
     scoped,
@@ -25,7 +26,7 @@ from expect import (
 
 SHOOT = "the docstring of shoot"
 WAY = "the docstring of hit_on_the_way"
-ONLY_READ = "hit_on_the_way has changed start or end. It must only read these vectors."
+NO_HOLE = "no hole (None)"
 RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # as in sniper.py: radius and points
 # The targets of sniper.py, by their distance: x, y, distance and factor.
 TARGETS = {
@@ -51,6 +52,8 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         about.cause = "There are shots left, and no bullet is in flight. shoot must therefore "
         about.cause += "fire a bullet and return True."
         fired = at.shoot(azimuth, elevation)
+        nothing = "shoot returned nothing. Return True after a bullet was fired."
+        expect_that(fired is not None, "nothing (None)", "True", cause=nothing)
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")
         bullet: Any = at.bullet
@@ -70,8 +73,8 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
                 120.0 * math.sin(azimuth),
                 wanted[2],
             ),
-            "Your azimuth rotates the shot away from X. With a positive azimuth, the x "
-            "component of the velocity must be positive.": (-wanted[0], *wanted[1:]),
+            "Your azimuth rotates the shot in the wrong direction. A positive azimuth must rotate "
+            "it from Z toward X, so that x is positive.": (-wanted[0], *wanted[1:]),
             "You swapped the sine and the cosine of the azimuth. With an azimuth of 0, the "
             "bullet must fly along Z.": wanted[::-1],
             "Your bullet is too fast, because its horizontal part is the whole speed. Multiply "
@@ -81,7 +84,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
                 120.0 * math.cos(azimuth),
             ),
             "You converted the angles from degrees to radians. They are already in radians, so "
-            "pass them to sin and cos as they are.": (
+            "use them unchanged.": (
                 120.0 * math.cos(math.radians(elevation)) * math.sin(math.radians(azimuth)),
                 120.0 * math.sin(math.radians(elevation)),
                 120.0 * math.cos(math.radians(elevation)) * math.cos(math.radians(azimuth)),
@@ -89,15 +92,18 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         }
         blame(got, slips)
         expect_close(got, wanted, then="; range.bullet.velocity, in m/s")
-        about.cause = "This attribute of the new bullet is wrong. Use MUZZLE, GRAVITY and "
-        about.cause += "BULLET_MASS from the top of the file, and a damping of 1."
+        about.cause = "Your bullet doesn't start at the muzzle. Use MUZZLE as its position."
         got = xyz(bullet.position)
         expect_close(got, (0, 1.5, 0), then="; range.bullet.position, in m")
+        about.cause = "Gravity doesn't act on your bullet. Use GRAVITY as its acceleration."
         got = xyz(bullet.acceleration)
         expect_close(got, (0, -2, 0), then="; range.bullet.acceleration, in m/s^2")
+        about.cause = "The bullet's mass must be BULLET_MASS, and its damping must be 1."
         numbers = (bullet.mass, bullet.damping)
         expect_close(numbers, (1.0, 1.0), then="; range.bullet.mass and range.bullet.damping")
-        about.cause = "shoot fired a bullet, so it must reduce shots_left by exactly 1."
+        about.cause = (
+            "shoot doesn't count this shot. Reduce shots_left by 1 when you fire a bullet."
+        )
         expect_exactly(at.shots_left, 9, then="; range.shots_left")
 
 
@@ -106,8 +112,8 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator, in N"
-    about.cause = "The wind must act on the bullet exactly once. In shoot, add the pair of the "
-    about.cause += "new bullet and the wind to self.forces once."
+    about.cause = "The wind doesn't act on your bullet. In shoot, add the pair of the "
+    about.cause += "new bullet and the wind to self.forces."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
     at.shoot(0.0, 0.0)
@@ -116,31 +122,37 @@ def test_the_wind_acts_on_the_bullet() -> None:
     # K1 and K2 are 0.02 and 0.0003; relative to the air the bullet has (-4, 0, 100).
     drag = 0.02 + 0.0003 * math.hypot(4.0, 100.0)
     wanted = (4.0 * drag, 0.0, -100.0 * drag)
-    expect_close(xyz(bullet.force_accumulator), wanted)
+    got = xyz(bullet.force_accumulator)
+    twice = "You registered the wind for your bullet twice. Register it only once."
+    blame(got, [([2.0 * part for part in wanted], twice)])
+    expect_close(got, wanted)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     about.read = SHOOT
     a, e = draw_angles(rng)
-    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); one step of 1/60 s"
+    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); range.update(1/60)"
     at = SniperRange(1)
-    about.cause = "A step of h seconds must move the bullet once, by its velocity times h. "
-    about.cause += "Integrate the bullet in update, once per step, and not in shoot."
+    about.cause = "Your bullet doesn't move by its velocity times the duration of the step. "
+    about.cause += "Integrate it in update exactly once per step, and not in shoot."
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
     place = xyz(bullet.position)
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
-    name = f"range = SniperRange(1); range.shoot({a}, {e}); range.update(1/60); x and y of "
-    name += "range.bullet.position, in m"
-    way = "the docstring of update"
-    expect_close(place[:2], wanted, call=name, read=way, tolerance=1e-12)
-    about.call += "; range.shoot(0.0, 0.0)"
-    about.cause = "The first bullet is still in flight, so shoot must not fire another one. "
-    about.cause += "Return False and change nothing."
-    expect_exactly(at.shoot(0.0, 0.0), False)
-    expect_exactly(at.shots_left, 9, then="; range.shots_left")
+    blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call its integrate.")])
+    if place[1] > wanted[1]:
+        about.cause = "Your bullet moves too far in one step, as if integrate were called twice. "
+        about.cause += "Call it once in update, and not in shoot."
+    name, way = "; x and y of range.bullet.position, in m", "the docstring of update"
+    expect_close(place[:2], wanted, then=name, read=way, tolerance=1e-12)
+    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); one step of 1/60 s; "
+    about.call += "range.shoot(0.0, 0.0)"
+    about.cause = "You fire a second bullet while the first one is in flight. Return False instead."
+    expect_exactly(at.shoot(0.0, 0.0), False, then="; the result of this last call")
+    early = "You reduce shots_left even if no bullet is fired. Return False before that."
+    expect_exactly(at.shots_left, 9, then="; range.shots_left", cause=early)
     bullet = at.bullet
     expect_close(xyz(bullet.position), place, then="; range.bullet.position, in m")
 
@@ -149,7 +161,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
 def test_without_shots_left_none_is_fired() -> None:
     about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
     about.call += "range.bullet = None; range.shoot(0.0, 0.0)"
-    about.cause = "There are no shots left, so shoot must return False instead of firing a bullet."
+    about.cause = "You fire a bullet although no shots are left. Return False if shots_left is 0."
     at = SniperRange(1)
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
@@ -160,7 +172,7 @@ def test_without_shots_left_none_is_fired() -> None:
         cause="There is one shot left, so shoot must fire it and return True.",
     )
     at.bullet = None
-    expect_exactly(at.shoot(0.0, 0.0), False)
+    expect_exactly(at.shoot(0.0, 0.0), False, then="; the result of this last call")
     expect_exactly(at.shots_left, 0, then="; range.shots_left")
     expect_exactly(at.bullet is None, True, then="; range.bullet is None")
 
@@ -168,16 +180,18 @@ def test_without_shots_left_none_is_fired() -> None:
 @pytest.mark.exercise("P4.2b")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.2001, -0.2001, 1.6, math.inf, math.nan])
-def test_the_rifle_turns_only_so_far(bad: float) -> None:
+def test_rejects_an_angle_beyond_swing(bad: float) -> None:
     about.read = SHOOT
-    for angles in ((bad, 0.0), (0.0, bad)):
+    for angles, name in (((bad, 0.0), "azimuth"), ((0.0, bad), "elevation")):
         about.call = f"range.shoot{angles}"
-        about.cause = "Both angles must lie between -SWING and SWING, which is 0.2 radians. Raise "
-        about.cause += "ValueError for an angle outside this range, but accept exactly 0.2."
+        about.cause = f"The {name} is {bad} rad, but it must be from -0.2 to 0.2 rad (SWING). "
+        about.cause += "Raise ValueError."
         at = SniperRange(1)
 
         def allowed() -> None:
+            at_limit = "You reject an angle of exactly SWING, which is valid. Use > instead of >=."
             for good in ((0.2, -0.2), (-0.2, 0.2)):
+                about(f"range.shoot{good}", cause=at_limit)
                 SniperRange(1).shoot(*good)
 
         expect_error(lambda at=at, angles=angles: at.shoot(*angles), ValueError, allowed=allowed)
@@ -186,8 +200,8 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
         expect_exactly(at.shots_left, 10, then="; range.shots_left")
         expect_exactly(at.bullet is None, True, then="; range.bullet is None")
         at.shoot(0.0, 0.0)
-        about.cause = "shoot must reject an invalid angle even while a bullet is in flight. Check "
-        about.cause += "the angles before anything else."
+        about.cause = "You check the angles too late. Check them before anything else, so that a "
+        about.cause += "bad angle is an error even while a bullet is in flight."
         expect_error(
             lambda at=at, angles=angles: at.shoot(*angles),
             ValueError,
@@ -200,20 +214,23 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
 
 
 @pytest.mark.exercise("P4.2b")
-def test_the_innermost_ring_counts(rng: Random) -> None:
+def test_only_the_smallest_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
     about.cause = "Only the smallest ring around the hole counts. A hole scores 10 points up to "
     about.cause += "0.1 m from the center, 5 up to 0.25 m, 2 up to 0.5 m, and 0 beyond."
-    use = "Compare the distance from the center, math.hypot(x, y), with the radii."
+    use = "Compare the true distance, math.hypot(x, y), with the radii."
+    add = "You add up the points of all rings around the hole. Count only the smallest one."
+    largest = "You return the points of the largest ring. Check the smallest ring first."
     for x, y, points, slip, gives in (
-        (0.0, 0.3, 2, "You compared only x with the radii of the rings.", 10),
-        (0.3, 0.0, 2, "You compared only y with the radii of the rings.", 10),
-        (0.08, -0.08, 5, "You used the sum x + y as the distance.", 10),
-        (0.2, 0.2, 2, "You used the larger of |x| and |y|, which makes the rings square.", 5),
+        (0.0, 0.3, 2, "You compare only x with the radii of the rings.", 10),
+        (0.3, 0.0, 2, "You compare only y with the radii of the rings.", 10),
+        (0.08, -0.08, 5, "Your distance from the center is smaller than 0.1131 m.", 10),
+        (0.2, 0.2, 2, "You use the larger of |x| and |y|, which makes the rings square.", 5),
     ):
         about.call = f"ring_points({x}, {y}), for a hole {math.hypot(x, y):.4f} m from the center"
         got = ring_points(x, y)
-        expect_exactly(got, points, cause=cause_of(got, [(gives, f"{slip} {use}")], about.cause))
+        slips = [(gives, f"{slip} {use}"), (7, add), (2, largest)]
+        expect_exactly(got, points, cause=cause_of(got, slips, about.cause))
     turn = rng.uniform(0.1, 1.4)
     for away, points in (
         (0.0, 10),
@@ -228,20 +245,15 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
             x, y = away * math.cos(angle), away * math.sin(angle)
             about.call = f"ring_points({x:.6g}, {y:.6g}), for a hole {away} m from the center"
             got = ring_points(x, y)
-            slips = {
-                "You add up the points of all rings around the hole. Count only the points of "
-                "the smallest of these rings.": sum(
-                    points for radius, points in RINGS if away <= radius
-                ),
-                "You return the points of the largest ring. Check the smallest ring first, "
-                "because it scores the most.": RINGS[-1][1],
-            }
-            why = named(got, about.cause, slips)
+            nothing = "You return nothing for a hole outside all rings. Return 0 there."
+            expect_that(got is not None, "nothing (None)", f"{points}", cause=nothing)
+            both = sum(points for radius, points in RINGS if away <= radius)
+            why = named(got, about.cause, {add: both, largest: RINGS[-1][1]})
             expect_exactly(got, points, cause=why)
-    about.cause = "The hole is exactly on the edge of a ring, which counts as inside. Compare "
-    about.cause += "with <= instead of <."
+    about.cause = "You treat a hole exactly on the edge of a ring as outside. Compare with <= "
+    about.cause += "instead of <."
     for x, y, points in ((0.1, 0.0, 10), (0.0, -0.25, 5), (-0.5, 0.0, 2), (0.3, 0.4, 2)):
-        about.call = f"ring_points({x}, {y})"
+        about.call = f"ring_points({x}, {y}), for a hole on the edge of a ring"
         expect_exactly(ring_points(x, y), points)
 
 
@@ -252,7 +264,8 @@ def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -
     first, last = Vector3(*start), Vector3(*end)
     hole = hit_on_the_way(first, last)
     for name, now, before in (("start", first, start), ("end", last, end)):
-        expect_unchanged(name, xyz(now), before, cause=ONLY_READ)
+        only_read = f"You change {name}, which you should only read. Use its numbers or a copy."
+        expect_unchanged(name, xyz(now), before, cause=only_read)
     del about.cause  # what is said where hit_on_the_way raises
     if hole is None:
         return about.call, None
@@ -276,60 +289,46 @@ def expect_hole(
 ) -> None:
     about.read = WAY
     about.call, got = way_of(start, end)
-    expect_exactly(
-        got is not None, True, then="; whether the path makes a hole (the result is not None)"
-    )
+    expect_that(got is not None, NO_HOLE, f"a hole in the target at {wanted[0]:g} m")
     distance, *hole = wanted
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
+    then = "; x, y, distance and factor of the target that is hit"
+    expect_close(got[:4], TARGETS[distance], then=then, tolerance=1e-12)
     slips = {
-        "Your points are those of the ring, not multiplied by the target's factor. Multiply by "
-        "this factor, because a hit on a farther target scores more.": (
-            *TARGETS[distance],
-            x,
-            y,
-            points / factor,
-        ),
-        "You returned the position of the hole in the world. Measure its x and y from the "
-        "target's center, by subtracting the center.": (
-            *TARGETS[distance],
+        "Your points are those of the ring, not multiplied by the target's factor. Multiply them "
+        "by this factor.": (x, y, points / factor),
+        "Your x and y are the position of the hole in the world. Subtract the target's center.": (
             x + middle,
             y + height,
             points,
         ),
     }
-    blame(got, slips)
+    blame(got[4:], slips)
     # Positions of 200 m, some roundings each.
-    expect_close(
-        got,
-        (*TARGETS[distance], *hole),
-        then="; x, y, distance and factor of the target, then x, y and points of the hole",
-        tolerance=1e-12,
-    )
+    expect_close(got[4:], hole, then="; x, y and points of the hole", tolerance=1e-12)
 
 
 @scoped
 def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, float]) -> None:
     about.read = WAY
     about.call, got = way_of(start, end)
-    expect_exactly(
-        got is not None, False, then="; whether the path makes a hole (the result is not None)"
-    )
+    expect_that(got is None, "a hole", NO_HOLE)
 
 
 @pytest.mark.exercise("P4.2b")
-def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> None:
+def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
-    about.cause = "The path from start to end hits a target. Check every target along the path, "
-    about.cause += "and measure x and y of the hole from the target's center."
+    about.cause = "The path goes through a target, but you find no hole. Subtract the target's x "
+    about.cause += "and y before you call ring_points, which measures from the center."
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)
             end = (middle + x, height + y, distance + 1.0)
             expect_hole(start, end, (distance, x, y, 10 * factor))
-    about.cause = "The path runs at an angle, so x and y change along it. Interpolate them where "
-    about.cause += "the path crosses the target's plane, which is a quarter of the way from start "
-    about.cause += "to end."
+        about.cause = "You check only the nearest target. Check every target along the path."
+    about.cause = "Your x and y are not those of the point where the path crosses the plane of "
+    about.cause += "the target. Interpolate them, a quarter of the way from start to end."
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
@@ -337,13 +336,13 @@ def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> 
 
 
 @pytest.mark.exercise("P4.2b")
-def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
+def test_a_path_that_misses_the_target_makes_no_hole() -> None:
     for start, end, cause in (
         (
             (-2.1, 1.5, 49.0),
             (-2.1, 1.5, 51.0),
-            "The path passes the target outside its largest ring, so there is no hole. Return "
-            "None.",
+            "You count a path that passes outside the target's largest ring as a hit. Return None "
+            "there, because ring_points is 0.",
         ),
         (
             (-1.5, 1.5, 40.0),
@@ -365,8 +364,8 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         (
             (-1.5, 1.5, 50.0),
             (-1.5, 1.5, 50.0),
-            "The path has no length, so it hits nothing. Check start.z < distance before you "
-            "divide by end.z - start.z, which is 0 here.",
+            "end.z - start.z is 0 here, because the path has no length. Check start.z < distance "
+            "before you divide by it.",
         ),
         (
             (3.5, 1.5, 49.0),
@@ -383,17 +382,17 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
     ):
         about.cause = cause
         expect_no_hole(start, end)
-    about.cause = "The path ends exactly on the target's plane, which counts as a hit. Use "
-    about.cause += "distance <= end.z as the condition."
+    about.cause = "You don't count a path that ends exactly on the target's plane. It is a hit, so "
+    about.cause += "use distance <= end.z as the condition."
     expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10))
 
 
 @pytest.mark.exercise("P4.2b")
-def test_a_long_way_hits_the_first_target_that_it_meets() -> None:
-    about.cause = "The path hits two targets, but the nearer one stops the bullet. Return the "
-    about.cause += "hole in the nearer target."
+def test_a_long_path_hits_the_first_target_on_it() -> None:
+    about.cause = "You return the hole in the farther of two targets. The nearer one stops the "
+    about.cause += "bullet, so check it first."
     expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10))
-    about.cause = "The path misses the nearer target but hits one behind it. Continue with the "
-    about.cause += "next target after a miss."
+    about.cause = "You stop after the first target, which the path misses. Continue with the next "
+    about.cause += "target after a miss."
     expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20))
     expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30))

@@ -13,7 +13,16 @@ from ch05_forces.forces import Drag
 from ch05_forces.probes import play, winds
 from ch05_forces.sniper import SniperRange
 from draw import Components
-from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import (
+    about,
+    blame,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_that,
+    expect_unchanged,
+    xyz,
+)
 
 UPDATE = "the docstring of update"
 FRAME = 1.0 / 60.0
@@ -42,23 +51,25 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
 @pytest.mark.exercise("P4.2b")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     about.read = UPDATE
-    about.cause = "The shot hits a target, so there must be one hole. In each step, copy the "
-    about.cause += "bullet's position, move the bullet, and check the path from the copy to the "
-    about.cause += "new position."
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
         azimuth, elevation = math.atan2(x, distance), distance * 0.00007
         level = 120.0 * math.cos(elevation) * math.cos(azimuth)
         y = math.hypot(x, distance) * math.tan(elevation) - fallen(distance / (level * FRAME))
-        about.call = f"a range without drag; range.shoot(azimuth={azimuth:.6g}, "
-        about.call += f"elevation={elevation:.6g}); range.update(1/60) until the shot has landed"
+        about.call = f"range = SniperRange(1), without drag; range.shoot(azimuth={azimuth:.6g}, "
+        about.call += f"elevation={elevation:.6g}); range.update(1/60) until range.bullet is None"
+        about.cause = "The bullet flies through a target, but you find no hit. integrate moves "
+        about.cause += "bullet.position in place, so copy the position before you call integrate."
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
-        expect_exactly(len(holes), 1, then="; number of holes")
+        if came["score"]:
+            about.cause = "You added points to the score but no hole to the list. Append the hole "
+            about.cause += "to self.holes."
+        expect_exactly(len(holes), 1, then="; number of holes in range.holes")
         frames = math.floor(distance / (level * FRAME))
-        about.cause = "Your bullet flies on after it has hit a target. The target stops it, so "
-        about.cause += "set self.bullet to None."
+        about.cause = "Your bullet flies on after it has hit a target. A hit ends the shot, so set "
+        about.cause += "self.bullet to None."
         expect_exactly(
-            len(came["positions"]), frames, then="; number of steps before the shot lands"
+            len(came["positions"]), frames, then="; number of steps in flight before the hit"
         )
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
         # A hundred roundings of positions up to 150 m.
@@ -69,64 +80,63 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
             then="; distance of the target, then x, y and points of the hole",
             tolerance=1e-10,
         )
-        about.cause = "Add the points of the hole to the score, exactly once. These points "
-        about.cause += "already contain the target's factor, so don't multiply by it again."
+        about.cause = "Your score is not the points of the hole, hole.points. They already contain "
+        about.cause += "the target's factor, so add them unchanged."
+        counts = "You count the hits instead of their points. Add hole.points to the score."
+        blame(came["score"], [(1, counts)])
         expect_exactly(came["score"], points, then="; range.score")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_the_wind_carries_the_bullet_away() -> None:
-    about.call = "a range with a wind of 10 m/s along X; range.shoot(0.0, 0.02); "
-    about.call += "range.update(1/60) until the shot has landed"
-    once = "Call update_forces exactly once in each step, before you integrate the bullet."
-    about(
-        cause=f"{once} The shot has landed when the bullet's z is larger than "
-        "END_OF_RANGE, which is 210 m.",
-        read=UPDATE,
-    )
+    about.call = "two ranges, one with a wind of 10 m/s along X and one without wind; on each, "
+    about.call += "range.shoot(0.0, 0.02); range.update(1/60) until range.bullet is None"
+    once = "The drag on your bullet is wrong. Call update_forces exactly once in each step, before "
+    once += "you integrate the bullet."
+    about(cause=once, read=UPDATE)
     still = play([(0.0, 0.02)], FRAME, wind=(0.0, 0.0, 0.0), k1=0.05)["positions"]
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
     frames = (len(blown), len(still))
     # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in step 109.
-    blame(
-        frames,
-        {
-            "Your bullet flies as if there were no drag. Call update_forces in each step, "
-            "before you integrate the bullet.": (105, 105)
-        },
-    )
+    none = "Your bullet flies as if there were no drag. Call update_forces before each integrate."
+    blame(frames, [((105, 105), none)])
+    if min(frames) > 109:
+        about.cause = "Your bullet flies on beyond the end of the range. End the shot as soon as "
+        about.cause += "its z is larger than END_OF_RANGE, which is 210 m."
     expect_exactly(
-        frames, (109, 109), then="; number of steps in flight, with the wind and in still air"
+        frames, (109, 109), then="; number of steps in flight, with wind and without wind"
     )
     # x' of the book's step with dv/dt = (w - v) k: in units of w, the velocity is 1 - (1 - k h)^n.
     keep = 1.0 - 0.05 * FRAME
-    x = 10.0 * FRAME * (109 - (1.0 - keep**109) / (1.0 - keep))
+    x, before = (10.0 * FRAME * (n - (1.0 - keep**n) / (1.0 - keep)) for n in (109, 108))
     wanted = (x, 0.0)
     got = (blown[-1][0], still[-1][0])
     about.cause = once
+    late = "You call update_forces after integrate, so every force acts one step too late. Call "
+    blame(got, [((before, 0.0), f"{late}it before integrate.")])
     if got[1] != 0.0:
-        about.cause = "The bullet drifts sideways even though there was no wind when it was "
-        about.cause += "fired. Change the wind only after the shot has landed."
+        about.cause = "The wind starts to blow while the bullet is in flight. Change the wind only "
+        about.cause += "after the shot has landed."
     expect_close(
         got,
         wanted,
-        then="; the last x of the bullet in m, with the wind and in still air",
+        then="; x of the bullet in m after its last step in flight, with wind and without wind",
         tolerance=1e-10,
     )
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
-    about.cause = "Drag must slow the bullet down. Call update_forces with the duration before "
-    about.cause += "each integration."
-    expect_close(blown[-1][2], z, then="; the last z of the bullet in m", tolerance=1e-9)
+    about.cause = once
+    then = "; z of the bullet in m after its last step in flight, with wind"
+    expect_close(blown[-1][2], z, then=then, tolerance=1e-9)
 
 
 @pytest.mark.exercise("P4.2b")
-def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
+def test_a_step_takes_the_given_duration(rng: Random) -> None:
     about.read = UPDATE
     h = round(rng.uniform(0.1, 0.3), 3)
     about.call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); "
     about.call += f"range.forces.add(range.bullet, Drag(0.5, 0.0)); range.update({h})"
-    about.cause = "A step must take exactly the duration that update was called with. Pass the "
-    about.cause += "duration to both update_forces and integrate."
+    about.cause = "The step must take the duration that is passed to update. Pass it on to "
+    about.cause += "update_forces and integrate."
     at = SniperRange(1)
     at.wind.k1, at.wind.k2, at.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
     at.shoot(0.0, 0.1)
@@ -136,35 +146,37 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     at.update(h)
     wanted = tuple((0.0, 1.5, 0.0)[i] + v[i] * h for i in range(3))
     got = xyz(bullet.position)
+    short = tuple((0.0, 1.5, 0.0)[i] + v[i] * FRAME for i in range(3))
+    fixed = f"Your bullet moves for 1/60 s, but this step takes {h} s. Pass the duration of update "
+    blame(got, [(short, f"{fixed}to integrate.")])
     expect_close(got, wanted, then="; range.bullet.position, in m")
     gained = (0.25 * 5.0, -2.0, 0.0)
     wanted = tuple(v[i] + (gained[i] - 0.75 * v[i]) * h for i in range(3))
     got = xyz(bullet.velocity)
     windy = tuple(v[i] + (gained[i] - 0.25 * v[i]) * h for i in range(3))
-    only = "Only the wind acts on your bullet. Call self.forces.update_forces, so that the "
-    blame(got, [(windy, f"{only}Drag that the check registered acts too.")])
+    only = "Only the wind acts on your bullet, not the Drag that was registered for it. Call "
+    blame(got, [(windy, f"{only}self.forces.update_forces, which applies every registered force.")])
     expect_close(got, wanted, then="; range.bullet.velocity, in m/s")
 
 
 @pytest.mark.exercise("P4.2b")
-def test_what_is_exactly_at_the_edge_flies_on() -> None:
-    about(
-        "a bullet without forces at (20, 1, 178) with a velocity of (0, -2, 64) m/s; ", read=UPDATE
-    )
-    about.call += "range.update(0.5), which moves the bullet to (20, 0, 210); range.bullet is None"
-    about.cause = "The bullet is exactly on the edge of the range, so it is still in flight. A "
-    about.cause += "shot has landed only if y < 0 or z > 210, so use < and > instead of <= and >=."
+def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
+    about("range.bullet at (20, 1, 178) with velocity (0, -2, 64), without forces; ", read=UPDATE)
+    about.call += "range.update(0.5), which moves the bullet to (20, 0, 210)"
+    about.cause = "You end the shot at y = 0 and z = 210, which is exactly on the edge. End it "
+    about.cause += "only if y < 0 or z > 210."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
-    expect_exactly(at.bullet is None, False)
+    ended = "the shot has ended (range.bullet is None)"
+    expect_that(at.bullet is not None, ended, "the bullet is still in flight")
     got = xyz(bullet.position)
     expect_close(got, (20, 0, 210), then="; range.bullet.position, in m")
-    about.call = "a bullet without forces at (5, 1.5, 190) with a velocity of (0, 0, 60) m/s; "
-    about.call += "range.update(0.5), in which the bullet hits the target at 200 m and leaves the "
-    about.call += "range at 210 m; number of holes"
-    about.cause = "In this step the bullet first hits a target and then leaves the range. Check "
-    about.cause += "for a hit before you check for the end of the range."
+    about.call = "range.bullet at (5, 1.5, 190) with velocity (0, 0, 60), without forces; "
+    about.call += "range.update(0.5), in which it hits the target at 200 m and leaves the range; "
+    about.call += "number of holes in range.holes"
+    about.cause = "You ignore a hit if the same step takes the bullet out of the range. Check for "
+    about.cause += "a hit before you check for the end of the range."
     at = SniperRange(1)
     thrown(at, (5.0, 1.5, 190.0), (0.0, 0.0, 60.0))
     at.update(0.5)
@@ -177,18 +189,18 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
     for (azimuth, elevation), cause in (
         (
             (0.1, -0.1),
-            "The bullet is below the ground when y < 0, so the shot has landed then. Set "
-            "self.bullet to None.",
+            "Your bullet flies on below the ground. The shot has landed as soon as y < 0, so set "
+            "self.bullet to None then.",
         ),
         (
             (0.15, 0.19),
-            "The bullet has left the range when z is larger than END_OF_RANGE, which is 210 m. "
-            "The shot has landed then, so set self.bullet to None.",
+            "Your bullet flies on beyond the end of the range. End the shot as soon as its z is "
+            "larger than END_OF_RANGE, which is 210 m.",
         ),
     ):
         about.cause = cause
-        about.call = f"a range without drag; range.shoot(azimuth={azimuth}, "
-        about.call += f"elevation={elevation}); range.update(1/60) until the shot has landed"
+        about.call = f"range = SniperRange(1), without drag; range.shoot(azimuth={azimuth}, "
+        about.call += f"elevation={elevation}); range.update(1/60) until range.bullet is None"
         along = 120.0 * math.cos(elevation) * math.cos(azimuth) * FRAME
         rises = 120.0 * math.sin(elevation) * FRAME
         n = 0
@@ -211,7 +223,7 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     for aim, what in (((0.1, -0.1), "misses"), ((math.atan2(-1.5, 50.0), 0.0035), "hits")):
         about.call = f"range.wind.velocity = Vector3({wind[0]:g}, {wind[1]:g}, {wind[2]:g}); "
         about.call += f"range.shoot({aim[0]:.6g}, {aim[1]:.6g}), which {what}; range.update(1/60) "
-        about.call += "until the shot has landed"
+        about.call += "until range.bullet is None"
         about.cause = "The wind must stay the same while the bullet is in flight. Call "
         about.cause += "change_wind only after the shot has landed."
         came = play([aim], FRAME, wind=wind)
@@ -220,18 +232,20 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
         expect_exactly(
             during, [wind], then="; the different velocities of the wind during the flight, in m/s"
         )
-        about.cause = "After every shot the wind must change exactly once. Call change_wind when "
-        about.cause += "the shot lands, whether it hits or misses."
+        about.cause = "You change the wind more than once after a shot. Call change_wind exactly "
+        about.cause += "once when a shot ends."
+        if blown[-1] == wind:
+            about.cause = f"You don't change the wind after this shot, which {what}. Call "
+            about.cause += "change_wind after every shot, whether it hits or misses."
         expect_exactly(blown[-1], drawn, then="; range.wind.velocity after the shot, in m/s")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about("range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; ", read=UPDATE)
-    about.call += "range.update(1/60) 20 times; range.forces.update_forces(0.5); "
-    about.call += "bullet.force_accumulator, in N"
-    about.cause = "The wind still acts on a bullet that has landed. Remove the pair of this "
-    about.cause += "bullet and the wind with self.forces.remove."
+    about.call += "range.update(1/60) 20 times"
+    about.cause = "self.bullet is None after the shot has landed. Return at the start of update in "
+    about.cause += "this case."
     at = SniperRange(1)
     at.shoot(0.1, -0.1)
     bullet: Any = at.bullet
@@ -244,6 +258,9 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
         cause="After 8 steps the bullet is below the ground, so the shot has landed. Set "
         "self.bullet to None when a shot lands.",
     )
+    about.call += "; range.forces.update_forces(0.5); bullet.force_accumulator, in N"
+    about.cause = "The wind still acts on a bullet that has landed. Clear the registered forces "
+    about.cause += "when the shot ends."
     at.forces.update_forces(0.5)
     expect_close(xyz(bullet.force_accumulator), (0, 0, 0))
     about.cause = "A bullet that has landed must no longer move. If self.bullet is None, return "
@@ -256,8 +273,8 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
         place,
         call="range.update(1/60) after the bullet has landed",
     )
-    about.cause = "The wind has changed even though no bullet is in flight. If self.bullet is "
-    about.cause += "None, update must change nothing."
+    about.cause = "You change the wind even if no bullet is in flight. If self.bullet is None, "
+    about.cause += "return before you change anything."
     got = xyz(at.wind.velocity)
     expect_unchanged(
         "range.wind.velocity", got, wind, call="range.update(1/60) after the bullet has landed"
@@ -273,27 +290,33 @@ def test_a_whole_round_is_ten_shots() -> None:
     near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)
     miss = (0.1, -0.1)
     aims = [near, miss, far, miss, far, miss] * 2
-    about.call = "twelve calls of range.shoot, of which every second one misses; after each call, "
-    about.call += "range.update(1/60) until the shot has landed"
+    about.call = "range = SniperRange(1), without drag; 12 calls of range.shoot, of which every "
+    about.call += (
+        "second one misses; after each call, range.update(1/60) until range.bullet is None"
+    )
     about.cause = "A round has only ten shots, so the last two of these twelve must not be fired."
     came = play(aims, FRAME)
     expect_exactly(came["shots_left"], 0, then="; range.shots_left")
     points = [hole[3] for hole in came["holes"]]
-    about.cause = "Each hit must append exactly one hole to the list, in the order of the shots. "
-    about.cause += "The score is the sum of the points of all holes."
+    about.cause = "Each hit must append exactly one hole to the list, in the order of the shots."
     wanted = [10, 30, 30, 10, 30]
+    if points == wanted[::-1]:
+        about.cause = "Your list starts with the newest hole. Append each new hole at the end."
     expect_exactly(points, wanted, then="; points of the holes in range.holes")
+    about.cause = "The score must be the sum of the points of all holes."
+    last = "Your score is that of the last hit only. Add the points to the score, instead of "
+    blame(came["score"], [(30, f"{last}replacing it.")])
     expect_exactly(came["score"], 110, then="; range.score")
 
 
 @pytest.mark.exercise("P4.2b")
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
-def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: float) -> None:
+def test_update_rejects_an_invalid_duration(duration: float) -> None:
     about.read = UPDATE
-    about.cause = "The duration must be positive and finite. Check it first, with the function "
-    about.cause += "positive from arguments.py."
     error = TypeError if isinstance(duration, str) else ValueError
+    about.cause = f"The duration is {duration!r}, but it must be a positive and finite number. "
+    about.cause += f"Raise {error.__name__}, even if no bullet is in flight."
     about.call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
     flying = SniperRange(1)
     flying.shoot(0.0, 0.1)

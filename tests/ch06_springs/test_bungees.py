@@ -34,13 +34,14 @@ def rope(
         other = Particle(Vector3(*base), Vector3(1.0, -2.0, 3.0))
         p.velocity += Vector3(1.0, -2.0, 3.0)
         bungee = Bungee(other, k, rest, c)
-        end = f"the other end q at {base} with velocity (1, -2, 3); rope = Bungee(q"
+        start, end = f"q at {base} with velocity (1, -2, 3); ", "Bungee(q"
     else:
         bungee = AnchoredBungee(Vector3(*base), k, rest, c)
-        end = f"rope = AnchoredBungee(anchor=Vector3{base}"
-    about.call = f"p at {place}; the velocity of p relative to the other end of the rope is "
-    about.call += f"{velocity}; {end}, stiffness={k}, rest_length={rest}, damping={c}); "
-    about.call += "rope.update_force(p, 0.5); p.force_accumulator, in N"
+        start, end = "", f"AnchoredBungee(anchor=Vector3{base}"
+    about.call = f"{start}p at {place}, with velocity {velocity}{' relative to q' * bool(start)}; "
+    about.call += f"rope = {end}, stiffness={k}, rest_length={rest}, damping={c}); the rope is "
+    about.call += f"{math.hypot(*offset):.5g} m long; rope.update_force(p, 0.5); "
+    about.call += "p.force_accumulator, in N"
     return about.call, bungee, p
 
 
@@ -64,20 +65,17 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             wanted = tuple(-k * extension * part for part in d)
             slips = {
                 (
-                    "Your rope pushes, but a stretched rope must pull. Perhaps you used k (l0 "
-                    "- l) from the book's listing, which has the wrong sign (E-4), or your "
-                    "offset points the wrong way."
+                    "Your stretched rope pushes, as in the book's listing (E-4). Reverse the sign "
+                    "of the force, so that it pulls p toward the other end."
                 ): [-part for part in wanted],
-                "Your rope exerts no force, although it is longer than its rest length. Check "
-                "the condition with which your code detects a slack rope.": ZERO,
+                "Your stretched rope exerts no force. Reverse the comparison of its length with "
+                "rest_length, because only a shorter rope is slack.": ZERO,
                 "Your force is the stiffness times the whole length of the rope. Only the "
                 "extension counts, so subtract the rest length from the length.": [
                     -k * (rest + extension) * part for part in d
                 ],
-                "You multiply the force by the whole offset, so a long rope pulls too hard. "
-                "Multiply by the unit vector along the offset instead.": [
-                    part * (rest + extension) for part in wanted
-                ],
+                "You multiply by the whole offset, so a long rope pulls too hard. Normalize the "
+                "offset first.": [part * (rest + extension) for part in wanted],
             }
             blame(got, slips)
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
@@ -87,7 +85,7 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.2")
-def test_a_slack_rope_does_nothing(rng: Random) -> None:
+def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
     about.read = "book 6.2.3 and the docstring of Bungee"
     for kind in BOTH:
         base, d = components(rng), direction(rng)
@@ -97,14 +95,14 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             (
                 0.5,
                 0.0,
-                "The rope is shorter than its rest length, so it is slack. A rope never "
-                "pushes, so add no force.",
+                "Your slack rope pushes. A rope that is shorter than its rest length exerts no "
+                "force.",
             ),
             (
                 0.9,
                 5.0,
-                "The rope is slack, so it exerts no force at all. Don't add damping either, "
-                "even if the ends move apart.",
+                "Your slack rope damps the motion. A rope that is shorter than its rest length "
+                "exerts no force, so don't add damping either.",
             ),
             (
                 0.0,
@@ -182,8 +180,8 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "Your force ignores the damping. Add a force along the rope: the damping times "
-                "the rate at which the length changes.": [-k * extension * part for part in d],
+                "You left out the damping. To the pull, add the damping times the rate at which "
+                "the length grows.": [-k * extension * part for part in d],
                 (
                     "The damping is so large here that your rope pushes. A rope can only pull, "
                     "so add no force in this case."
@@ -198,12 +196,12 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.2")
-def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
+def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
     about.read = "the docstring of Bungee"
     f = components(rng)
     about.cause = (
-        "A Bungee acts only on the particle that is passed to update_force. Add its pull to the "
-        "forces on p, and add nothing to q."
+        "Your rope must pull p with 4 N along Y, besides the force that was added to p before. Use "
+        "add_force, which keeps that force."
     )
     about.call = f"p at (0, -3, 0) and q at (0, 0, 0); p.add_force(Vector3{f}); Bungee(q, "
     about.call += "stiffness=2.0, rest_length=1.0).update_force(p, 0.5)"
@@ -212,15 +210,17 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
     Bungee(q, 2.0, 1.0).update_force(p, 0.5)
     wanted = (f[0], f[1] + 4.0, f[2])
     expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator, in N")
-    expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
+    only = "You added a force to q as well. A Bungee acts only on the particle that is passed to "
+    only += "update_force."
+    expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N", cause=only)
     about.read = "the docstring of AnchoredBungee"
     for kind in BOTH:
         about.call, bungee, p = rope(kind, STILL, (0.0, -3.0, 0.0), STILL, (2.0, 1.0, 0.0))
         about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b is a {kind} with stiffness=2.0 "
         about.call += "and rest_length=1.0 whose other end is at (0, 0, 0); b.update_force(p, 0.5)"
         about.cause = (
-            "The force that was added to p before is lost. Use add_force, which adds the pull to "
-            "the other forces."
+            "You remove the force that was added to p before. Use add_force, which keeps that "
+            "force."
         )
         p.add_force(Vector3(*f))
         bungee.update_force(p, 0.5)

@@ -17,7 +17,7 @@ READ = "book 6.2.4 and the docstring of Buoyancy"
 
 
 @pytest.mark.exercise("B6.4")
-def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
+def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
     about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
     density, g = positive_number(rng, 800.0, 1250.0), positive_number(rng, 5.0, 20.0)
@@ -29,9 +29,10 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     came = {}
     for share in (0.25, 0.75, 0.5, 0.01):
         y = surface + s - 2.0 * s * share
-        about.call = f"p at (3, {y}, 5); b = Buoyancy(max_depth={s}, volume={volume}, "
+        about.call = f"p of 3 kg at (3, {y}, 5); b = Buoyancy(max_depth={s}, volume={volume}, "
         about.call += f"water_height={surface}, liquid_density={density}, gravity={g}); "
-        about.call += "b.update_force(p, 0.5); p.force_accumulator, in N"
+        about.call += f"{100 * share:g} % of the body is under water; b.update_force(p, 0.5); "
+        about.call += "p.force_accumulator, in N"
         p = Particle(Vector3(3.0, y, 5.0), Vector3(2.0, 3.0, 4.0), mass=3.0)
         Buoyancy(s, volume, surface, density, g).update_force(p, 0.5)
         came[share] = about.call, xyz(p.force_accumulator)
@@ -39,11 +40,11 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     unit, pushed = full / g, s * s  # what / 2 * s makes of a share
     pairs = {  # the lifts at the first two shares
         (
-            "There is no lift, because (y - y_w - s) in the book's listing has the wrong signs "
-            "(E-5). Use (y_w + s - y), where y_w is water_height and s is max_depth."
+            "There is no lift, because you used (y - y_w - s) from the book's listing (E-5). Use "
+            "(y_w + s - y), where y_w is water_height and s is max_depth."
         ): (0.0, 0.0),
-        "Your lift points down, because (y - y_w - s) in the book's listing has the wrong "
-        "signs (E-5). Use (y_w + s - y), where y_w is water_height and s is max_depth.": (
+        "Your lift points down, as with (y - y_w - s) in the book's listing (E-5). Use (y_w + s "
+        "- y), where y_w is water_height and s is max_depth.": (
             -0.25 * full,
             -0.75 * full,
         ),
@@ -87,10 +88,10 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             0.5 * full,
             full,
         ),
-        "Your depth is y_w - y, the depth of the body's center below the water surface. Its "
-        "lowest point is deeper by max_depth, so add max_depth.": (0.0, 0.25 * full),
-        "Your lift is either full or zero. While the body is partly under water, the lift must "
-        "be proportional to the submerged fraction.": (
+        "You used y_w - y, the depth of the body's center. Add max_depth, because the lowest point "
+        "of the body is that much deeper.": (0.0, 0.25 * full),
+        "Your lift is either full or zero. Multiply the full lift by the submerged fraction of "
+        "the body.": (
             0.0,
             full,
         ),
@@ -105,33 +106,33 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.4")
-def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -> None:
+def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
     about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
     for y, share, cause in (
         (
             surface + 1.5 * s,
             0.0,
-            "The body is completely out of the water, so there must be no force at all. Never "
-            "use a submerged fraction below 0.",
+            "Your submerged fraction is negative, so your lift points down. Use 0 if the body is "
+            "completely out of the water.",
         ),
         (
             surface + 50.0,
             0.0,
-            "The body is high above the water, so there must be no lift. Never use a submerged "
-            "fraction below 0.",
+            "Your submerged fraction is negative, so your lift points down. Use 0 if the body is "
+            "completely out of the water.",
         ),
         (
             surface - 1.5 * s,
             1.0,
-            "The whole body is under water, so the submerged fraction is 1. The lift is then "
-            "density times volume times g.",
+            "Your submerged fraction is larger than 1. Use 1 if the whole body is under water, "
+            "however deep it is.",
         ),
         (
             surface - 50.0,
             1.0,
-            "The body is deep under water, but the lift is never more than density times "
-            "volume times g. Never use a submerged fraction above 1.",
+            "Your submerged fraction is larger than 1. Use 1 if the whole body is under water, "
+            "however deep it is.",
         ),
     ):
         about.cause = cause

@@ -13,7 +13,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import network, pair_swinging
 from ch06_springs.springs import Connection, connect
 from draw import components, direction, positive_number
-from expect import about, blame, expect_close, expect_error, expect_exactly, xyz
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_that, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of Connection.update_force"
@@ -36,7 +36,7 @@ def tension(
 
 
 @pytest.mark.exercise("B6.3")
-def test_a_connection_serves_both_ends(rng: Random) -> None:
+def test_a_connection_acts_on_both_ends(rng: Random) -> None:
     about.read = READ
     here, there, v, w = (components(rng) for _ in range(4))
     numbers = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
@@ -53,13 +53,16 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         )
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
-        k, rest, _ = numbers
+        k, rest, c = numbers
         both = tuple(p + q for p, q in zip(v, w, strict=True))
         slips = {
-            "Each end gets only half of the force. Apply the whole spring_force to both ends, "
-            "in opposite directions.": [0.5 * part for part in wanted],
-            "Your force ignores the damping. Add a force along the spring: the damping times "
-            "the rate at which the length changes.": tension(here, v, there, w, (k, rest, 0.0)),
+            "Each end gets only half of the force. Apply the whole force to both ends.": [
+                0.5 * part for part in wanted
+            ],
+            "You halved the stiffness. The whole force of the spring acts on each end, so use "
+            "self.stiffness unchanged.": tension(here, v, there, w, (0.5 * k, rest, c)),
+            "You left out the damping. Pass it to spring_force, together with the velocity of a "
+            "relative to b.": tension(here, v, there, w, (k, rest, 0.0)),
             "You add the velocities of a and b. The rate at which the length changes depends "
             "on their difference, so subtract b's velocity from a's.": tension(
                 here, both, there, ZERO, numbers
@@ -67,25 +70,25 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
             "You subtract a's position from b's, so the force on a points the wrong way. "
             "Subtract b's position from a's.": tension(there, v, here, w, numbers),
             (
-                "This is the force on b. Whichever end is passed to update_force, compute the "
-                "force on a from a's position minus b's."
+                "You swapped the forces on a and b. Compute the force on a from a's position minus "
+                "b's, whichever end is passed to update_force."
             ): [-part for part in wanted],
-            "The force on a is still zero. Pass the spring force to a.add_force.": ZERO,
+            "You added no force to a. Both ends need a force in every call.": ZERO,
         }
         blame(on_a, slips)
         # A few roundings of numbers up to 500.
         expect_close(on_a, wanted, call=f"{name}; a.force_accumulator, in N", tolerance=1e-11)
         about.cause = (
-            "The force on b must be exactly the opposite of the force on a, so that momentum is "
-            "conserved. Compute the force once, and apply its opposite to b."
+            "Your force on b is not the exact opposite of the force on a. Compute the force once, "
+            "and apply its opposite to b."
         )
         blame(
             on_b,
             {
-                "Both ends get the same force, so the spring pushes the whole pair along. "
-                "Apply the opposite of a's force to b.": on_a,
-                "The force on b is still zero. Pass the opposite of the force on a to "
-                "b.add_force.": ZERO,
+                "Both ends get the same force, so your spring pushes them in the same direction. "
+                "Apply the opposite force to b.": on_a,
+                "You added no force to b. One call must act on both ends, so add the opposite "
+                "of a's force to b.": ZERO,
             },
         )
         opposite = tuple(-part for part in on_a)
@@ -123,21 +126,20 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
     about.cause = (
-        "The force on b is wrong, perhaps because the force that was added to b before is lost. "
-        "Use add_force, which adds to the other forces."
+        "You removed the force that was added to b before. Use add_force, which keeps that force."
     )
     expect_close(got, wanted, then="; b.force_accumulator, in N", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B6.3")
-def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
+def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.read = READ
     place, v = components(rng), components(rng)
     about.call = f"a and b at {place}, a with velocity {v}; c = Connection(a, b, stiffness=100.0, "
     about.call += "rest_length=2.0, damping=3.0); c.update_force(a, 0.5)"
     about.cause = (
-        "Both ends are at the same position, so the spring has no direction and exerts no force. "
-        "Don't divide by its length, which is 0."
+        "You divide by the length, which is 0 because both ends are at the same position. The "
+        "spring exerts no force here."
     )
     a, b = Particle(Vector3(*place), Vector3(*v)), Particle(Vector3(*place))
     c = Connection(a, b, 100.0, 2.0, 3.0)
@@ -159,8 +161,8 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call = "a at (0, 1e-9, 0), b at (0, 0, 0); c = Connection(a, b, stiffness=100.0, "
     about.call += "rest_length=2.0); c.update_force(a, 0.5); a.force_accumulator, in N"
     about.cause = (
-        "The ends are very close but not at the same position, so the spring still has a "
-        "direction. It pushes with almost 200 N, the stiffness times the rest length."
+        "The ends are 1e-9 m apart, so the spring still has a direction. It must push with 200 N, "
+        "so don't treat a short length as 0."
     )
     a, b = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     c = Connection(a, b, 100.0, 2.0)
@@ -183,15 +185,21 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.3")
-def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
+def test_connect_registers_the_spring_once(rng: Random) -> None:
     about.read = CONNECT
     here, there = components(rng), components(rng)
     k, rest = positive_number(rng), positive_number(rng)
     wanted = tension(here, ZERO, there, ZERO, (k, rest, 0.0))
     masses = ((2.0, 3.0), (math.inf, 3.0), (2.0, math.inf))
     for mass_a, mass_b in masses:
-        about.call = f"a of {mass_a} kg at {here}, b of {mass_b} kg at {there}; connect(registry, "
-        about.call += f"a, b, stiffness={k}, rest_length={rest}); registry.update_forces(0.5)"
+        about.call = f"a of {mass_a:g} kg at {here}; b of {mass_b:g} kg at {there}; "
+        about.call = about.call.replace("of inf kg", "is immovable,")
+        about.call += f"connect(registry, a, b, stiffness={k}, rest_length={rest}); "
+        about.call += "registry.update_forces(0.5)"
+        unmoved = "You didn't register the spring. Add it to the registry for one of its ends."
+        if not mass_a < mass_b < math.inf:
+            unmoved = "You registered the spring for an immovable end, which the registry skips. "
+            unmoved += "Register it for an end that can move."
         about.cause = (
             "connect must create one Connection with this stiffness and rest length. It must "
             "register it once, for an end that can move."
@@ -206,15 +214,11 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                 got = xyz(end.force_accumulator)
                 swapped = tension(here, ZERO, there, ZERO, (rest, k, 0.0))
                 slips = {
-                    (
-                        "The spring exerts no force. The registry skips immovable particles, "
-                        "so connect must register the spring for an end that can move."
-                    ): ZERO,
-                    (
-                        "The force is twice as large as it should be, probably because you "
-                        "registered the spring for both ends. Register it once, because one "
-                        "call of update_force acts on both ends."
-                    ): [2.0 * part for part in force],
+                    unmoved: ZERO,
+                    "The spring acts twice, because you registered the spring for both ends. "
+                    "Register it once, because one call of update_force acts on both ends.": [
+                        2.0 * part for part in force
+                    ],
                     "You swapped the stiffness and the rest length. Pass the arguments to "
                     "Connection in the order of its constructor.": [
                         sign * part for part in swapped
@@ -232,14 +236,19 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, stiffness={k}, "
     about.call += f"rest_length={rest}, damping={c})"
     about.cause = (
-        "connect must return the Connection that it registers, with the stiffness, rest length "
-        "and damping that it was given. The caller may want to change or remove it later."
+        "The spring that you return has the wrong numbers. Pass the stiffness, the rest length and "
+        "the damping to Connection."
     )
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
-    expect_exactly(s is not None, True, then="; s is not None")
+    nothing = "connect returned nothing. Return the Connection that it registers."
+    expect_that(s is not None, "nothing (None)", "a Connection", cause=nothing)
     got = (s.stiffness, s.rest_length, s.damping)
-    expect_close(got, (k, rest, c), then="; (s.stiffness, s.rest_length, s.damping)")
+    undamped = "You left out the damping. Pass it to Connection too."
+    blame(got, [((k, rest, 0.0), undamped)])
+    expect_close(got, (k, rest, c), then="; s.stiffness, s.rest_length and s.damping")
+    about.cause = "The spring that you return doesn't have the ends a and b. Create a single "
+    about.cause += "Connection for both ends, register it, and return it."
     got = (*xyz(s.a.position), *xyz(s.b.position))
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
     about.call += f"; s.stiffness = {2 * k:.6g}; registry.update_forces(0.5)"
@@ -333,14 +342,17 @@ def test_two_immovable_ends_may_be_connected() -> None:
 
 @pytest.mark.exercise("B6.3")
 @pytest.mark.robust
-def test_connect_refuses_what_means_nothing() -> None:
+def test_connect_rejects_invalid_numbers() -> None:
     about.read = CONNECT
-    about.cause = (
-        "One of these arguments is not valid. Create the Connection before you register it, "
-        "because its constructor checks the arguments and raises the error."
-    )
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
-    for bad in ((-1.0, 1.0, 0.0), (1.0, -1.0, 0.0), (1.0, 1.0, -1.0), (math.nan, 1.0, 0.0)):
+    for name, bad in (
+        ("stiffness", (-1.0, 1.0, 0.0)),
+        ("rest length", (1.0, -1.0, 0.0)),
+        ("damping", (1.0, 1.0, -1.0)),
+        ("stiffness", (math.nan, 1.0, 0.0)),
+    ):
+        about.cause = f"Your connect accepts a negative {name}. Pass it unchanged to Connection, "
+        about.cause += "whose constructor raises the ValueError."
         about.call = "connect(registry, a, b, stiffness={}, rest_length={}, damping={})".format(
             *bad
         )

@@ -18,7 +18,7 @@ READ = "exercise 6.1 and the docstring of ElasticLimitSpring"
 
 
 @pytest.mark.exercise("6.1")
-def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
+def test_up_to_its_limit_it_acts_like_any_spring(rng: Random) -> None:
     about.read = READ
     base, d = components(rng), direction(rng)
     k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
@@ -41,26 +41,27 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     ):
         about.cause = cause
         place = tuple(b + share * rest * part for b, part in zip(base, d, strict=True))
-        about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, stiffness={k}, "
-        about.call += f"rest_length={rest}, limit={1.95 * rest:.6g}, share=0.25).update_force(p, "
-        about.call += "0.5)"
+        about.call = f"p at {place}; q at {base}, {share * rest:.5g} m from p; "
+        about.call += f"s = ElasticLimitSpring(q, stiffness={k}, rest_length={rest}, "
+        about.call += f"limit={1.95 * rest:.6g}, share=0.25); s.update_force(p, 0.5)"
         p, q = Particle(Vector3(*place), Vector3(1.0, 2.0, 3.0), mass=3.0), Particle(Vector3(*base))
         ElasticLimitSpring(q, k, rest, 1.95 * rest, 0.25).update_force(p, 0.5)
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
         slips = {
-            "There is no force on p. Below its limit the spring acts like any other one, so "
-            "pass the usual spring force to particle.add_force.": ZERO,
-            "Your force points along the offset, so the stretched spring pushes. Perhaps the "
-            "minus sign is missing.": opposite,
+            "You add no force to p. Up to its limit, the spring must act like any other spring.": (
+                ZERO
+            ),
+            "The sign of your force is wrong, so the stretched spring pushes. It must pull p "
+            "toward q.": opposite,
         }
         if share < 1.0:
             slips = {
-                "There is no force on p. Below its limit the spring acts like any other one, "
-                "so pass the usual spring force to particle.add_force.": ZERO,
+                "Your compressed spring exerts no force. It must push like any other spring if it "
+                "is shorter than its rest length.": ZERO,
                 "Your extension is abs(length - rest_length), so a compressed spring pulls. "
-                "Remove abs, because a compressed spring has a negative extension (E-3).": opposite,
+                "Remove abs to keep the sign (E-3).": opposite,
             }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12)
@@ -82,7 +83,7 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
 
 
 @pytest.mark.exercise("6.1")
-def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None:
+def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
     about.read = READ
     base, d = components(rng), direction(rng)
     k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
@@ -91,8 +92,9 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         beyond = positive_number(rng, 0.5, 5.0)
         length = limit + beyond
         place = tuple(b + length * part for b, part in zip(base, d, strict=True))
-        about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, stiffness={k}, "
-        about.call += f"rest_length={rest}, limit={limit:.6g}, share={share}).update_force(p, 0.5)"
+        about.call = f"p at {place}; q at {base}, {length:.5g} m from p; s = "
+        about.call += f"ElasticLimitSpring(q, stiffness={k}, rest_length={rest}, "
+        about.call += f"limit={limit:.6g}, share={share}); s.update_force(p, 0.5)"
         about.cause = (
             "Up to the limit the spring pulls with its full stiffness k, and beyond it with share "
             "* k. The pull is k (limit - rest_length) + share k (length - limit)."
@@ -104,17 +106,17 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "Your force stays the same beyond the limit. It must keep growing with the "
-                "length there, but with share * stiffness instead of the full stiffness."
+                "Your force stops growing at the limit. Beyond the limit, let the force grow with "
+                "share * stiffness."
             ): limit - rest,
             (
                 "You multiply the whole extension by share. Apply share only to the part of "
                 "the length beyond the limit."
             ): share * (length - rest),
-            "Your spring pulls with its full stiffness even beyond the limit. Multiply the "
-            "stiffness by share for the part of the length beyond it.": length - rest,
-            "Your force counts only the part of the length beyond the limit. Add the pull of "
-            "the part up to the limit, which is k (limit - rest_length).": share * beyond,
+            "Your spring keeps its full stiffness beyond the limit. Use share * stiffness for the "
+            "part of the length that is beyond the limit.": length - rest,
+            "You leave out the pull up to the limit. Add stiffness * (limit - rest_length) to the "
+            "pull of the part beyond it.": share * beyond,
             "You compare the limit with the extension. Compare it with the length of the "
             "spring instead.": (min(length, late) - rest + share * max(length - late, 0.0)),
         }
@@ -129,11 +131,12 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         spring.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         twice = tuple(2.0 * part for part in wanted)
-        expect_close(got, twice, then=", called twice; p.force_accumulator, in N", tolerance=1e-11)
+        then = "; s.update_force(p, 0.5); p.force_accumulator, in N"
+        expect_close(got, twice, then=then, tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.1")
-def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
+def test_ends_at_the_same_position_get_no_elastic_force(rng: Random) -> None:
     about.read = READ
     place, f = components(rng), components(rng)
     about.call = f"p and q at {place}; p.add_force(Vector3{f}); s = ElasticLimitSpring(q, 5.0, "

@@ -19,7 +19,7 @@ READ = "exercise 6.4 and the docstring of HomingBullet"
 
 
 @pytest.mark.exercise("6.4")
-def test_it_aims_at_where_both_will_be(rng: Random) -> None:
+def test_it_aims_at_the_predicted_position(rng: Random) -> None:
     about.read = READ
     here, v, there, w, f = (components(rng) for _ in range(5))
     k, ahead = positive_number(rng), positive_number(rng)
@@ -37,8 +37,8 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         ),
     ):
         about(f"p at {here} with velocity {v}; q at {there} with velocity {w}; ", cause=cause)
-        about.call += f"p.add_force(Vector3{f}); HomingBullet(target=q, stiffness={k}, "
-        about.call += f"look_ahead={time}).update_force(p, 0.5)"
+        about.call += f"p.add_force(Vector3{f}); b = HomingBullet(target=q, stiffness={k}, "
+        about.call += f"look_ahead={time}); b.update_force(p, 0.5)"
         down = Vector3(0.0, -9.0, 0.0)
         p = Particle(Vector3(*here), Vector3(*v), down, mass=3.0, damping=0.5)
         q = Particle(Vector3(*there), Vector3(*w), down * 2.0, mass=5.0, damping=0.7)
@@ -53,30 +53,24 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         way = [now[i] + closing[i] * time for i in range(3)]
         pulls = {
             "Your force pushes the bullet away from its target. Subtract the bullet's "
-            "predicted position from the target's, and not the other way around.": [
-                -k * part for part in way
+            "predicted position from the target's.": [-k * part for part in way],
+            "You left out the stiffness. Multiply the vector to the target by it.": (way),
+            "You normalized the vector to the target, so the size of your force is always the "
+            "stiffness. Multiply the stiffness by the whole vector.": [
+                k * part / math.hypot(*way) for part in way
             ],
-            "Your force equals the vector between the two predicted positions. Multiply this "
-            "vector by the stiffness.": way,
-            "The size of your force is the stiffness, at every distance from the target. "
-            "Multiply the stiffness by the whole vector to the target, without normalizing "
-            "it.": [k * part / math.hypot(*way) for part in way],
             (
-                "Your force pulls toward where the target is now. Aim at where the target will "
-                "be after look_ahead seconds."
+                "Your force uses the current positions of the bullet and the target. Use their "
+                "positions after look_ahead seconds instead."
             ): [k * part for part in now],
             (
                 "Your prediction leaves out the bullet's own velocity. The bullet moves for "
-                "look_ahead seconds too, so start from where it will be by then."
+                "look_ahead seconds too, so use its position after that time."
             ): [k * (now[i] + w[i] * time) for i in range(3)],
-            "Your prediction leaves out the target's velocity. The target moves for look_ahead "
-            "seconds too, so aim at where it will be by then.": [
-                k * (now[i] - v[i] * time) for i in range(3)
-            ],
-            "Your prediction looks ahead by the duration of the step. Use self.look_ahead "
-            "instead, which does not depend on the step.": [
-                k * (now[i] + closing[i] * 0.5) for i in range(3)
-            ],
+            "Your prediction leaves out the target's velocity. Aim at the position of the target "
+            "after look_ahead seconds.": [k * (now[i] - v[i] * time) for i in range(3)],
+            "Your prediction looks ahead by 0.5 s, the duration of the step. Use self.look_ahead "
+            "instead.": [k * (now[i] + closing[i] * 0.5) for i in range(3)],
         }
         slips = {slip: [f[i] + pull[i] for i in range(3)] for slip, pull in pulls.items()}
         blame(got, slips)
@@ -88,15 +82,11 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
 
 
 @pytest.mark.exercise("6.4")
-def test_bullet_and_target_are_only_read(rng: Random) -> None:
+def test_bullet_and_target_are_not_moved(rng: Random) -> None:
     about.read = READ
     here, v, there, w = (components(rng) for _ in range(4))
     about.call = f"p at {here} with velocity {v}; q at {there} with velocity {w}; b = "
     about.call += "HomingBullet(target=q, stiffness=2.0, look_ahead=3.0); b.update_force(p, 0.5)"
-    about.cause = (
-        "update_force must not change any position or velocity. add_scaled, += and *= work in "
-        "place, so use + and *, which create new vectors."
-    )
     p, q = Particle(Vector3(*here), Vector3(*v)), Particle(Vector3(*there), Vector3(*w))
     b = HomingBullet(q, 2.0, 3.0)
     b.update_force(p, 0.5)
@@ -106,7 +96,8 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         ("q.position", q.position, there),
         ("q.velocity", q.velocity, w),
     ):
-        expect_unchanged(name, xyz(now), before)
+        changed = f"You changed {name}. add_scaled, += and *= work in place, so use + and *, which "
+        expect_unchanged(name, xyz(now), before, cause=f"{changed}create new vectors.")
     about.call = f"p at {here} with velocity {v}; q at {there} with velocity {v}; b.stiffness = "
     about.call += "4.0; b.look_ahead = 1.0; b.update_force(p, 0.5)"
     about.cause = (

@@ -23,9 +23,9 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
     most, scale, f = positive_number(rng, 5.0, 90.0), positive_number(rng), components(rng)
     for share in (0.3, 1.0, 2.5, 7.0):
         y = share * scale
-        about.call = f"p at (3, {y:.6g}, 5); p.add_force(Vector3{f}); "
-        about.call += f"LighterThanAir(max_lift={most}, scale_height={scale}).update_force(p, "
-        about.call += "0.5); p.force_accumulator, in N"
+        about.call = f"p of 7 kg at (3, {y:.6g}, 5); p.add_force(Vector3{f}); balloon = "
+        about.call += f"LighterThanAir(max_lift={most}, scale_height={scale}); "
+        about.call += "balloon.update_force(p, 0.5); p.force_accumulator, in N"
         about.cause = (
             "The lift must be F e^(-y / H), pointing up, where F is max_lift, H is scale_height "
             "and y is the height. Add it to the forces that are already on p."
@@ -39,17 +39,17 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         lifts = {
             "Your lift is F H / y, which is infinite at the ground. Use F e^(-y / H), where F "
             "is max_lift and H is scale_height.": most / share,
-            "Your lift is F (1 - y / H), which is negative above y = H. Use F e^(-y / H), "
-            "where F is max_lift and H is scale_height.": most * (1.0 - share),
-            "Your lift is F e^-y, as if scale_height were 1 m. Divide the height y by "
-            "scale_height before you take the exponential.": most * math.exp(-y),
+            "Your lift is F (1 - y / H), a straight line. Use F e^(-y / H), where F is max_lift "
+            "and H is scale_height.": most * (1.0 - share),
+            "Your lift is F e^-y, where F is max_lift. Divide the height y in the exponent by "
+            "scale_height.": most * math.exp(-y),
             "Your lift is F 2^(-y / H), where F is max_lift and H is scale_height. Use e "
             "instead of 2, with math.exp.": most * 0.5**share,
             "Your lift is F / (1 + y / H), which is too large high above the ground. Use F "
             "e^(-y / H), where F is max_lift and H is scale_height.": most / (1.0 + share),
             "Your lift is F e^(y / H), which grows with the height y. The exponent needs a "
             "minus sign.": most * math.exp(share),
-            "Your lift points down, so the balloon falls faster. Add the force along +Y.": -lift,
+            "Your lift points down. Add the force along +Y.": -lift,
             "You multiplied the lift by the particle's mass of 7 kg. The lift does not depend "
             "on the mass, so leave it out.": 7.0 * lift,
         }
@@ -67,8 +67,8 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
         (0.0, "On the ground, at a height of 0, the lift must be max_lift."),
         (
             -0.5 * scale,
-            "Below the ground the lift must be the same as on the ground, but your lift is "
-            "larger. Use a height of at least 0.",
+            "Your lift keeps growing below the ground. It must stay max_lift there, so use a "
+            "height of at least 0.",
         ),
         (
             -1e6,
@@ -77,8 +77,8 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
         ),
     ):
         about.cause = cause
-        about.call = f"p at (0, {y:.6g}, 0); LighterThanAir(max_lift={most}, "
-        about.call += f"scale_height={scale}).update_force(p, 0.5)"
+        about.call = f"p at (0, {y:.6g}, 0); balloon = LighterThanAir(max_lift={most}, "
+        about.call += f"scale_height={scale}); balloon.update_force(p, 0.5)"
         p = Particle(Vector3(0.0, y, 0.0))
         balloon.update_force(p, 0.5)
         got = xyz(p.force_accumulator)

@@ -19,16 +19,15 @@ READ = "exercise 6.3 and the docstring of Overcrowding"
 
 
 @pytest.mark.exercise("6.3")
-def test_who_is_too_near_pushes(rng: Random) -> None:
+def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
     about.read = READ
     here, d, f = components(rng), direction(rng), components(rng)
     distance, k = positive_number(rng, 1.0, 9.0), positive_number(rng)
     for share, cause in (
         (
             0.25,
-            "Every other particle closer than self.distance pushes p away with k (distance "
-            "- l), where k is the stiffness and l its distance from p. Skip p itself, "
-            "which is also in the list.",
+            "q is closer than self.distance, so it must push p away. The push is k (distance "
+            "- l), where k is the stiffness and l the distance of q from p.",
         ),
         (
             0.9,
@@ -38,33 +37,33 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         ),
         (
             1.1,
-            "q is farther away than self.distance, so it must not push p. Add a force only if "
-            "distance - l is positive, where l is the distance of q from p.",
+            "You add a force although q is farther away than self.distance. Add one only if q is "
+            "closer than that.",
         ),
     ):
-        about.cause = cause
         there = tuple(h + share * distance * part for h, part in zip(here, d, strict=True))
-        about.call = f"p of 2 kg at {here}, q of 3 kg at {there}; p.add_force(Vector3{f}); "
-        about.call += f"Overcrowding([p, q], distance={distance}, stiffness={k}).update_force(p, "
-        about.call += "0.5)"
+        about.call = f"p at {here}; q at {there}, {share * distance:.5g} m from p; "
+        about.call += f"p.add_force(Vector3{f}); crowd = Overcrowding([p, q], distance={distance}, "
+        about.call += f"stiffness={k}); crowd.update_force(p, 0.5)"
+        about.cause = "The list contains p too, whose distance from itself is 0. Skip p before you "
+        about.cause += "divide by the distance."
         p = Particle(Vector3(*here), Vector3(1.0, 2.0, 3.0), mass=2.0)
         q = Particle(Vector3(*there), Vector3(-3.0, 2.0, 1.0), mass=3.0)
         p.add_force(Vector3(*f))
         Overcrowding([p, q], distance, k).update_force(p, 0.5)
+        about.cause = cause
         push = k * distance * max(1.0 - share, 0.0)
         wanted = tuple(g - push * part for g, part in zip(f, d, strict=True))
         got = xyz(p.force_accumulator)
         near = share * distance
         pushes = {
-            "Your force pulls p toward q, but it must push p away. Check the sign of the "
-            "offset.": -push,
-            "There is no push, perhaps because your loop ends when it finds p itself in the "
-            "list. Skip only p, and continue with the next particle.": 0.0,
-            "Your push has the size k at every distance. It must grow as the particles come "
-            "closer, so multiply the stiffness k by (distance - l), where l is the distance "
-            "of q from p.": k,
-            "You multiply the push by the whole offset instead of its direction. Multiply by "
-            "the unit vector along the offset.": push * near,
+            "Your force pulls p toward q. Reverse its direction, so that it pushes p away.": -push,
+            "There is no push, because your loop ends when it reaches p itself in the list. Skip "
+            "p, and continue with the next particle.": 0.0,
+            "The size of your push is the stiffness, at every distance. Multiply the stiffness by "
+            "(distance - l), where l is the distance between p and q.": k,
+            "You multiply the push by the whole offset. Normalize the offset first, so that it is "
+            "only a direction.": push * near,
             "You use the squared distance between the particles. Use the distance itself, "
             "which is the magnitude of the offset.": k * (distance - near**2),
         }
@@ -76,24 +75,24 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
         about.cause = (
-            "You added a force to q as well. Push only the particle that is passed to "
-            "update_force, because update_force is called for each particle in turn."
+            "You added a force to q as well. Push only p, the particle that is passed to "
+            "update_force."
         )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator, in N")
 
 
 @pytest.mark.exercise("6.3")
-def test_every_one_who_is_too_near_counts(rng: Random) -> None:
+def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     about.read = READ
     here = components(rng)
     offsets = [(1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.5), (0.0, -4.0, 0.0)]
     k = positive_number(rng)
-    about.call = f"p at {here} and four other particles, 1, 2, 1.5 and 4 m away from p along x, y, "
-    about.call += f"-z and -y; crowd = Overcrowding(all five, distance=3.0, stiffness={k}); "
+    about.call = f"p at {here}; four others at p + (1, 0, 0), p + (0, 2, 0), p + (0, 0, -1.5) and "
+    about.call += f"p + (0, -4, 0); crowd = Overcrowding(all five, distance=3.0, stiffness={k}); "
     about.call += "crowd.update_force(p, 0.5)"
     about.cause = (
-        "Three of the other four particles are closer than 3 m, and each of them pushes p. Add up "
-        "all three pushes instead of using only one of them."
+        "Three of the other four particles are closer than 3 m, and each of them must push p. Add "
+        "up all three pushes."
     )
     p = Particle(Vector3(*here))
     others = [Particle(p.position + Vector3(*offset)) for offset in offsets]
@@ -101,6 +100,10 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     crowd.update_force(p, 0.5)
     wanted = (-2.0 * k, -1.0 * k, 1.5 * k)
     got = xyz(p.force_accumulator)
+    nearest = (
+        "Only the nearest particle pushes p. Add up the pushes of all particles closer than 3 m."
+    )
+    blame(got, [((-2.0 * k, 0.0, 0.0), nearest)])
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12)
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k:.6g}; crowd.update_force(p, 0.5)"
@@ -118,7 +121,7 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
 
 
 @pytest.mark.exercise("6.3")
-def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) -> None:
+def test_particles_at_the_same_position_do_not_push(rng: Random) -> None:
     about.read = READ
     here = components(rng)
     about.call = f"p and q at {here}, r 1 m above them; Overcrowding([r, p, q], distance=3.0, "

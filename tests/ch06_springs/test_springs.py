@@ -40,33 +40,30 @@ def spring_slips(
         return [size * part for part in d]
 
     return {
-        "Your extension is abs(length - rest_length), so a compressed spring pulls. Remove abs "
-        "(E-3), because a compressed spring must push this end away, along the offset.": along(
-            -abs(pull) - c * rate
-        ),
-        "Your damping acts in the direction of the motion, so the swings get wider and wider. "
-        "It must oppose the motion, so check its sign.": along(c * rate - pull),
-        "Your force points along the offset, so a stretched spring pushes its end even farther "
-        "away. Perhaps the minus sign is missing.": along(pull + c * rate),
+        "Your extension is abs(length - rest_length), as in the book's listing (E-3), so a "
+        "compressed spring pulls. Remove abs, so that it pushes.": along(-abs(pull) - c * rate),
+        "Your damping has the wrong sign, so it pushes in the direction of the motion. It must "
+        "oppose the motion.": along(c * rate - pull),
+        "The sign of your force is wrong, so a stretched spring pushes. A stretched "
+        "spring must pull against the offset.": along(pull + c * rate),
         "Your force is the stiffness times the whole length. Only the extension counts, so "
         "subtract the rest length from the length.": along(-k * length - c * rate),
-        "You multiply the force by the whole offset, so a long spring is too strong. The "
-        "offset only gives the direction, so normalize it first.": along(
-            -(pull + c * rate) * length
-        ),
+        "You multiply the force by the whole offset instead of its direction. Normalize the "
+        "offset first.": along(-(pull + c * rate) * length),
         "You use the squared length of the offset. The extension needs the length itself, so "
         "use magnitude().": along(-k * (length**2 - rest) - c * rate),
         "You left out the damping. Add a force along the spring: the damping times the rate at "
         "which the length changes.": along(-pull),
-        "There is no force, as if the spring were a slack rope. Unlike a rope, a spring pushes "
-        "when it is shorter than its rest length.": along(0.0 * pull),
+        "Your spring exerts no force here, like a slack rope. Unlike a rope, a spring pushes when "
+        "it is shorter than its rest length.": along(0.0 * pull),
         "Your damping is -c v, which also slows down motion across the spring. Use only the "
         "component of the velocity v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
-        "Your damping uses the speed |v|, which is positive even while the spring gets "
-        "shorter. Use the component of v along the spring, which is the rate at which the "
-        "length changes.": along(-pull - c * math.hypot(*velocity)),
+        "Your damping uses the speed |v|, which is never negative. Use the component of v along "
+        "the spring, which is negative while the spring gets shorter.": along(
+            -pull - c * math.hypot(*velocity)
+        ),
         "Your damping uses the dot product of v and the whole offset, which grows with the "
         "length of the spring. Normalize the offset first.": along(-pull - c * rate * length),
     }
@@ -83,8 +80,8 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
     for share, cause in ((1.5, pulls), (0.5, pushes), (1e-3, pushes)):
         about.cause = cause
         offset = tuple(share * rest * part for part in d)
-        about.call = f"spring_force(offset=Vector3{offset}, velocity=Vector3(), stiffness={k}, "
-        about.call += f"rest_length={rest}), in N"
+        about.call = f"offset = Vector3{offset}, which is {share * rest:.4g} m long; "
+        about.call += f"spring_force(offset, Vector3(), stiffness={k}, rest_length={rest}), in N"
         wanted = hooke(offset, ZERO, k, rest, 0.0)
         got = expect_vector(spring_force(Vector3(*offset), Vector3(), k, rest))
         blame(got, spring_slips(offset, ZERO, k, rest, 0.0))
@@ -99,14 +96,14 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
 
 
 @pytest.mark.exercise("B6.1")
-def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
+def test_damping_acts_only_along_the_spring(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 1.0, 5.0), positive_number(rng)
     about.cause = "The damping must act along the spring, against the motion. Its size is the "
     about.cause += "damping c times the component of the velocity along the spring."
     for v, stiffness in ((velocity, 0.0), (velocity, k)):
-        about.call = f"spring_force(offset=Vector3{offset}, velocity=Vector3{v}, "
+        about.call = f"offset, v = Vector3{offset}, Vector3{v}; spring_force(offset, v, "
         about.call += f"stiffness={stiffness}, rest_length={rest}, damping={c}), in N"
         got = xyz(spring_force(Vector3(*offset), Vector3(*v), stiffness, rest, c))
         wanted = hooke(offset, v, stiffness, rest, c)
@@ -137,28 +134,29 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.1")
-def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
+def test_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.read = READ
     v = components(rng)
-    about.call = f"spring_force(offset=Vector3(), velocity=Vector3{v}, stiffness=100.0, "
+    about.call = f"offset, v = Vector3(), Vector3{v}; spring_force(offset, v, stiffness=100.0, "
     about.call += "rest_length=2.0, damping=3.0), in N"
     about.cause = (
-        "Both ends are at the same position, so the spring has no direction and exerts no force. "
-        "Use normalized(), which returns a zero vector in this case."
+        "You divide by the length, which is 0 because both ends are at the same position. Use "
+        "normalized(), which returns a zero vector here."
     )
     got = xyz(spring_force(Vector3(), Vector3(*v), 100.0, 2.0, 3.0))
     expect_close(got, ZERO)
-    about.call = "spring_force(offset=Vector3(0, 1e-9, 0), velocity=Vector3(), stiffness=100.0, "
-    about.call += "rest_length=2.0), in N"
+    about.call = "spring_force(offset=Vector3(0, 1e-9, 0), velocity=Vector3(), stiffness=100, "
+    about.call += "rest_length=2), in N"
     about.cause = (
-        "The two ends are very close but not at the same position, so the spring still has a "
-        "direction. It pushes with almost 200 N, the stiffness times the rest length."
+        "Your spring exerts no force, although its ends are 1e-9 m apart. Don't treat a "
+        "short length as 0."
     )
     got = xyz(spring_force(Vector3(0.0, 1e-9, 0.0), Vector3(), 100.0, 2.0))
     expect_close(got, (0.0, 200.0 - 1e-7, 0.0), tolerance=1e-10)
-    about.call = f"p at the anchor with velocity {v}; AnchoredSpring(anchor=Vector3{v}, "
-    about.call += "stiffness=100.0, rest_length=2.0, damping=3.0).update_force(p, 0.5); "
+    about.call = f"p at the anchor with velocity {v}; s = AnchoredSpring(anchor=Vector3{v}, "
+    about.call += "stiffness=100.0, rest_length=2.0, damping=3.0); s.update_force(p, 0.5); "
     about.call += "p.force_accumulator, in N"
+    about.read = "book 6.2.2 and the docstring of AnchoredSpring"
     p = Particle(Vector3(*v), Vector3(*v))
     AnchoredSpring(Vector3(*v), 100.0, 2.0, 3.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -171,6 +169,7 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
         "position to get the offset.": hooke(v, v, 100.0, 2.0, 3.0)
     }
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
+    about.read = READ
     about.call = "spring_force(offset=Vector3(2, 0, 0), velocity=Vector3(), stiffness=100.0, "
     about.call += "rest_length=1.0), in N"
     about.cause = (
@@ -182,19 +181,18 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.1")
-def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
+def test_a_spring_changes_none_of_its_arguments(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
     about.call = f"o, v = Vector3{offset}, Vector3{velocity}; spring_force(o, v, stiffness=3.0, "
     about.call += "rest_length=1.0, damping=2.0)"
-    about.cause = (
-        "spring_force has changed one of the vectors that it was called with. normalize and *= "
-        "work in place, so use normalized and *, which create new vectors."
+    copies = (
+        "normalize, -= and *= work in place, so use normalized, - and *, which create new vectors."
     )
     o, v = Vector3(*offset), Vector3(*velocity)
     force = spring_force(o, v, 3.0, 1.0, 2.0)
-    expect_unchanged("o", xyz(o), offset)
-    expect_unchanged("v", xyz(v), velocity)
+    expect_unchanged("o", xyz(o), offset, cause=f"You changed the offset o. {copies}")
+    expect_unchanged("v", xyz(v), velocity, cause=f"You changed the velocity v. {copies}")
     wanted = hooke(offset, velocity, 3.0, 1.0, 2.0)
     about.cause = (
         "The force is wrong. It must be -(k (l - l0) + c l') along the offset, where l is the "
@@ -203,10 +201,6 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     expect_close(xyz(force), wanted, tolerance=1e-11)
     about.call = f"p at {offset} with velocity {velocity}; q at {velocity} with velocity {offset}; "
     about.call += "Spring(q, stiffness=3.0, rest_length=1.0, damping=2.0).update_force(p, 0.5)"
-    about.cause = (
-        "update_force has changed a position or a velocity. -= and normalize work in place, so "
-        "use - and normalized, which create new vectors."
-    )
     p = Particle(Vector3(*offset), Vector3(*velocity))
     q = Particle(Vector3(*velocity), Vector3(*offset))
     Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)
@@ -216,14 +210,16 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
         ("q.position", q.position, velocity),
         ("q.velocity", q.velocity, offset),
     ):
-        expect_unchanged(name, xyz(now), before)
+        expect_unchanged(name, xyz(now), before, cause=f"You changed {name}. {copies}")
     about.read = "the docstring of AnchoredSpring"
     about.call = f"spring = AnchoredSpring(anchor=Vector3{offset}, stiffness=3.0, "
     about.call += f"rest_length=1.0); p at {velocity}; spring.update_force(p, 0.5)"
     p, spring = Particle(Vector3(*velocity)), AnchoredSpring(Vector3(*offset), 3.0, 1.0)
     spring.update_force(p, 0.5)
-    expect_unchanged("spring.anchor", xyz(spring.anchor), offset)
-    expect_unchanged("p.position", xyz(p.position), velocity)
+    cause = f"You changed spring.anchor. {copies}"
+    expect_unchanged("spring.anchor", xyz(spring.anchor), offset, cause=cause)
+    cause = f"You changed p.position. {copies}"
+    expect_unchanged("p.position", xyz(p.position), velocity, cause=cause)
     about.call = "o = Vector3(); f = spring_force(o, Vector3(), stiffness=3.0, rest_length=1.0); "
     about.call += "f.x = 99.0"
     about.cause = (
@@ -237,7 +233,7 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.1")
-def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
+def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     about.read = "book 6.2.1 and the docstring of Spring"
     here, there, v, w, f = (components(rng) for _ in range(5))
     k, c = positive_number(rng), positive_number(rng)
@@ -269,19 +265,19 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
         "Subtract q's velocity from p's.": hooke(offset, v, k, rest, c),
         "You left out the damping. Pass it to spring_force, together with the velocity of p "
         "relative to q.": hooke(offset, relative, k, rest, 0.0),
-        "Your force points the wrong way. Check its sign and the order in which you subtract "
-        "the two positions.": tuple(-part for part in pull),
+        "The sign of your force is wrong, so it points the wrong way.": tuple(
+            -part for part in pull
+        ),
         "You divided the force by the mass of p. Add the force itself, because the step "
         "divides it by the mass later.": tuple(part / 2.0 for part in pull),
         "You divided the force by the mass of q. The force of a spring does not depend on any "
         "mass, so leave the masses out.": tuple(part / 3.0 for part in pull),
-        "There is no force on p, the particle that was passed to update_force. Pass the "
-        "spring's force to particle.add_force.": ZERO,
+        "You add no force to p, the particle that is passed to update_force. Add the spring's "
+        "force to it, and not to self.other.": ZERO,
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
     slips[
-        "The force that was added to p before is lost. Use add_force, which adds the spring's "
-        "force to it."
+        "You remove the force that was added to p before. Use add_force, which keeps that force."
     ] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
@@ -338,8 +334,9 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
         "only the extension counts.": hooke(offset, v, k, 0.0, c),
         "Your spring acts as if its other end were at (0, 0, 0). Subtract self.anchor from the "
         "position to get the offset.": hooke(here, v, k, rest, c),
-        "Your force points the wrong way. Check its sign and the order in which you subtract "
-        "the two positions.": tuple(-part for part in wanted),
+        "The sign of your force is wrong, so it points the wrong way.": tuple(
+            -part for part in wanted
+        ),
     }
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)
@@ -360,7 +357,7 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.1")
-def test_a_particle_between_two_springs_swings_with_its_period() -> None:
+def test_a_particle_on_a_spring_swings_with_its_period() -> None:
     about.read = "book 6.3.2, Eq. 6.3"
     about.call = "p of 2 kg, released 0.5 m from the anchor; AnchoredSpring(anchor=Vector3(), "
     about.call += "stiffness=50, rest_length=0).update_force(p, h) in steps of 1/1000 s until its "
@@ -380,7 +377,7 @@ def test_a_particle_between_two_springs_swings_with_its_period() -> None:
 
 
 @pytest.mark.exercise("B6.1")
-def test_a_spring_of_its_length_at_rest_does_nothing(rng: Random) -> None:
+def test_a_spring_at_its_rest_length_exerts_no_force(rng: Random) -> None:
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
     offset = tuple(rest * part for part in d)

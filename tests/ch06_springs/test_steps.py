@@ -38,12 +38,18 @@ RULES = {
         "at p' with the velocity v + a h, and set v' = (v + (a + b) h / 2) d^h."
     ),
     "runge_kutta_4": (
-        "Runge-Kutta takes a weighted mean of four rates, in which the second and the third "
-        "count double. Apply this mean to the state at the start, and multiply the new "
-        "velocity by d^h once."
+        "Your new state is not the one to which the weighted mean of the four rates leads. Give "
+        "the second and the third rate twice the weight of the others."
     ),
 }
-COUNTS = {1: "exactly one call", 2: "exactly two calls", 4: "exactly four calls"}
+WAYS = {
+    "explicit_euler": "moves p with its old velocity",
+    "semi_implicit_euler": "moves p with its new velocity",
+    "leapfrog": "moves p for half the step before and after it changes the velocity",
+    "velocity_verlet": "moves p by v h + a h^2 / 2 and uses the mean of two accelerations",
+    "runge_kutta_4": "uses the weighted mean of four rates",
+}
+COUNTS = {1: "once", 2: "exactly twice", 4: "exactly four times"}
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
     "method",
@@ -69,11 +75,11 @@ def slips_of(
     """Return what walk would return after each likely mistake, keyed by its explanation."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "Your step leaves out p.acceleration, the constant acceleration. Add it to f / m, the "
+        "You leave out p.acceleration, the constant acceleration. Add it to f / m, the "
         "acceleration that the forces cause.": (p, v, ZERO, mass, d, hand),
-        "Your step leaves out the force that was added to p before the step. This force acts "
-        "during the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
-        "You didn't divide the forces by the mass. The acceleration is p.acceleration + f / m, "
+        "Your step leaves out the force that was added to p before it. This force acts during the "
+        "whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
+        "You don't divide the forces by the mass. The acceleration is p.acceleration + f / m, "
         "where f is the sum of the forces.": (p, v, a, 1.0, d, hand),
         "Your velocity is never damped. Multiply it by d^h once per step, where d is the "
         "damping and h the duration.": (p, v, a, mass, 1.0, hand),
@@ -87,18 +93,19 @@ def slips_of(
             "of the step, and read the accumulators after that."
         )
     ] = walk(method, body, 0.0, 0.0, h, frames)
-    slips |= {
-        f"This is a step of {other}, not of {method}. Compare the order of your operations with "
-        "the docstring.": walk(other, body, k, c, h, frames)
-        for other in EXERCISES
-        if other != method
-    }
     if frames == 1:
         axes = [
             wrong_steps(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h, a[i])
             for i in range(3)
         ]
         slips |= {s: [axis[s][0] for axis in axes] + [axis[s][1] for axis in axes] for s in axes[0]}
+    slips |= {
+        f"This is a step of {other}, which {WAYS[other]}. A step of {method} {WAYS[method]}.": walk(
+            other, body, k, c, h, frames
+        )
+        for other in EXERCISES
+        if other != method
+    }
     return slips
 
 
@@ -108,28 +115,24 @@ def draw_body(rng: Random, hand: Components = ZERO) -> Body:
     return place, velocity, acceleration, positive_number(rng), damping, hand
 
 
-def call_of(method: str, what: str) -> str:
-    return f"{method}(particles, apply_forces, h); {what}"
-
-
 @methods
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = "The check adds a force to p before the step. It acts during the whole step, so "
-    by_hand += "include it in every evaluation of the forces."
+    by_hand = "Your step is wrong if a force was added to p before it. This force acts during the "
+    by_hand += "whole step, so include it in every evaluation of the forces."
     for what, body, frames, cause in (
-        ("one step", draw_body(rng), 1, RULES[method]),
-        ("one step", draw_body(rng, components(rng)), 1, by_hand),
+        ("once", draw_body(rng), 1, RULES[method]),
+        ("once", draw_body(rng, components(rng)), 1, by_hand),
         (
-            "three steps",
+            "three times",
             draw_body(rng),
             3,
-            "Your first step is right, but the next ones are not. Perhaps the forces of a step "
-            "still act in the next one, so clear the accumulators before the step ends.",
+            "Your first step is right, but the forces of a step still act in the next one. Clear "
+            "the accumulators before the step ends.",
         ),
         (
-            "one step",
+            "once",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
             "With a damping d of 0 the factor d^h is 0, so the velocity must be 0 at the end "
@@ -138,14 +141,12 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     ):
         about.cause = cause
         p, v, a, mass, d, hand = body
-        pushed = f"; the check adds {hand} N to p before the step" if any(hand) else ""
-        about.call = call_of(
-            method,
-            f"p at {p} with velocity {v}; p has acceleration {a}, mass {mass} and damping d = "
-            f"{d}; ",
-        )
-        about.call += f"apply_forces adds the spring force -{k} x - {c} v, with position x and "
-        about.call += f"velocity v{pushed}; {what} of h = {h} s"
+        about.call = f"p is at {p} m and moves at {v} m/s; its acceleration is {a} m/s^2, its mass "
+        about.call += f"{mass} kg and its damping d = {d}; "
+        if any(hand):
+            about.call += f"before the step, the check adds a force of {hand} N to p; "
+        about.call += f"apply_forces adds the force -{k} x - {c} v, where x is p's position and v "
+        about.call += f"its velocity; {method}([p], apply_forces, duration={h}) {what}"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
         slips = slips_of(method, body, k, c, h, frames)
@@ -172,12 +173,12 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     one, two = components(rng), components(rng)
     v, w = components(rng), components(rng)
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
-    about.call = call_of(
-        method, f"two particles of {mass} kg joined by a spring of {s} N/m; h = {h} s"
+    about.call = f"two particles of {mass} kg are joined by a spring of {s} N/m; {method}(particles"
+    about.call += f", apply_forces, duration={h}) once"
+    about.cause = (
+        "You finish the step of one particle before you move the other. The force depends on "
     )
-    about.cause = "The force on each particle depends on the positions of both. Move all "
-    about.cause += "particles before you evaluate the forces again, not one particle after the "
-    about.cause += "other."
+    about.cause += "both positions, so move all particles before you evaluate the forces again."
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
         one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
@@ -212,26 +213,32 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     h, hand = positive_number(rng, 0.05, 0.2), components(rng)
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
-    about.call = call_of(
-        method,
-        f"{frames} steps of h = {h} s; before each step, the check adds {hand} N to particles[0]",
+    about.call = (
+        f"{method}(particles, apply_forces, duration={h}) {frames} times; before each step, "
     )
-    about.cause = f"{method} needs {COUNTS[EVALUATIONS[method]]} of apply_forces in each step. "
-    about.cause += "Each call evaluates the forces of all particles together."
+    about.call += f"the check adds a force of {hand} N to particles[0]"
+    about.cause = RULES[method]
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
-    expect_exactly(
-        len(asked), frames * EVALUATIONS[method], then="; number of calls of apply_forces"
+    about.cause = (
+        f"Your step calls apply_forces {len(asked) / frames:.3g} times, but it must do so "
     )
-    about.cause = "Pass the duration of the whole step to apply_forces, even when you evaluate "
-    about.cause += "the forces in the middle of the step."
+    about.cause += (
+        f"{COUNTS[EVALUATIONS[method]]}. Each call evaluates the forces of all particles."
+    )
+    expect_exactly(
+        len(asked), frames * EVALUATIONS[method], then="; the number of calls of apply_forces"
+    )
+    about.cause = (
+        "You call apply_forces with only a part of the duration. Pass the duration of the "
+    )
+    about.cause += "whole step in every call."
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
-        then="; the durations in s that apply_forces is called with",
+        then="; the duration that apply_forces gets in each call, in s",
     )
-    about.cause = "Perhaps the forces of an earlier evaluation are still in the accumulators. "
-    about.cause += "Clear them before each evaluation, and then add again the forces that were "
-    about.cause += "there before the step."
+    about.cause = "The forces of an earlier evaluation are still in the accumulators. Clear them "
+    about.cause += "before each evaluation, and add only the forces from before the step."
     gone = "The force that was added to particles[0] before the step is lost. Store it, and add "
     gone += "it again before each evaluation."
     for number, (_, sums, _) in enumerate(asked, 1):
@@ -247,11 +254,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
     k, h = positive_number(rng), positive_number(rng, 0.1, 0.4)
     body = draw_body(rng)
     p, v, a, mass, _, _ = body
-    about.call = call_of(
-        method,
-        f"p at {p} with velocity {v}, acceleration {a} and mass {mass}; apply_forces "
-        f"adds -{k} x; h = {h} s",
-    )
+    about.call = f"p is at {p} m and moves at {v} m/s; its acceleration is {a} m/s^2 and its mass "
+    about.call += f"{mass} kg; apply_forces adds the force -{k} x, where x is p's position; "
+    about.call += f"{method}([p], apply_forces, duration={h})"
     about.cause = RULES[method]
     asked = stepped(method, [body], (k, 0.0), h, 1)["asked"]
     wanted = []
@@ -263,9 +268,12 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
         elif method == "velocity_verlet":
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
-            about.cause = "Runge-Kutta evaluates the rates in four states, and the first one is "
-            about.cause += "the start. For each of the other three, go back to the start and "
-            about.cause += "follow the previous rate for h / 2, h / 2 and h."
+            about.cause = (
+                "At least one of your four rates belongs to a wrong state. For each rate, "
+            )
+            about.cause += (
+                "go back to the start and move at the previous rate: 0, h / 2, h / 2 and h."
+            )
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
             places.append(p[i] + 0.5 * h * (v[i] + 0.5 * h * first))
@@ -287,11 +295,9 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
     body = draw_body(rng, components(rng))
     p, v, a, mass, d, hand = body
-    about.call = call_of(
-        method,
-        f"p with acceleration {a} and mass {mass}; the check adds {hand} N to p, and "
-        f"apply_forces adds -{k} x - {c} v; h = {h} s",
-    )
+    about.call = f"p has an acceleration of {a} m/s^2 and a mass of {mass} kg; the check adds "
+    about.call += f"{hand} N to p, and apply_forces adds -{k} x - {c} v; "
+    about.call += f"{method}([p], apply_forces, duration={h})"
     about.cause = "Some forces are still in the accumulators at the end of the step, so they act "
     about.cause += "again in the next step. Clear the accumulators."
     ends = stepped(method, [body], (k, c), h, 1)
@@ -313,11 +319,12 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     place, velocity, a = components(rng), components(rng), components(rng)
     still: Body = (place, velocity, a, math.inf, 0.5, components(rng))
     other: Body = ((1.0, 2.0, 3.0), ZERO, ZERO, 2.0, 1.0, ZERO)
-    about.call = call_of(
-        method, f"an immovable particle at {place} with velocity {velocity}, and a movable one"
+    about.call = (
+        f"an immovable particle is at {place} m, with a velocity of {velocity} m/s; the next "
     )
-    about.cause = "An immovable particle must stay where it is and keep its velocity. Skip it, or "
-    about.cause += "use drift and kick, which leave it alone."
+    about.call += f"particle can move; {method}(particles, apply_forces, duration=0.25) twice"
+    about.cause = "You move an immovable particle. Skip it, or use drift and kick, which leave it "
+    about.cause += "where it is."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(
         ends["positions"][0],
@@ -325,6 +332,7 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
         then="; the position of the immovable particle, in m",
         tolerance=0.0,
     )
+    about.cause = "You change the velocity of an immovable particle, which must stay the same."
     expect_close(
         ends["velocities"][0],
         velocity,
@@ -342,8 +350,8 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
     about.cause = (
-        "The movable particle after the immovable one has the wrong position. Perhaps your loop "
-        "ends at the immovable particle, so skip only that one."
+        "The particle after the immovable one has the wrong position. Your loop probably ends at "
+        "the immovable particle, so skip only that one."
     )
     got = ends["positions"][1][0]
     expect_close(got, x, then="; the x of the movable particle's position, in m", tolerance=1e-12)
@@ -354,38 +362,30 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    refuse = (
-        "The duration of a step must be positive and finite. Raise ValueError otherwise, with the "
-        "function positive from arguments.py."
-    )
-    late = (
-        "You raised an error because of the duration, but only after changing the particle. Check "
-        "the duration before anything else."
-    )
     for bad in (0.0, -1.0, math.inf, math.nan):
-        about(f"{method}([p], apply_forces, {bad})", cause=refuse)
+        about.call = f"{method}([p], apply_forces, {bad})"
+        about.cause = (
+            f"The duration is {bad}. It must be positive and finite, so raise ValueError. "
+        )
+        about.cause += "The function positive from arguments.py does this for you."
         expect_error(
             lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
             ValueError,
             allowed=lambda: stepped(method, [body], (5.0, 0.0), 0.5, 1),
         )
         after = refused(method, bad)
-        got = (*after["position"], *after["velocity"], *after["force"])
-        wanted = (1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0)
-        expect_close(
-            got,
-            wanted,
-            then=" raised an error; p.position, p.velocity and p.force_accumulator",
-            cause=late,
-            tolerance=0.0,
-        )
-        about.cause = (
-            "You raised an error because of the duration, but only after calling apply_forces. "
-            "Check the duration before anything else."
-        )
-        expect_exactly(
-            after["asked"], [0], then=(" raised an error; number of calls of apply_forces")
-        )
+        about.call += " raised an error"
+        about.cause = "Your step checks the duration only after it has changed p. Check the "
+        about.cause += "duration before anything else."
+        for name, key, wanted in (
+            ("position, in m", "position", (1.0, 0.0, 0.0)),
+            ("velocity, in m/s", "velocity", (0.0, 2.0, 0.0)),
+            ("force_accumulator, in N", "force", (0.0, 0.0, 3.0)),
+        ):
+            expect_close(after[key], wanted, then=f"; p.{name}", tolerance=0.0)
+        about.cause = "Your step checks the duration only after it has called apply_forces. Check "
+        about.cause += "the duration before anything else."
+        expect_exactly(after["asked"], [0], then="; the number of calls of apply_forces")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = (
         "An empty list of particles is not an error, because there is simply nothing to do. A "

@@ -53,8 +53,8 @@ def test_the_force_by_its_formula() -> None:
     sizes = {
         "You divide by h and then multiply by h again, because the book's listing says 1 / h * "
         "h (E-6). Divide by h * h instead.": wanted[0] / 3600.0,
-        "You use the force of a real spring, -k x, which is too strong for such a long step. "
-        "Compute the force that takes p to T, the position that a real spring would reach.": -400.0,
+        "You use the force of a real spring, -k x. Compute the force that takes p to T, the "
+        "position that a real spring would reach in h seconds.": -400.0,
         "Your force is twice as large as it should be, as if a step moved p by a h^2 / 2. "
         "Semi-implicit Euler moves it by a h^2, where a is the acceleration.": 2.0 * wanted[0],
     }
@@ -78,8 +78,8 @@ def test_the_force_by_its_formula() -> None:
         "step.": wanted[1] + 120.0 - 2.0,
         "Your force ignores the velocity v, as if the particle were at rest. Subtract v / h as "
         "well, where h is the duration of the step.": wanted[1] + 120.0,
-        "There is no force, although p moves along y. At the anchor the offset has no "
-        "direction, so compute the force separately for x, y and z.": 0.0,
+        "You compute the force only along the offset from the anchor, which is zero here. Compute "
+        "it separately for x, y and z.": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-10)
@@ -100,7 +100,7 @@ def test_a_soft_spring_is_faked_too() -> None:
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
     got = xyz(p.force_accumulator)
-    only = "There is no force along z. Compute the force in the same way on all three axes."
+    only = "Your spring has no force along z. Compute the force along z as you do along x and y."
     blame(got, [(ZERO, only)])
     # cos loses three digits, and is multiplied by 100.
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
@@ -115,8 +115,8 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         c = share * 2.0 * math.sqrt(k * m)
         about.call = f"p of {m} kg at {place} with velocity {v}; s = "
         about.call += f"FakeStiffSpring(anchor=Vector3{anchor}, stiffness={k}, damping={c:.6g}); "
-        about.call += f"s.update_force(p, {h:.6g}); one step of semi-implicit Euler; p.position, "
-        about.call += "in m"
+        about.call += f"s.update_force(p, {h:.6g}); one step of semi-implicit Euler; p.position "
+        about.call += "after it, in m"
         about.cause = (
             "The step must end at T, the position that a real spring would reach. Compute T on "
             "each axis, from the position relative to the anchor, the particle's mass and the "
@@ -130,16 +130,16 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         slips = {
             "Your force does not depend on the mass, so it is really an acceleration. Multiply "
             "it by particle.mass.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
-            "You computed T, the position that a real spring would reach, for a mass of 1 kg. "
+            "You compute T, the position that a real spring would reach, for a mass of 1 kg. "
             "Pass the particle's mass to damped_spring_state.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
             ],
-            "You computed T, the position that a real spring would reach, without damping. "
+            "You compute T, the position that a real spring would reach, without damping. "
             "Pass self.damping to damped_spring_state.": [
                 a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
             ],
-            "You computed the position of a spring whose anchor is at (0, 0, 0). Subtract "
-            "self.anchor from the position first.": [
+            "You compute T, the position that a real spring would reach, for an anchor at (0, 0, "
+            "0). Measure the position from self.anchor.": [
                 true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
             ],
         }
@@ -205,8 +205,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call = "an immovable particle p at (1, 0, 0); s = FakeStiffSpring(anchor=Vector3(), "
     about.call += "stiffness=100, damping=0); s.update_force(p, 0.5); p.force_accumulator, in N"
     about.cause = (
-        "The particle is immovable, and its infinite mass makes the force infinite or NaN. Return "
-        "before you compute a force for it."
+        "You compute a force for an immovable particle, whose mass is infinite. Return without "
+        "adding a force to it."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
     s.update_force(p, 0.5)
@@ -228,10 +228,6 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_faked_spring_needs_a_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
-    about.cause = (
-        "The duration must be positive and finite. Check it first, with the function positive "
-        "from arguments.py, even for an immovable particle."
-    )
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):
         p = Particle(Vector3(1.0, 0.0, 0.0), mass=mass)
@@ -239,8 +235,10 @@ def test_a_faked_spring_needs_a_duration() -> None:
             expect_error(
                 lambda p=p, bad=bad: s.update_force(p, bad),
                 ValueError,
-                call="s = FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=3); "
-                f"s.update_force(p, {bad}), where p has a mass of {mass}",
+                call=f"p has a mass of {mass} kg; s = FakeStiffSpring(anchor=Vector3(), "
+                f"stiffness=400, damping=3); s.update_force(p, {bad})",
+                cause=f"The duration is {bad}. It must be positive and finite, so raise ValueError"
+                + (", even if the particle is immovable." if mass == math.inf else "."),
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
             )
     about.call = "p at (1, 0, 0); FakeStiffSpring(anchor=Vector3(), stiffness=400, "

@@ -37,12 +37,12 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
         wanted = (f[0], f[1] + k * depth, f[2])
         got = xyz(p.force_accumulator)
         pushes = {
-            "Your force pushes p farther into the ground. It must push up, so check its sign.": -k
-            * depth,
-            "You measured the depth from a height of 0, but this ground is at self.height. "
+            "Your force points down, farther into the ground. The ground must push p up, so "
+            "reverse the sign.": -k * depth,
+            "You measure the depth from a height of 0, but this ground is at self.height. "
             "Subtract the particle's y from self.height.": k * (depth - height),
-            "You multiplied the push by the mass. It depends only on the stiffness and the "
-            "depth, so leave the mass out.": 2.0 * k * depth,
+            "You multiply the push by the mass. It depends only on the stiffness and the depth, so "
+            "leave the mass out.": 2.0 * k * depth,
             "There is no push, although p is below the surface. Check the sign of the depth, "
             "which is self.height minus the particle's y.": 0.0,
         }
@@ -59,8 +59,8 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         (
             0.5,
             0.0,
-            "The particle is above the ground, so there must be no force. The ground can push, "
-            "but it never pulls.",
+            "Your ground exerts a force on a particle that is above it. Add a force only if the "
+            "particle is below the surface.",
         ),
         (
             0.5,
@@ -71,8 +71,8 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         (
             0.0,
             -9.0,
-            "The particle just touches the ground, so its depth is 0 and there must be no "
-            "force. The damping acts only below the surface.",
+            "You add damping to a particle that only touches the ground. At a depth of 0 there "
+            "must be no force at all.",
         ),
     ):
         about(f"p at (0, {height + above:.6g}, 0) with velocity (0, {speed}, 0); ", cause=cause)
@@ -138,8 +138,8 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "You left out the damping, so a body bounces on this ground forever. Subtract c "
-            "v_y from the push, where c is the damping.": (0.0, push, 0.0),
+            "You leave out the damping. Subtract c v_y from the push, where c is the damping and "
+            "v_y the upward velocity.": (0.0, push, 0.0),
             "Your force is k depth + c v_y, so the damping speeds the motion up. It must "
             "oppose the motion, so reverse its sign.": (
                 0.0,
@@ -152,8 +152,8 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
                 wanted[1],
                 -4.0 * c,
             ),
-            "Your force pulls the particle down, but the ground can only push. If the push and "
-            "the damping add up to less than 0, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
+            "Your force pulls the particle down, but the ground can only push. If k depth - c v_y "
+            "is less than 0, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         if got[0] or got[2]:

@@ -248,10 +248,7 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_watch_needs_a_limit() -> None:
     about(
-        cause=(
-            "The speed limit is not valid. It must be positive and finite, so raise ValueError as "
-            "soon as watched is called."
-        ),
+        cause=("A speed limit must be positive and finite."),
         read=READ,
     )
     for bad in (0.0, -1.0, math.inf, math.nan):
@@ -260,4 +257,6 @@ def test_a_watch_needs_a_limit() -> None:
             ValueError,
             call=f"watched(integrator, speed_limit={bad})",
             allowed=lambda: watched(print, 1.0),
+            cause=f"The speed limit is {bad}. It must be positive and finite, so raise ValueError "
+            "as soon as watched is called.",
         )

@@ -226,7 +226,7 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 
 @pytest.mark.exercise("B6.11")
 @pytest.mark.robust
-def test_a_faked_spring_needs_a_duration() -> None:
+def test_a_faked_spring_rejects_an_invalid_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):

@@ -32,7 +32,7 @@ def off(
 
 @pytest.mark.exercise("B6.9")
 @pytest.mark.parametrize("method", METHODS)
-def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
+def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     x, v = draw_number(rng), draw_number(rng)
     k, c, m, h = (positive_number(rng) for _ in range(4))
@@ -112,7 +112,7 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
 
 @pytest.mark.exercise("B6.9")
 @pytest.mark.parametrize(("method", "factor"), [("backward_euler", 2.0), ("trapezoidal", 4.0)])
-def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -> None:
+def test_half_the_step_makes_the_error_smaller(method: str, factor: float) -> None:
     about.read = f"the docstring of {method}"
     about.call = f"steps of {method} with stiffness=4, damping=0.5 and mass=1, from x = 1 at rest "
     about.call += "to 2 s; the error of x"
@@ -188,7 +188,7 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
 @pytest.mark.exercise("B6.9")
 @pytest.mark.robust
 @pytest.mark.parametrize("method", METHODS)
-def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None:
+def test_an_implicit_step_rejects_invalid_arguments(method: str) -> None:
     about.read = f"the docstring of {method}"
     step = METHODS[method]
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0), (5, 0.0)]

@@ -84,13 +84,13 @@ def test_how_the_particle_is_released() -> None:
     )
     expect_close(h, 0.125, then="; duration that the integrator gets, in s")
     about.cause = (
-        "Your particle starts in the wrong place. Release it START m, which is 10 m, from the "
+        "Your particle starts at the wrong distance. Release it START m, which is 10 m, from the "
     )
     about.cause += "anchor."
     expect_close(
         math.hypot(*place),
         10.0,
-        then="; the distance of the particle from the anchor when the integrator is first called, in m",
+        then="; the distance from particle to anchor in the first call of the integrator, in m",
     )
     about.cause = (
         "There must be no gravity here. Leave the particle's own acceleration at 0, so that only "
@@ -145,8 +145,8 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.98,
             False,
-            "The first swings may still get a little wider before the oscillation dies out. "
-            "Compare the largest distance in late swings with that in early ones.",
+            "You return True because the first swings get a little wider, although the oscillation "
+            "then dies out. Compare the largest distance in late swings with that in early ones.",
         ),
         (
             1.02,
@@ -177,7 +177,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
 
 
 @pytest.mark.exercise("6.5")
-def test_swings_that_stay_as_they_are_are_not_wider() -> None:
+def test_swings_of_constant_size_are_not_wider() -> None:
     about.read = WIDER
     about.cause = (
         "Without damping, semi-implicit Euler keeps the amplitude, so the result must be False. "
@@ -244,7 +244,7 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
 
 
 @pytest.mark.exercise("6.5")
-def test_the_ends_of_what_is_measured() -> None:
+def test_the_ends_of_the_measured_range() -> None:
     about.read = LARGEST
     h = 1.0 / 60.0
     about.call = "the integrator makes every swing wider; largest_stable_stiffness(integrator, "
@@ -282,7 +282,7 @@ def test_the_ends_of_what_is_measured() -> None:
 
 @pytest.mark.exercise("6.5")
 @pytest.mark.robust
-def test_measuring_needs_numbers_that_mean_something() -> None:
+def test_measuring_rejects_invalid_arguments() -> None:
     about.read = WIDER
 
     def step(particles: list, apply_forces: object, duration: float) -> None:

@@ -19,7 +19,7 @@ READ = "the docstring of PenaltyGround"
 
 
 @pytest.mark.exercise("G6.1")
-def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
+def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
     about.read = READ
     high, k, depth = positive_number(rng, 0.5, 9.5), positive_number(rng), positive_number(rng)
     f = components(rng)
@@ -52,7 +52,7 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G6.1")
-def test_above_the_ground_nothing_pushes(rng: Random) -> None:
+def test_there_is_no_force_above_the_ground(rng: Random) -> None:
     about.read = READ
     height, k, c = number(rng), positive_number(rng), positive_number(rng)
     for above, speed, cause in (
@@ -75,7 +75,7 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
             "must be no force at all.",
         ),
     ):
-        about(f"p at (0, {height + above:.6g}, 0) with velocity (0, {speed}, 0); ", cause=cause)
+        about(f"p at (0, {height + above:.6g}, 0) with velocity (0, {speed:g}, 0); ", cause=cause)
         about.call += f"PenaltyGround(height={height}, stiffness={k}, damping={c}).update_force(p, "
         about.call += "0.5); p.force_accumulator, in N"
         p = Particle(Vector3(0.0, height + above, 0.0), Vector3(0.0, speed, 0.0))
@@ -105,7 +105,7 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G6.1")
-def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
+def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
     about.read = "the docstring of PenaltyGround.update_force"
     k, c, depth = positive_number(rng), positive_number(rng), positive_number(rng)
     free = k * depth / c  # m/s upwards, at which nothing is left of the push
@@ -165,7 +165,7 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G6.1")
-def test_a_body_comes_to_rest_in_the_sponge() -> None:
+def test_a_body_comes_to_rest_below_the_surface() -> None:
     about.read = "E-36, and the docstring of PenaltyGround"
     about.call = "p of 2 kg that falls 0.5 m with g = 10 m/s^2 onto PenaltyGround(height=0, "
     about.call += "stiffness=400, damping=10); 20 s in steps of 1/240 s; p.position.y, in m"

@@ -84,7 +84,7 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G6.2")
-def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
+def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
     about.read = HANG
     places = draw_places(rng)
     height, k, c = positive_number(rng, 2.0, 9.0), positive_number(rng), positive_number(rng)
@@ -180,8 +180,8 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             9.0,
             (0.0, 0.0, 1.0),
-            "You don't limit x to the ends of the bridge, and this walker is beyond the last plank. "
-            "The last plank must carry the whole weight.",
+            "You don't limit x to the ends of the bridge, and this walker is beyond the last "
+            "plank. The last plank must carry the whole weight.",
         ),
         (
             -1.5,
@@ -292,7 +292,7 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
 
 @pytest.mark.exercise("G6.2")
 @pytest.mark.robust
-def test_a_bridge_needs_numbers_that_mean_something() -> None:
+def test_a_bridge_rejects_invalid_arguments() -> None:
     about.read = HANG
     planks = [Particle(), Particle()]
     registry = ForceRegistry()

@@ -49,7 +49,7 @@ def expect_told(
 
 
 @pytest.mark.exercise("B6.10")
-def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
+def test_a_watched_step_is_the_original_step(rng: Random) -> None:
     about.read = READ
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     about.call = f"{CALL.format(limit)}, {frames} times; no particle is faster than "
@@ -88,7 +88,7 @@ def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.10")
-def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
+def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None:
     about.read = READ
     limit = positive_number(rng, 2.0, 90.0)
     calm = [0.5 * limit] * 4
@@ -99,7 +99,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         about.call = (
             f"{CALL.format(limit)}, until it raises an error; particles[{fast}] is the first "
         )
-        about.call += f"that is too fast, with {1.25 * limit:.6g} m/s after step {number}"
+        about.call += f"that is too fast, at {1.25 * limit:.6g} m/s after step {number}"
         about.cause = (
             "Your error reports other numbers than it should. Report the first particle that is "
             "too fast: its index, the number of the step, its speed and the limit."
@@ -143,7 +143,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.10")
-def test_a_speed_at_the_limit_is_not_over_it() -> None:
+def test_a_speed_equal_to_the_limit_is_allowed() -> None:
     about.call = (
         f"{CALL.format(7.0)}; the particle has the velocity (2, 3, 6) m/s, so its speed is 7 "
     )
@@ -166,7 +166,7 @@ def test_a_speed_at_the_limit_is_not_over_it() -> None:
 
 @pytest.mark.exercise("B6.10")
 @pytest.mark.robust
-def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
+def test_a_speed_of_nan_is_above_every_limit() -> None:
     about.read = READ
     for speed, what in ((math.nan, "NaN"), (math.inf, "infinity"), (-math.inf, "-infinity")):
         about.call = f"{CALL.format(1e300)}, three times; the velocity of particles[1] has {what} "
@@ -180,7 +180,7 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
 
 
 @pytest.mark.exercise("B6.10")
-def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
+def test_an_explosion_is_reported_with_its_step(rng: Random) -> None:
     about.read = READ
     # The first speed over 480 m/s is on the way back, that over the smaller limit is not.
     for limit in (positive_number(rng, 130.0, 470.0), positive_number(rng, 490.0, 950.0)):
@@ -203,7 +203,7 @@ def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.10")
-def test_two_watches_count_for_themselves() -> None:
+def test_two_watched_integrators_count_separately() -> None:
     about.read = READ
     about.call = (
         "two integrators made by watched(integrator, speed_limit=5.0), used one after the other; "
@@ -229,7 +229,7 @@ def test_two_watches_count_for_themselves() -> None:
 
 
 @pytest.mark.exercise("B6.10")
-def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
+def test_watched_goes_on_after_an_error(rng: Random) -> None:
     about.read = READ
     # Half of the limit is above its square root, so that a squared speed is noticed.
     limit = positive_number(rng, 5.0, 90.0)
@@ -246,7 +246,7 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
 
 @pytest.mark.exercise("B6.10")
 @pytest.mark.robust
-def test_a_watch_needs_a_limit() -> None:
+def test_watched_rejects_an_invalid_limit() -> None:
     about(
         cause=("A speed limit must be positive and finite."),
         read=READ,

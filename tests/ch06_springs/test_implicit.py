@@ -39,10 +39,8 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
     for stiffness, damping in ((k, 0.0), (0.0, c), (k, c)):
         about.call = f"x', v' = {method}(x={x}, v={v}, stiffness={stiffness}, damping={damping}, "
         about.call += f"mass={m}, duration={h})"
-        about.cause = (
-            "Your x' and v' don't satisfy the two equations in the docstring. Insert the first one "
-            "into the second, with a' = -(k x' + c v') / m, and solve for v'."
-        )
+        about.cause = "Your x' and v' don't satisfy the two equations in the docstring. Insert the "
+        about.cause += "first one into the second, with a' = -(k x' + c v') / m, and solve for v'."
         new = METHODS[method](x, v, stiffness, damping, m, h)
         expect_close(len(new), 2, then="; number of values returned")
         left = off(method, x, v, stiffness, damping, m, h, new)
@@ -116,10 +114,8 @@ def test_half_the_step_makes_the_error_smaller(method: str, factor: float) -> No
     about.read = f"the docstring of {method}"
     about.call = f"steps of {method} with stiffness=4, damping=0.5 and mass=1, from x = 1 at rest "
     about.call += "to 2 s; the error of x"
-    about.cause = (
-        "With half the time step, the error of this method must be smaller by a factor of "
-        f"{factor:g}. Compare your two equations with those in the docstring."
-    )
+    about.cause = "With half the time step, the error of this method must be smaller by a factor "
+    about.cause += f"of {factor:g}. Compare your two equations with those in the docstring."
     # x(2) by the closed form: e^-0.5 (cos 2g + sin 2g / (4 g)), g the root of 3.9375
     g = math.sqrt(3.9375)
     exact = math.exp(-0.5) * (math.cos(2.0 * g) + 0.25 * math.sin(2.0 * g) / g)
@@ -170,14 +166,10 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
     about.read = "the docstring of backward_euler"
     x, v = draw_number(rng), draw_number(rng)
     k, m, h = (positive_number(rng) for _ in range(3))
-    about.call = (
-        f"backward_euler(x={x}, v={v}, stiffness={k}, damping=0.0, mass={m}, duration={h}); the "
-        "final energy divided by the initial energy"
-    )
-    about.cause = (
-        "Without damping, a step of backward Euler must divide the energy by exactly 1 + k h^2 / "
-        "m. Use the new position and the new velocity in both equations."
-    )
+    about.call = f"backward_euler(x={x}, v={v}, stiffness={k}, damping=0.0, mass={m}, "
+    about.call += f"duration={h}); the final energy divided by the initial energy"
+    about.cause = "Without damping, a step of backward Euler must divide the energy by exactly 1 + "
+    about.cause += "k h^2 / m. Use the new position and the new velocity in both equations."
     new = backward_euler(x, v, k, 0.0, m, h)
     energy = 0.5 * k * new[0] ** 2 + 0.5 * m * new[1] ** 2
     before = 0.5 * k * x * x + 0.5 * m * v * v

@@ -51,51 +51,36 @@ def invalid(arguments: tuple[float, float, float]) -> str:
 def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125)", read=WIDER)
     seen = released()
-    calls = (
-        "You never call the integrator that was passed in. Let it make every step, because no "
-        "formula covers every integrator."
-    )
+    calls = "You never call the integrator that was passed in. Let it make every step, because no "
+    calls += "formula covers every integrator."
     expect_that(
         bool(seen), "the integrator was never called", "the integrator is called", cause=calls
     )
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
-    about.cause = (
-        "Pass the integrator a list with exactly one particle. Don't add anything else, such as "
-        "the anchor."
-    )
+    about.cause = "Pass the integrator a list with exactly one particle. Don't add anything else, "
+    about.cause += "such as the anchor."
     expect_exactly(count, 1, then="; number of particles that the integrator gets")
-    about.cause = (
-        "Give the particle a mass of 1 kg. The limit is measured for this mass, and a heavier "
-        "particle tolerates a stiffer spring."
-    )
+    about.cause = "Give the particle a mass of 1 kg. The limit is measured for this mass, and a "
+    about.cause += "heavier particle tolerates a stiffer spring."
     expect_close(mass, 1.0, then="; mass of the particle that the integrator gets, in kg")
-    about.cause = (
-        "The particle must have the damping that is passed to swings_wider. Set it when you "
-        "create the particle."
-    )
+    about.cause = "The particle must have the damping that is passed to swings_wider. Set it when "
+    about.cause += "you create the particle."
     if damping == 1.0:
-        about.cause = (
-            "The particle has no damping. Pass the damping to Particle and not to the spring."
-        )
+        about.cause = "The particle has no damping. Pass the damping to Particle and not to the "
+        about.cause += "spring."
     expect_close(damping, 0.25, then="; the damping of the particle that the integrator gets")
-    about.cause = (
-        "You called the integrator with the wrong duration. Pass it the duration that "
-        "swings_wider was called with."
-    )
+    about.cause = "You called the integrator with the wrong duration. Pass it the duration that "
+    about.cause += "swings_wider was called with."
     expect_close(h, 0.125, then="; duration that the integrator gets, in s")
-    about.cause = (
-        "Your particle starts at the wrong distance. Release it START m, which is 10 m, from the "
-    )
-    about.cause += "anchor."
+    about.cause = "Your particle starts at the wrong distance. Release it START m, which is 10 m, "
+    about.cause += "from the anchor."
     expect_close(
         math.hypot(*place),
         10.0,
         then="; the distance from particle to anchor in the first call of the integrator, in m",
     )
-    about.cause = (
-        "There must be no gravity here. Leave the particle's own acceleration at 0, so that only "
-        "the spring acts."
-    )
+    about.cause = "There must be no gravity here. Leave the particle's own acceleration at 0, so "
+    about.cause += "that only the spring acts."
     expect_close(
         drift,
         (0.0, 0.0, 0.0),
@@ -107,10 +92,8 @@ def test_how_the_particle_is_released() -> None:
         (0.0, 0.0, 0.0),
         then="; velocity of the particle when the integrator is first called, in m/s",
     )
-    by_hand = (
-        "You add a force to the particle before you call the integrator. Pass "
-        "registry.update_forces as apply_forces, and let the integrator call it."
-    )
+    by_hand = "You add a force to the particle before you call the integrator. Pass "
+    by_hand += "registry.update_forces as apply_forces, and let the integrator call it."
     expect_close(
         before,
         (0.0, 0.0, 0.0),
@@ -118,10 +101,9 @@ def test_how_the_particle_is_released() -> None:
         "the force_accumulator of the particle when the integrator is first called, in N",
         cause=by_hand,
     )
-    about.cause = (
-        "apply_forces does not add the force of the spring. Pass it update_forces of a registry "
-        "with one AnchoredSpring of this stiffness, with a rest length of 0 and no damping."
-    )
+    about.cause = "apply_forces does not add the force of the spring. Pass it update_forces of a "
+    about.cause += "registry with one AnchoredSpring of this stiffness, with a rest length of 0 "
+    about.cause += "and no damping."
     wanted = tuple(-7.0 * part for part in place)
     expect_close(
         force, wanted, then="; force that apply_forces adds to the particle, in N", tolerance=1e-11
@@ -179,11 +161,9 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
 @pytest.mark.exercise("6.5")
 def test_swings_of_constant_size_are_not_wider() -> None:
     about.read = WIDER
-    about.cause = (
-        "Without damping, semi-implicit Euler keeps the amplitude, so the result must be False. "
-        "Compare the largest distance in many late swings with that in many early ones, because a "
-        "step can miss the peak of a swing."
-    )
+    about.cause = "Without damping, semi-implicit Euler keeps the amplitude, so the result must be "
+    about.cause += "False. Compare the largest distance in many late swings with that in many "
+    about.cause += "early ones, because a step can miss the peak of a swing."
     for share in (0.1, 0.9, 0.98):
         k = share * 14_400.0
         about.call = "the integrator is stable up to 14400 N/m; swings_wider(integrator, "
@@ -192,17 +172,14 @@ def test_swings_of_constant_size_are_not_wider() -> None:
         expect_exactly(got, False)
     about.call = "the integrator is stable up to 14400 N/m; swings_wider(integrator, "
     about.call += "stiffness=14700, damping=1.0, duration=1/60)"
-    about.cause = (
-        "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows. The result "
-        "must be True."
-    )
+    about.cause = "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows. "
+    about.cause += "The result must be True."
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
     about.call = "swings_wider(explicit_euler, stiffness=1.0, damping=1.0, duration=1/60)"
-    about.cause = (
-        "Without damping, explicit Euler is unstable for every spring, but this oscillation grows "
-        "by only 12 % in FRAMES steps. Make that many steps before you decide."
-    )
+    about.cause = "Without damping, explicit Euler is unstable for every spring, but this "
+    about.cause += "oscillation grows by only 12 % in FRAMES steps. Make that many steps before "
+    about.cause += "you decide."
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
 
@@ -217,10 +194,9 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
         damping = 0.9  # with which it is stable up to about 1 N/m
     about.call = "the check passes its own integrator; largest_stable_stiffness(integrator, "
     about.call += f"damping={damping}, duration={h!r})"
-    about.cause = (
-        "Measure the limit with the integrator that is passed in, because no formula covers every "
-        "integrator. Keep halving the interval between a stable and an unstable stiffness."
-    )
+    about.cause = "Measure the limit with the integrator that is passed in, because no formula "
+    about.cause += "covers every integrator. Keep halving the interval between a stable and an "
+    about.cause += "unstable stiffness."
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     slips = {
@@ -235,10 +211,9 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     }
     blame(got, slips)
     if isinstance(got, float) and 0.02 < abs(got / wanted - 1.0) < 0.3:
-        about.cause = (
-            f"Your search stops too early, so its result is off by {abs(got / wanted - 1.0):.1%}. "
-            "Keep halving the interval until its ends differ by less than 1%."
-        )
+        about.cause = "Your search stops too early, so its result is off by "
+        about.cause += f"{abs(got / wanted - 1.0):.1%}. Keep halving the interval until its ends "
+        about.cause += "differ by less than 1%."
     # 1 % is promised; as much again for those who measure in another way.
     expect_close(got, wanted, unit="N/m", tolerance=0.02 * wanted)
 
@@ -249,32 +224,24 @@ def test_the_ends_of_the_measured_range() -> None:
     h = 1.0 / 60.0
     about.call = "the integrator makes every swing wider; largest_stable_stiffness(integrator, "
     about.call += "damping=0.5, duration=1/60)"
-    about.cause = (
-        "With this integrator every oscillation grows, so no spring is stable. Return 0 or a "
-        "stiffness very close to 0."
-    )
+    about.cause = "With this integrator every oscillation grows, so no spring is stable. Return 0 "
+    about.cause += "or a stiffness very close to 0."
     got = never_safe(h)
     # A spring of 0.36 N/m, with k h^2 / m = 1e-4, is softer than any that matters in a game.
     expect_between(got, -0.36, 0.36)
-    about.cause = (
-        "The integrator is stable even at STIFFEST / h^2, where the search ends. Return that "
-        "stiffness, and don't try a stiffer spring."
-    )
+    about.cause = "The integrator is stable even at STIFFEST / h^2, where the search ends. Return "
+    about.cause += "that stiffness, and don't try a stiffer spring."
     about.call = "the integrator is stable up to 625 N/m; largest_stable_stiffness(integrator, "
     about.call += "damping=0.5, duration=0.8)"
     most = 16.0 / 0.8**2
     got = measured(0.01, False, 0.5, 0.8)
     if isinstance(got, float) and got > most:
-        about.cause = (
-            "Your search goes beyond its upper end, STIFFEST / h^2, which is 25 N/m. If even "
-        )
-        about.cause += "this stiffness is stable, return it."
+        about.cause = "Your search goes beyond its upper end, STIFFEST / h^2, which is 25 N/m. If "
+        about.cause += "even this stiffness is stable, return it."
     expect_close(got, most, unit="N/m", tolerance=0.01 * most)
     about.call = "largest_stable_stiffness(semi_implicit_euler, damping=0.0, duration=1/60)"
-    about.cause = (
-        "A damping of 0 is valid. It stops the particle at the end of each step, so even a spring "
-        "of STIFFEST / h^2 is stable. Return that stiffness."
-    )
+    about.cause = "A damping of 0 is valid. It stops the particle at the end of each step, so even "
+    about.cause += "a spring of STIFFEST / h^2 is stable. Return that stiffness."
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0
     expect_close(got, most, tolerance=0.01 * most)
@@ -316,9 +283,7 @@ def test_measuring_rejects_invalid_arguments() -> None:
             allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
         )
     about.call = "swings_wider(explicit_euler, stiffness=10.0, damping=0.5, duration=1/60)"
-    about.cause = (
-        "All of these arguments are valid, so don't raise an error. A stiffness of 10 N/m is "
-        "below the limit of 41.8 N/m, so the result must be False."
-    )
+    about.cause = "All of these arguments are valid, so don't raise an error. A stiffness of 10 "
+    about.cause += "N/m is below the limit of 41.8 N/m, so the result must be False."
     got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
     expect_exactly(got, False)

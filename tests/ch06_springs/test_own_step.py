@@ -26,10 +26,8 @@ class Asked:
     def __call__(self, places: list[Components]) -> list[Components]:
         self.count += 1
         if self.count > MOST:
-            about.cause = (
-                f"Your steps evaluate the forces more than {MOST} times in all. Split each "
-            )
-            about.cause += "time step into fewer parts."
+            about.cause = f"Your steps evaluate the forces more than {MOST} times in all. Split "
+            about.cause += "each time step into fewer parts."
             raise ValueError(
                 f"more than {MOST} evaluations of the forces: split the time step into fewer parts"
             )
@@ -87,10 +85,8 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
     v, a, middle = components(rng), components(rng), components(rng)
     about.call = f"two particles of {m} kg and {n} kg are joined by a spring of {stiffness} N/m; "
     about.call += f"my_step(particles, apply_forces, duration) {FRAMES} times"
-    about.cause = (
-        "Your step is less accurate than velocity Verlet, whose error is at most 0.003 m here. Use "
-        "a method of order 2 or more."
-    )
+    about.cause = "Your step is less accurate than velocity Verlet, whose error is at most 0.003 m "
+    about.cause += "here. Use a method of order 2 or more."
 
     def ends(swung: float, t: float) -> list[Components]:
         """Where the two are: their middle falls, the spring between them swings."""
@@ -133,10 +129,9 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
             for pair in zip(places[frame - 1], true, strict=True)
         ]
         if math.hypot(*(m * p + n * q for p, q in zip(*ways, strict=True))) < 5e-3:
-            about.cause = (
-                "The spring force acts more than once, because your step keeps it for the next "
-                "evaluation. Clear the forces of each particle after you use them."
-            )
+            about.cause = "The spring force acts more than once, because your step keeps it for "
+            about.cause += "the next evaluation. Clear the forces of each particle after you use "
+            about.cause += "them."
         for which, place in enumerate(true):
             # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
             got = places[frame - 1][which]
@@ -168,11 +163,9 @@ def test_it_follows_an_orbit(rng: Random, on_chart: Callable[[float, float], Non
     about.read = STEP
     about.call = f"p moves once around an orbit of eccentricity {ECCENTRICITY}; my_step([p], "
     about.call += f"apply_forces, duration) {FRAMES} times"
-    about.cause = (
-        "Explicit and semi-implicit Euler are not accurate enough here. Use a method of order 2 "
-        "or more. You may split a step into parts, as long as you evaluate the forces at most "
-        f"{MOST} times in all."
-    )
+    about.cause = "Explicit and semi-implicit Euler are not accurate enough here. Use a method of "
+    about.cause += "order 2 or more. You may split a step into parts, as long as you evaluate the "
+    about.cause += f"forces at most {MOST} times in all."
     count, error = turn_of_an_orbit(rng)
     on_chart(count, error)
     # Velocity Verlet in 16 parts a frame is off by 2e-3, explicit Euler in 80 by 0.3.
@@ -190,16 +183,12 @@ def test_it_is_accurate_with_few_evaluations(rng: Random, most: float) -> None:
     about.read = STEP
     about.call = f"p moves once around an orbit of eccentricity {ECCENTRICITY}; my_step([p], "
     about.call += f"apply_forces, duration) {FRAMES} times"
-    about.cause = (
-        f"Your steps evaluate the forces too often. They may evaluate them at most {FEW} times in "
-        "one revolution, so split each time step into fewer parts."
-    )
+    about.cause = f"Your steps evaluate the forces too often. They may evaluate them at most {FEW} "
+    about.cause += "times in one revolution, so split each time step into fewer parts."
     count, error = turn_of_an_orbit(rng)
     expect_between(count, 0, FEW, then="; the number of evaluations of the forces")
-    about.cause = (
-        f"Your step is not accurate enough for its {count} evaluations of the forces. Make shorter "
-        "steps where the particle is fast, and longer ones elsewhere."
-    )
+    about.cause = f"Your step is not accurate enough for its {count} evaluations of the forces. "
+    about.cause += "Make shorter steps where the particle is fast, and longer ones elsewhere."
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
     expect_between(
         error,

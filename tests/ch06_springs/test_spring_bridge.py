@@ -47,10 +47,9 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     numbers = positive_number(rng), positive_number(rng), positive_number(rng)
     hang = "hang_bridge(registry, planks, height={}, stiffness={}, damping={})".format(*numbers)
     about.call = f"{hang}; registry.update_forces(0.5)"
-    about.cause = (
-        "A spring of your new bridge is stretched. As the rest length, use the height for a hanger "
-        "and the distance between two planks for the spring that joins them."
-    )
+    about.cause = "A spring of your new bridge is stretched. As the rest length, use the height "
+    about.cause += "for a hanger and the distance between two planks for the spring that joins "
+    about.cause += "them."
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     height, k, _ = numbers
@@ -73,10 +72,8 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator, in N", tolerance=1e-12)
     about.call = f"{hang} with a single plank; the check lowers this plank by 0.5 m; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = (
-        "No hanger pulls on the lowered plank, although it is 0.5 m too low. Add an AnchoredSpring "
-        "for each plank to the registry."
-    )
+    about.cause = "No hanger pulls on the lowered plank, although it is 0.5 m too low. Add an "
+    about.cause += "AnchoredSpring for each plank to the registry."
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
@@ -96,10 +93,8 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
     about.call = f"hang_bridge(registry, planks, height={height}, stiffness={k}, damping={c}); the "
     about.call += "check moves all planks a little and gives them velocities; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = (
-        "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then join "
-        "each plank to the next with one call of connect, which acts on both ends."
-    )
+    about.cause = "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then "
+    about.cause += "join each plank to the next with one call of connect, which acts on both ends."
     forces = hung_bridge(places, after, (height, k, c))
     for i, end in enumerate(after):
         if i == 2:  # it is immovable, so the force that it receives does not matter
@@ -137,10 +132,8 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
             cause=why,
             tolerance=1e-11,
         )
-    about.cause = (
-        "The registry already held another spring, which must keep acting. Add your springs "
-        "without clearing the registry."
-    )
+    about.cause = "The registry already held another spring, which must keep acting. Add your "
+    about.cause += "springs without clearing the registry."
     expect_close(
         forces[-1],
         (0.0, -2.0, 0.0),
@@ -237,18 +230,14 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         )
     about.call = f"a single plank at x = -1.5; load_bridge([plank], x=4.0, weight={weight}); the y "
     about.call += "component of the force that it adds, in N"
-    about.cause = (
-        "Your load_bridge puts no weight on a bridge of one plank. A single plank must carry the "
-        "whole weight, wherever the walker is."
-    )
+    about.cause = "Your load_bridge puts no weight on a bridge of one plank. A single plank must "
+    about.cause += "carry the whole weight, wherever the walker is."
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
     about.call = "load_bridge(planks, x=0.0, weight=4.0) with two planks at x = 0; the sum of the "
     about.call += "y components of the forces that it adds, in N"
-    about.cause = (
-        "Both planks are at the same x, so don't divide by the gap between them, which is 0. "
-        "Together they must carry the whole weight."
-    )
+    about.cause = "Both planks are at the same x, so don't divide by the gap between them, which "
+    about.cause += "is 0. Together they must carry the whole weight."
     got = math.fsum(force[1] - 2.0 for force in loaded([ZERO, ZERO], 0.0, 4.0))
     expect_close(got, -4.0)
 
@@ -260,10 +249,8 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.call = "7 planks of 2 kg on hang_bridge(registry, planks, height=3, stiffness=200, "
     about.call += "damping=20); load_bridge(planks, x=3, weight=100) in every step for 20 s; the "
     about.call += "total pull of the hangers in N"
-    about.cause = (
-        "At the end the bridge is at rest. The total pull of the hangers must equal the weight of "
-        "the planks plus that of the walker."
-    )
+    about.cause = "At the end the bridge is at rest. The total pull of the hangers must equal the "
+    about.cause += "weight of the planks plus that of the walker."
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 1200)
     up = math.fsum(
         pull((end, ZERO), ((place[0], 3.0, 0.0), ZERO), 200.0, 3.0, 0.0)[1]
@@ -271,21 +258,16 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     )
     # By then the swings have died out to e^-20 of some 100 N.
     expect_close(up, 7.0 * 2.0 * 10.0 + 100.0, tolerance=1e-4)
-    about.call = (
-        "the same bridge; how far planks[0], planks[1] and planks[2] sag in m, compared with the "
-        "last three planks"
-    )
-    about.cause = (
-        "The walker is on the middle plank, so the bridge must sag equally on both sides. Hang "
-        "all planks from the same kind of spring, and connect all neighbors."
-    )
+    about.call = "the same bridge; how far planks[0], planks[1] and planks[2] sag in m, compared "
+    about.call += "with the last three planks"
+    about.cause = "The walker is on the middle plank, so the bridge must sag equally on both "
+    about.cause += "sides. Hang all planks from the same kind of spring, and connect all neighbors."
     sags = [-end[1] for end in ends]
     expect_close(sags[:3], sags[:3:-1], tolerance=1e-6)
     about.call = "the same bridge; the sag of the middle plank minus that of the first plank, in m"
-    about.cause = (
-        "The planks near the walker must sag more than those at the ends, although the springs "
-        "between the planks spread the load. Check that neighboring planks are connected."
-    )
+    about.cause = "The planks near the walker must sag more than those at the ends, although the "
+    about.cause += "springs between the planks spread the load. Check that neighboring planks are "
+    about.cause += "connected."
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
     expect_between(sags[3] - sags[0], 0.2, 0.499)
 
@@ -322,10 +304,8 @@ def test_a_bridge_rejects_invalid_arguments() -> None:
             )
     about.call = "hang_bridge(registry, planks, ...) with an argument that is not valid; "
     about.call += "planks[0] is moved; registry.update_forces(0.5)"
-    about.cause = (
-        "hang_bridge raised an error but left some of its springs in the registry. Check all "
-        "arguments before you add the first spring."
-    )
+    about.cause = "hang_bridge raised an error but left some of its springs in the registry. Check "
+    about.cause += "all arguments before you add the first spring."
     planks[0].position.y = -0.5
     registry.update_forces(0.5)
     got = xyz(planks[0].force_accumulator)

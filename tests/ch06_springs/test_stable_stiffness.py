@@ -77,11 +77,9 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
         m = positive_number(rng)
         about.call = f"k = max_stable_stiffness(damping={d}, duration={h}, mass={m}); "
         about.call += "Particle.integrate with a spring of "
-        about.cause = (
-            "At the largest stable stiffness k the oscillation neither grows nor dies out. Then "
-            "d^h (1 + k h^2 / m) is 1, where d is the damping and h the duration, so solve this "
-            "for k."
-        )
+        about.cause = "At the largest stable stiffness k the oscillation neither grows nor dies "
+        about.cause += "out. Then d^h (1 + k h^2 / m) is 1, where d is the damping and h the "
+        about.cause += "duration, so solve this for k."
         limit = max_stable_stiffness(d, h, m)
         for share in (0.98, 1.0, 1.02):
             size = largest_eigenvalue(step_matrix(share * limit, d, h, m))
@@ -122,10 +120,8 @@ def test_the_ends_of_the_damping() -> None:
         came, right = f"{got:.15g}", f"{wanted:.15g}"
         expect_that(came == right, f"{came} N/m", f"{right} N/m")
     about.call = "max_stable_stiffness(damping=1 - 1e-12, duration=1e-3), in N/m"
-    about.cause = (
-        "Your difference d^-h - 1 loses most of its digits, because d^-h is close to 1. Use "
-        "math.expm1, which computes e^x - 1 accurately."
-    )
+    about.cause = "Your difference d^-h - 1 loses most of its digits, because d^-h is close to 1. "
+    about.cause += "Use math.expm1, which computes e^x - 1 accurately."
     d = 1.0 - 1e-12
     got = max_stable_stiffness(d, 1e-3)
     wanted = -math.log(d) / 1e-3
@@ -143,10 +139,8 @@ def test_the_ends_of_the_damping() -> None:
 @pytest.mark.robust
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about("max_stable_stiffness(damping=1e-300, duration=1000.0), in N/m", read=READ)
-    about.cause = (
-        "You let an OverflowError out, which Python raises because this limit is too large for a "
-        "float. Catch the error and return math.inf."
-    )
+    about.cause = "You let an OverflowError out, which Python raises because this limit is too "
+    about.cause += "large for a float. Catch the error and return math.inf."
     got = max_stable_stiffness(1e-300, 1000.0)
     expect_exactly(got, math.inf)
 
@@ -184,9 +178,7 @@ def test_max_stable_stiffness_rejects_invalid_arguments() -> None:
             cause=cause,
         )
     about.call = "max_stable_stiffness(damping=0.25, duration=1.0, mass=2.0), in N/m"
-    about.cause = (
-        "All of these arguments are valid, so don't raise an error. The result is 2 (0.25^-1 - 1) "
-        "/ 1^2, which is 6."
-    )
+    about.cause = "All of these arguments are valid, so don't raise an error. The result is 2 "
+    about.cause += "(0.25^-1 - 1) / 1^2, which is 6."
     got = max_stable_stiffness(0.25, 1.0, 2.0)
     expect_close(got, 6.0)

@@ -22,16 +22,16 @@ EXERCISES = {
 }
 RULES = {
     "explicit_euler": (
-        "First move the particle with the old velocity, p' = p + v h. Then set the new "
-        "velocity v' = (v + a h) d^h, where a is the acceleration at the start."
+        "Your result differs from p' = p + v h and v' = (v + a h) d^h. Use the old velocity v and "
+        "the acceleration a at the start in both."
     ),
     "semi_implicit_euler": (
-        "First set the new velocity, v' = (v + a h) d^h. Then move the particle with this "
-        "velocity, p' = p + v' h."
+        "Your result differs from v' = (v + a h) d^h and p' = p + v' h. Compute v' first, and use "
+        "it for p'."
     ),
     "leapfrog": (
-        "Move for half the step, p1 = p + v h / 2, and evaluate the forces there. Then set v' "
-        "= (v + a h) d^h, and move for the other half, p' = p1 + v' h / 2."
+        "Your result differs from p1 = p + v h / 2, v' = (v + a h) d^h and p' = p1 + v' h / 2, "
+        "where a is the acceleration at p1."
     ),
     "velocity_verlet": (
         "Move the particle first, p' = p + v h + a h^2 / 2. Then evaluate the acceleration b "
@@ -70,7 +70,7 @@ def walk(method: str, body: Body, k: float, c: float, h: float, frames: int) -> 
 
 
 def slips_of(
-    method: str, body: Body, k: float, c: float, h: float, frames: int
+    method: str, body: Body, k: float, c: float, h: float, frames: int, asked: int
 ) -> dict[str, list[float]]:
     """Return what walk would return after each likely mistake, keyed by its explanation."""
     p, v, a, mass, d, hand = body
@@ -88,10 +88,10 @@ def slips_of(
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
-        (
-            "Your step ignores the forces of apply_forces. Call apply_forces with the duration "
-            "of the step, and read the accumulators after that."
-        )
+        "You call apply_forces too late, so its forces have no effect on the step. Call it before "
+        "you use the accumulators."
+        if asked
+        else "You never call apply_forces. Call it in every step, before you use the accumulators."
     ] = walk(method, body, 0.0, 0.0, h, frames)
     if frames == 1:
         axes = [
@@ -149,7 +149,7 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
         about.call += f"its velocity; {method}([p], apply_forces, duration={h}) {what}"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
-        slips = slips_of(method, body, k, c, h, frames)
+        slips = slips_of(method, body, k, c, h, frames, len(ends["asked"]))
         slip = named((*ends["positions"][0], *ends["velocities"][0]), about.cause, slips)
         expect_exactly(ends["dampings"], [d], then="; p.damping")
         # A few roundings of numbers up to 10^4.
@@ -258,6 +258,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
     about.call += f"{mass} kg; apply_forces adds the force -{k} x, where x is p's position; "
     about.call += f"{method}([p], apply_forces, duration={h})"
     about.cause = RULES[method]
+    if EVALUATIONS[method] == 1:
+        when = "after the first half drift" if method == "leapfrog" else "before you move p"
+        about.cause = f"You call apply_forces at the wrong time. Call it {when}."
     asked = stepped(method, [body], (k, 0.0), h, 1)["asked"]
     wanted = []
     for i in range(3):

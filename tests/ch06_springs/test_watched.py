@@ -54,31 +54,23 @@ def test_a_watched_step_is_the_original_step(rng: Random) -> None:
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     about.call = f"{CALL.format(limit)}, {frames} times; no particle is faster than "
     about.call += f"{0.999 * limit:.6g} m/s"
-    about.cause = (
-        "Your step probably calls the original integrator more than once. Call it exactly once, "
-        "with particles, apply_forces and duration unchanged."
-    )
+    about.cause = "Your step probably calls the original integrator more than once. Call it "
+    about.cause += "exactly once, with particles, apply_forces and duration unchanged."
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
-    about.cause = (
-        "You raise an error although no speed is above the limit. The speed is the magnitude "
-    )
-    about.cause += "of the velocity."
+    about.cause = "You raise an error although no speed is above the limit. The speed is the "
+    about.cause += "magnitude of the velocity."
     total = "Your speed is the sum of the three components of the velocity. Use its magnitude, the "
     total += "square root of the sum of their squares."
-    squared = (
-        "You compare the squared speed with the limit. Take the square root of the sum of the "
-    )
-    squared += "squared components first."
+    squared = "You compare the squared speed with the limit. Take the square root of the sum of "
+    squared += "the squared components first."
     mistakes = [(size * limit * 11.0 / 7.0, total) for size in (0.5, 0.999)]  # 2 + 3 + 6 of 7
     mistakes += [((size * limit) ** 2, squared) for size in (0.5, 0.999)]
     if error is not None:
         blame(error[2], mistakes)
     expect_that(error is None, in_words(error), "no error", then=TOLD)
-    about.cause = (
-        "You pass other arguments to the original integrator. Call it once per step, with "
-    )
-    about.cause += "particles, apply_forces and duration unchanged."
+    about.cause = "You pass other arguments to the original integrator. Call it once per step, "
+    about.cause += "with particles, apply_forces and duration unchanged."
     wanted = [(3, 0.25 + i) for i in range(frames)]
     expect_exactly(
         [tuple(one) for one in calls],
@@ -96,14 +88,11 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
         speeds = [[*calm] for _ in range(6)]
         speeds[number - 1][3] = 2.0 * limit
         speeds[number - 1][fast] = -1.25 * limit
-        about.call = (
-            f"{CALL.format(limit)}, until it raises an error; particles[{fast}] is the first "
-        )
-        about.call += f"that is too fast, at {1.25 * limit:.6g} m/s after step {number}"
-        about.cause = (
-            "Your error reports other numbers than it should. Report the first particle that is "
-            "too fast: its index, the number of the step, its speed and the limit."
-        )
+        about.call = f"{CALL.format(limit)}, until it raises an error; particles[{fast}] is the "
+        about.call += f"first that is too fast, at {1.25 * limit:.6g} m/s after step {number}"
+        about.cause = "Your error reports other numbers than it should. Report the first particle "
+        about.cause += "that is too fast: its index, the number of the step, its speed and the "
+        about.cause += "limit."
         calls, error = watching(limit, speeds)
         size = 1.25 * limit
         wanted = (fast, number, size, limit)
@@ -128,38 +117,28 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
                 "compare the magnitude of every velocity with speed_limit."
             )
         elif error[1] > number + 1:
-            about.cause = (
-                "Your step number also counts the steps of other watched integrators. Let each "
-                "watched integrator count its own steps from 1."
-            )
+            about.cause = "Your step number also counts the steps of other watched integrators. "
+            about.cause += "Let each watched integrator count its own steps from 1."
         else:
             blame(tuple(error), slips)
         expect_told(error, wanted, then=TOLD)
-        about.cause = (
-            "You raised the error too early or too late. Check the speeds right after each step, "
-            "and raise the error before the next step."
-        )
+        about.cause = "You raised the error too early or too late. Check the speeds right after "
+        about.cause += "each step, and raise the error before the next step."
         expect_exactly(len(calls), number, then="; number of steps that were made")
 
 
 @pytest.mark.exercise("B6.10")
 def test_a_speed_equal_to_the_limit_is_allowed() -> None:
-    about.call = (
-        f"{CALL.format(7.0)}; the particle has the velocity (2, 3, 6) m/s, so its speed is 7 "
-    )
-    about.call += "m/s"
+    about.call = f"{CALL.format(7.0)}; the particle has the velocity (2, 3, 6) m/s, so its speed "
+    about.call += "is 7 m/s"
     about.read = READ
-    about.cause = (
-        "You raise an error for a speed equal to the limit, which is still allowed. Write `not "
-        "speed <= speed_limit`."
-    )
+    about.cause = "You raise an error for a speed equal to the limit, which is still allowed. "
+    about.cause += "Write `not speed <= speed_limit`."
     _, error = watching(7.0, [[7.0]])
     expect_that(error is None, in_words(error), "no error", then=TOLD)
     about.call = f"{CALL.format(1.0)}; the particle moves at 2 m/s after the first step"
-    about.cause = (
-        "A limit of 1 m/s is valid, so watch the integrator as usual. Check the speeds after each "
-        "step, whatever the limit is."
-    )
+    about.cause = "A limit of 1 m/s is valid, so watch the integrator as usual. Check the speeds "
+    about.cause += "after each step, whatever the limit is."
     _, error = watching(1.0, [[2.0]])
     expect_told(error, (0.0, 1.0), then=TOLD)
 
@@ -171,10 +150,8 @@ def test_a_speed_of_nan_is_above_every_limit() -> None:
     for speed, what in ((math.nan, "NaN"), (math.inf, "infinity"), (-math.inf, "-infinity")):
         about.call = f"{CALL.format(1e300)}, three times; the velocity of particles[1] has {what} "
         about.call += "along y after step 2"
-        about.cause = (
-            "Every comparison with NaN is False, so `speed > speed_limit` does not detect NaN. "
-            "Write `not speed <= speed_limit` instead."
-        )
+        about.cause = "Every comparison with NaN is False, so `speed > speed_limit` does not "
+        about.cause += "detect NaN. Write `not speed <= speed_limit` instead."
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         expect_told(error, (1, 2), then=TOLD)
 
@@ -185,14 +162,10 @@ def test_an_explosion_is_reported_with_its_step(rng: Random) -> None:
     # The first speed over 480 m/s is on the way back, that over the smaller limit is not.
     for limit in (positive_number(rng, 130.0, 470.0), positive_number(rng, 490.0, 950.0)):
         about.call = f"{CALL.format(limit)} with explicit Euler, a spring of 3600 N/m, 1 kg and h "
-        about.call += (
-            "= 1/60 s, released 1 m away; the step, the speed in m/s and the limit in m/s of "
-        )
-        about.call += "the error"
-        about.cause = (
-            "The step or the speed in your error is wrong. Compare the speed that a particle has "
-            "after each step with the limit, not the one before it."
-        )
+        about.call += "= 1/60 s, released 1 m away; the step, the speed in m/s and the limit in "
+        about.call += "m/s of the error"
+        about.cause = "The step or the speed in your error is wrong. Compare the speed that a "
+        about.cause += "particle has after each step with the limit, not the one before it."
         step, speed, told = exploding(limit)
         number, v, x = 0, 0.0, 1.0
         while abs(v) <= limit:
@@ -205,25 +178,18 @@ def test_an_explosion_is_reported_with_its_step(rng: Random) -> None:
 @pytest.mark.exercise("B6.10")
 def test_two_watched_integrators_count_separately() -> None:
     about.read = READ
-    about.call = (
-        "two integrators made by watched(integrator, speed_limit=5.0), used one after the other; "
-        "a particle of the second one is too fast after its first step"
-    )
-    about.cause = (
-        "Each watched integrator must count its own steps. Keep the count in a variable inside "
-        "watched, because both integrators would share a variable of the module."
-    )
+    about.call = "two integrators made by watched(integrator, speed_limit=5.0), used one after the "
+    about.call += "other; a particle of the second one is too fast after its first step"
+    about.cause = "Each watched integrator must count its own steps. Keep the count in a variable "
+    about.cause += "inside watched, because both integrators would share a variable of the module."
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     expect_told(error, (0, 1), then="; the error that it raises")
-    about.call = (
-        "watched(integrator, speed_limit=5.0) and then watched(integrator, speed_limit=9.0); a "
-        "step of the second one, after which a particle moves at 7 m/s"
-    )
-    about.cause = (
-        "The second integrator allows 9 m/s, and the limit of 5 m/s belongs to the first one. Use "
-        "the speed_limit from the same call of watched."
-    )
+    about.call = "watched(integrator, speed_limit=5.0) and then watched(integrator, "
+    about.call += "speed_limit=9.0); a step of the second one, after which a particle moves at 7 "
+    about.call += "m/s"
+    about.cause = "The second integrator allows 9 m/s, and the limit of 5 m/s belongs to the first "
+    about.cause += "one. Use the speed_limit from the same call of watched."
     _, error = watching(9.0, [[7.0]])
     expect_that(error is None, in_words(error), "no error", then="; the error that it raises")
 
@@ -236,10 +202,9 @@ def test_watched_goes_on_after_an_error(rng: Random) -> None:
     about.call = f"{CALL.format(limit)}; the first step raises ValueError, and after the third and "
     about.call += "the fifth a particle is too fast; the step number in each error, or -1 for the "
     about.call += "ValueError"
-    about.cause = (
-        "If the integrator raises an exception, let it reach the caller, and don't count that "
-        "step. After a SimulationDiverged, the next call goes on counting and checking."
-    )
+    about.cause = "If the integrator raises an exception, let it reach the caller, and don't count "
+    about.cause += "that step. After a SimulationDiverged, the next call goes on counting and "
+    about.cause += "checking."
     got = watching_on(limit)
     expect_close(got, (-1.0, 2.0, 4.0))
 

@@ -75,7 +75,16 @@ def wrong_steps(
             pushed += weight * rate
         return x + moved / sum(weights) * h, (v + pushed / sum(weights) * h) * keep
 
-    keep, first = d**h, force(x, v)
+    keep, first, half_keep = d**h, force(x, v), d ** (0.5 * h)
+    if method == "explicit_euler":
+        middle, early = x + 0.5 * h * v, (v + 0.5 * h * first) * half_keep
+        return {
+            "You make two steps of half the duration, so the second half uses a new velocity. Make "
+            "a single step instead.": (
+                middle + 0.5 * h * early,
+                (early + 0.5 * h * acceleration) * half_keep,
+            ),
+        }
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
         return {
@@ -83,23 +92,30 @@ def wrong_steps(
             "Move it only once, with the new velocity.": (x + (v + new) * h, new),
             "You move the position with the mean of the old and the new velocity. Semi-implicit "
             "Euler uses only the new velocity.": (x + 0.5 * (v + new) * h, new),
-            "You move the position with the undamped velocity. Apply the damping first, and "
-            "then move the position.": (x + (v + first * h) * h, new),
+            "You move the position with the velocity before damping. Multiply the velocity by d^h "
+            "first, and then move the position.": (x + (v + first * h) * h, new),
         }
     if method == "leapfrog":
         middle = x + 0.5 * h * v
         new = (v + force(middle, v) * h) * keep
         early = (v + first * h) * keep
-        halved = (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h)
+        halved = (v + 0.5 * h * force(middle, v)) * half_keep
+        kicked = (v + 0.5 * h * first) * half_keep
+        ahead = x + h * kicked
         return {
+            "You kick for half the step, drift for all of it, and kick again. Leapfrog drifts for "
+            "half the step, kicks for all of it, and drifts again.": (
+                ahead,
+                (kicked + 0.5 * h * force(ahead, kicked)) * half_keep,
+            ),
             "You evaluate the forces at the start of the step. Evaluate them after the first half "
             "drift instead.": (x + 0.5 * h * (v + early), early),
-            "After the kick, you drift for the whole step h. The first drift already covered h "
-            "/ 2, so drift only for the other h / 2.": (middle + h * new, new),
+            "After the kick, you drift for the whole step. The first drift already covered half of "
+            "it, so drift only for the other half.": (middle + h * new, new),
             "The second half drift is missing. After the kick, move the position by the new "
-            "velocity times h / 2.": (middle, new),
-            "You kick only for h / 2. Leapfrog has a single kick, so it must cover the whole "
-            "step h.": (middle + 0.5 * h * halved, halved),
+            "velocity times half the duration.": (middle, new),
+            "You kick for only half the step. Leapfrog has a single kick, which must cover the "
+            "whole step.": (middle + 0.5 * h * halved, halved),
         }
     if method == "velocity_verlet":
         bare, half, whole = (x + v * h + part * first * h * h for part in (0.0, 0.5, 1.0))

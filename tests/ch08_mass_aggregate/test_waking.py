@@ -221,10 +221,8 @@ def test_a_touched_group_wakes(rng: Random, first: bool) -> None:
             else "Wake the sleeping particle of a contact if the other one can move."
         )
     expect_sleepers(done["seen"][hit], [], then="; which particles are asleep after the hit")
-    about.cause = (
-        "Momentum is lost, because a sleeping particle acts like a wall. Wake all particles "
-    )
-    about.cause += "of the contacts before you resolve them."
+    about.cause = "Momentum is lost, because a sleeping particle acts like a wall. Wake all "
+    about.cause += "particles of the contacts before you resolve them."
     expect_close(
         done["momenta"][hit],
         speed,
@@ -328,10 +326,8 @@ def test_a_hanging_particle_stays_asleep() -> None:
     expect_asleep(awake_in(hung(40, 20, 0.15)), then=steps)
     about.call = "particle 0 hangs from a spring and is almost at rest; from step 20 on, an extra "
     about.call += "force of 0.5 N/kg pushes it; 10 steps that call wake_pushed()"
-    about.cause = (
-        "Your particle stays asleep although 0.5 N/kg is more than SAME times |a| + |f / m|, "
-    )
-    about.cause += "which is 0.2 m/s^2 here. Wake it at such a change."
+    about.cause = "Your particle stays asleep although 0.5 N/kg is more than SAME times |a| + |f "
+    about.cause += "/ m|, which is 0.2 m/s^2 here. Wake it at such a change."
     wakes = [] in hung(31, 20, 0.5)[20:]
     expect_that(wakes, "the particle sleeps for 10 steps", "it wakes within 10 steps")
 

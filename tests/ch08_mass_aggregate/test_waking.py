@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 from itertools import product
 from random import Random
-from typing import Unpack
 
 import pytest
 
-from autograder.checks.asked import Words
 from ch08_mass_aggregate.sleep_probes import (
     both_ways,
     dropped_on,
@@ -37,11 +35,13 @@ SIGNS = {
 }
 
 
-def expect_asleep(awake: list[int], **words: Unpack[Words]) -> None:
+def expect_asleep(awake: list[int], then: str) -> None:
     """Expect an empty list of the steps after which particle 0 is awake."""
     __tracebackhide__ = True
     steps = ", ".join(map(str, awake))
-    expect_that(not awake, f"awake after these steps: {steps}", "asleep after every step", **words)
+    expect_that(
+        not awake, f"awake after these steps: {steps}", "asleep after every step", then=then
+    )
 
 
 @pytest.mark.exercise("G8.1")

@@ -42,10 +42,9 @@ def test_the_force_by_its_formula() -> None:
     about.call = "p of 1 kg at rest at (1, 0, 0), with acceleration (0, -10, 0) and damping 0.5; "
     about.call += "FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=0).update_force(p, "
     about.call += "1/60)"
-    about.cause = (
-        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position that a "
-        "real spring would reach in h seconds. The acceleration and the damping of p don't matter."
-    )
+    about.cause = "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position "
+    about.cause += "that a real spring would reach in h seconds. The acceleration and the damping "
+    about.cause += "of p don't matter."
     p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     got = xyz(p.force_accumulator)
@@ -53,8 +52,8 @@ def test_the_force_by_its_formula() -> None:
     sizes = {
         "You divide by h and then multiply by h again, because the book's listing says 1 / h * "
         "h (E-6). Divide by h * h instead.": wanted[0] / 3600.0,
-        "You use the force of a real spring, -k x, which is too strong for such a long step. "
-        "Compute the force that takes p to T, the position that a real spring would reach.": -400.0,
+        "You use the force of a real spring, -k x. Compute the force that takes p to T, the "
+        "position that a real spring would reach in h seconds.": -400.0,
         "Your force is twice as large as it should be, as if a step moved p by a h^2 / 2. "
         "Semi-implicit Euler moves it by a h^2, where a is the acceleration.": 2.0 * wanted[0],
     }
@@ -64,10 +63,8 @@ def test_the_force_by_its_formula() -> None:
     about.call = "p of 1 kg at (0, 0, 0) with velocity (0, 2, 0); "
     about.call += "FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=0).update_force(p, "
     about.call += "1/60)"
-    about.cause = (
-        "p moves along y, so the force is (T - x) / h^2 - v / h with x = 0 and v = 2. T is the "
-        "position that a real spring would reach in h seconds."
-    )
+    about.cause = "p moves along y, so the force is (T - x) / h^2 - v / h with x = 0 and v = 2. T "
+    about.cause += "is the position that a real spring would reach in h seconds."
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
@@ -78,8 +75,8 @@ def test_the_force_by_its_formula() -> None:
         "step.": wanted[1] + 120.0 - 2.0,
         "Your force ignores the velocity v, as if the particle were at rest. Subtract v / h as "
         "well, where h is the duration of the step.": wanted[1] + 120.0,
-        "There is no force, although p moves along y. At the anchor the offset has no "
-        "direction, so compute the force separately for x, y and z.": 0.0,
+        "You compute the force only along the offset from the anchor, which is zero here. Compute "
+        "it separately for x, y and z.": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-10)
@@ -92,15 +89,14 @@ def test_a_soft_spring_is_faked_too() -> None:
         read=READ,
     )
     about.call += "damping=0).update_force(p, 0.1)"
-    about.cause = (
-        "The force on a soft spring must follow the same formula. It is about half that of a real "
-        "spring, because semi-implicit Euler moves the particle by a h^2 and not by a h^2 / 2."
-    )
+    about.cause = "The force on a soft spring must follow the same formula. It is about half that "
+    about.cause += "of a real spring, because semi-implicit Euler moves the particle by a h^2 and "
+    about.cause += "not by a h^2 / 2."
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
     got = xyz(p.force_accumulator)
-    only = "There is no force along z. Compute the force in the same way on all three axes."
+    only = "Your spring has no force along z. Compute the force along z as you do along x and y."
     blame(got, [(ZERO, only)])
     # cos loses three digits, and is multiplied by 100.
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)
@@ -115,13 +111,11 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         c = share * 2.0 * math.sqrt(k * m)
         about.call = f"p of {m} kg at {place} with velocity {v}; s = "
         about.call += f"FakeStiffSpring(anchor=Vector3{anchor}, stiffness={k}, damping={c:.6g}); "
-        about.call += f"s.update_force(p, {h:.6g}); one step of semi-implicit Euler; p.position, "
-        about.call += "in m"
-        about.cause = (
-            "The step must end at T, the position that a real spring would reach. Compute T on "
-            "each axis, from the position relative to the anchor, the particle's mass and the "
-            "spring's damping."
-        )
+        about.call += f"s.update_force(p, {h:.6g}); one step of semi-implicit Euler; p.position "
+        about.call += "after it, in m"
+        about.cause = "The step must end at T, the position that a real spring would reach. "
+        about.cause += "Compute T on each axis, from the position relative to the anchor, the "
+        about.cause += "particle's mass and the spring's damping."
         ends = faked(anchor, place, v, k, c, m, h, 1)
         wanted = tuple(
             a + true_spring(x - a, u, k, c, m, h) for a, x, u in zip(anchor, place, v, strict=True)
@@ -130,16 +124,16 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         slips = {
             "Your force does not depend on the mass, so it is really an acceleration. Multiply "
             "it by particle.mass.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
-            "You computed T, the position that a real spring would reach, for a mass of 1 kg. "
+            "You compute T, the position that a real spring would reach, for a mass of 1 kg. "
             "Pass the particle's mass to damped_spring_state.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
             ],
-            "You computed T, the position that a real spring would reach, without damping. "
+            "You compute T, the position that a real spring would reach, without damping. "
             "Pass self.damping to damped_spring_state.": [
                 a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
             ],
-            "You computed the position of a spring whose anchor is at (0, 0, 0). Subtract "
-            "self.anchor from the position first.": [
+            "You compute T, the position that a real spring would reach, for an anchor at (0, 0, "
+            "0). Measure the position from self.anchor.": [
                 true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
             ],
         }
@@ -155,10 +149,8 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     about.call = f"p at {place}; s = FakeStiffSpring(anchor=Vector3(), stiffness=1e6, "
     about.call += "damping=200); 300 times s.update_force(p, 1/60) and a step of semi-implicit "
     about.call += "Euler"
-    about.cause = (
-        "A real spring explodes if k h^2 / m is above 4, and here it is 278. The faked spring "
-        "must come to rest anyway, so check that you use its damping."
-    )
+    about.cause = "A real spring explodes if k h^2 / m is above 4, and here it is 278. The faked "
+    about.cause += "spring must come to rest anyway, so check that you use its damping."
     ends = faked(ZERO, place, ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 300)
     farthest = max(math.hypot(*end) for end in ends)
     left = math.hypot(*ends[-1])
@@ -180,10 +172,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call = f"p of 2 kg at rest at {place}; s = FakeStiffSpring(anchor=Vector3{place}, "
     about.call += f"stiffness=400, damping=3); p.add_force(Vector3{f}); s.update_force(p, 0.5); "
     about.call += "p.force_accumulator, in N"
-    about.cause = (
-        "The particle is at rest at the anchor, so the spring adds no force. Keep the other "
-        "forces on p by calling add_force."
-    )
+    about.cause = "The particle is at rest at the anchor, so the spring adds no force. Keep the "
+    about.cause += "other forces on p by calling add_force."
     p, s = Particle(Vector3(*place), mass=2.0), FakeStiffSpring(Vector3(*place), 400.0, 3.0)
     p.add_force(Vector3(*f))
     s.update_force(p, 0.5)
@@ -192,10 +182,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), place, cause=UNCHANGED)
     about.call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place} with "
     about.call += f"velocity {f}; s.update_force(p, 0.5)"
-    about.cause = (
-        "The check has set the stiffness and the damping to 0, so p moves at constant velocity "
-        "and needs no force. Read the attributes in every call."
-    )
+    about.cause = "The check has set the stiffness and the damping to 0, so p moves at constant "
+    about.cause += "velocity and needs no force. Read the attributes in every call."
     s.anchor, s.stiffness, s.damping = Vector3(), 0.0, 0.0
     p = Particle(Vector3(*place), Vector3(*f))
     s.update_force(p, 0.5)
@@ -204,19 +192,16 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     s.stiffness = 100.0
     about.call = "an immovable particle p at (1, 0, 0); s = FakeStiffSpring(anchor=Vector3(), "
     about.call += "stiffness=100, damping=0); s.update_force(p, 0.5); p.force_accumulator, in N"
-    about.cause = (
-        "The particle is immovable, and its infinite mass makes the force infinite or NaN. Return "
-        "before you compute a force for it."
-    )
+    about.cause = "You compute a force for an immovable particle, whose mass is infinite. Return "
+    about.cause += "without adding a force to it."
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
     s.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
     about.call = "p of 2 kg at rest at (1, 0, 0); FakeStiffSpring(anchor=Vector3(), "
     about.call += "stiffness=100, damping=0).update_force(p, 0.5)"
-    about.cause = (
-        "The force is 2 (cos(chi h) - 1) / h^2 here, with chi = sqrt(100 / 2) and h = 0.5. Use "
-        "the spring's current attributes and the mass of the particle that is passed in."
-    )
+    about.cause = "The force is 2 (cos(chi h) - 1) / h^2 here, with chi = sqrt(100 / 2) and h = "
+    about.cause += "0.5. Use the spring's current attributes and the mass of the particle that is "
+    about.cause += "passed in."
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=2.0)
     s.update_force(p, 0.5)
     wanted = (8.0 * (math.cos(0.5 * math.sqrt(50.0)) - 1.0), 0.0, 0.0)
@@ -226,12 +211,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 
 @pytest.mark.exercise("B6.11")
 @pytest.mark.robust
-def test_a_faked_spring_needs_a_duration() -> None:
+def test_a_faked_spring_rejects_an_invalid_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
-    about.cause = (
-        "The duration must be positive and finite. Check it first, with the function positive "
-        "from arguments.py, even for an immovable particle."
-    )
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):
         p = Particle(Vector3(1.0, 0.0, 0.0), mass=mass)
@@ -239,16 +220,16 @@ def test_a_faked_spring_needs_a_duration() -> None:
             expect_error(
                 lambda p=p, bad=bad: s.update_force(p, bad),
                 ValueError,
-                call="s = FakeStiffSpring(anchor=Vector3(), stiffness=400, damping=3); "
-                f"s.update_force(p, {bad}), where p has a mass of {mass}",
+                call=f"p has a mass of {mass} kg; s = FakeStiffSpring(anchor=Vector3(), "
+                f"stiffness=400, damping=3); s.update_force(p, {bad})",
+                cause=f"The duration is {bad}. It must be positive and finite, so raise ValueError"
+                + (", even if the particle is immovable." if mass == math.inf else "."),
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
             )
     about.call = "p at (1, 0, 0); FakeStiffSpring(anchor=Vector3(), stiffness=400, "
     about.call += "damping=3).update_force(p, 1/60)"
-    about.cause = (
-        "A duration of 1/60 s is valid, so don't raise an error. Use the spring's damping when "
-        "you compute the position that a real spring would reach."
-    )
+    about.cause = "A duration of 1/60 s is valid, so don't raise an error. Use the spring's "
+    about.cause += "damping when you compute the position that a real spring would reach."
     p = Particle(Vector3(1.0, 0.0, 0.0))
     s.update_force(p, 1.0 / 60.0)
     wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0

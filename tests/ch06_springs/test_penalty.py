@@ -19,7 +19,7 @@ READ = "the docstring of PenaltyGround"
 
 
 @pytest.mark.exercise("G6.1")
-def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
+def test_the_ground_pushes_a_particle_out(rng: Random) -> None:
     about.read = READ
     high, k, depth = positive_number(rng, 0.5, 9.5), positive_number(rng), positive_number(rng)
     f = components(rng)
@@ -27,22 +27,20 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
         about.call = f"p at (3, {height - depth:.6g}, 5); p.add_force(Vector3{f}); "
         about.call += f"PenaltyGround(height={height}, stiffness={k}).update_force(p, 0.5); "
         about.call += "p.force_accumulator, in N"
-        about.cause = (
-            "The ground must push up with the stiffness times the depth of p below its surface. "
-            "Add this push to the forces that are already on p."
-        )
+        about.cause = "The ground must push up with the stiffness times the depth of p below its "
+        about.cause += "surface. Add this push to the forces that are already on p."
         p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
         p.add_force(Vector3(*f))
         PenaltyGround(height, k).update_force(p, 0.5)
         wanted = (f[0], f[1] + k * depth, f[2])
         got = xyz(p.force_accumulator)
         pushes = {
-            "Your force pushes p farther into the ground. It must push up, so check its sign.": -k
-            * depth,
-            "You measured the depth from a height of 0, but this ground is at self.height. "
+            "Your force points down, farther into the ground. The ground must push p up, so "
+            "reverse the sign.": -k * depth,
+            "You measure the depth from a height of 0, but this ground is at self.height. "
             "Subtract the particle's y from self.height.": k * (depth - height),
-            "You multiplied the push by the mass. It depends only on the stiffness and the "
-            "depth, so leave the mass out.": 2.0 * k * depth,
+            "You multiply the push by the mass. It depends only on the stiffness and the depth, so "
+            "leave the mass out.": 2.0 * k * depth,
             "There is no push, although p is below the surface. Check the sign of the depth, "
             "which is self.height minus the particle's y.": 0.0,
         }
@@ -52,15 +50,15 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G6.1")
-def test_above_the_ground_nothing_pushes(rng: Random) -> None:
+def test_there_is_no_force_above_the_ground(rng: Random) -> None:
     about.read = READ
     height, k, c = number(rng), positive_number(rng), positive_number(rng)
     for above, speed, cause in (
         (
             0.5,
             0.0,
-            "The particle is above the ground, so there must be no force. The ground can push, "
-            "but it never pulls.",
+            "Your ground exerts a force on a particle that is above it. Add a force only if the "
+            "particle is below the surface.",
         ),
         (
             0.5,
@@ -71,11 +69,11 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         (
             0.0,
             -9.0,
-            "The particle just touches the ground, so its depth is 0 and there must be no "
-            "force. The damping acts only below the surface.",
+            "You add damping to a particle that only touches the ground. At a depth of 0 there "
+            "must be no force at all.",
         ),
     ):
-        about(f"p at (0, {height + above:.6g}, 0) with velocity (0, {speed}, 0); ", cause=cause)
+        about(f"p at (0, {height + above:.6g}, 0) with velocity (0, {speed:g}, 0); ", cause=cause)
         about.call += f"PenaltyGround(height={height}, stiffness={k}, damping={c}).update_force(p, "
         about.call += "0.5); p.force_accumulator, in N"
         p = Particle(Vector3(0.0, height + above, 0.0), Vector3(0.0, speed, 0.0))
@@ -84,20 +82,16 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         expect_close(got, ZERO)
     about.call = f"p at (0, -1e-6, 0); PenaltyGround(height=0, stiffness={k}).update_force(p, "
     about.call += "0.5); p.force_accumulator, in N"
-    about.cause = (
-        "The particle is only slightly below the surface, but the ground must push it up with a "
-        "small force. Any depth above 0 counts."
-    )
+    about.cause = "The particle is only slightly below the surface, but the ground must push it up "
+    about.cause += "with a small force. Any depth above 0 counts."
     p = Particle(Vector3(0.0, -1e-6, 0.0))
     PenaltyGround(0.0, k).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, 1e-6 * k, 0.0))
     about.call = f"p at (0, {height - 1:.6g}, 0); PenaltyGround(height={height}, stiffness={k}, "
     about.call += f"damping={c}).update_force(p, 0.5)"
-    about.cause = (
-        "The particle is 1 m below the surface, so the ground must push it up. The depth is "
-        "self.height minus the particle's y."
-    )
+    about.cause = "The particle is 1 m below the surface, so the ground must push it up. The depth "
+    about.cause += "is self.height minus the particle's y."
     p = Particle(Vector3(0.0, height - 1.0, 0.0))
     PenaltyGround(height, k, c).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -105,7 +99,7 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G6.1")
-def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
+def test_damping_of_the_ground_never_pulls(rng: Random) -> None:
     about.read = "the docstring of PenaltyGround.update_force"
     k, c, depth = positive_number(rng), positive_number(rng), positive_number(rng)
     free = k * depth / c  # m/s upwards, at which nothing is left of the push
@@ -138,8 +132,8 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "You left out the damping, so a body bounces on this ground forever. Subtract c "
-            "v_y from the push, where c is the damping.": (0.0, push, 0.0),
+            "You leave out the damping. Subtract c v_y from the push, where c is the damping and "
+            "v_y the upward velocity.": (0.0, push, 0.0),
             "Your force is k depth + c v_y, so the damping speeds the motion up. It must "
             "oppose the motion, so reverse its sign.": (
                 0.0,
@@ -152,43 +146,35 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
                 wanted[1],
                 -4.0 * c,
             ),
-            "Your force pulls the particle down, but the ground can only push. If the push and "
-            "the damping add up to less than 0, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
+            "Your force pulls the particle down, but the ground can only push. If k depth - c v_y "
+            "is less than 0, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         if got[0] or got[2]:
-            about.cause = (
-                "Your damping also acts along the ground, like friction. It must depend only on "
-                "v_y, so leave the x and z components of the force at 0."
-            )
+            about.cause = "Your damping also acts along the ground, like friction. It must depend "
+            about.cause += "only on v_y, so leave the x and z components of the force at 0."
         expect_close(got, wanted, tolerance=1e-11)
 
 
 @pytest.mark.exercise("G6.1")
-def test_a_body_comes_to_rest_in_the_sponge() -> None:
+def test_a_body_comes_to_rest_below_the_surface() -> None:
     about.read = "E-36, and the docstring of PenaltyGround"
     about.call = "p of 2 kg that falls 0.5 m with g = 10 m/s^2 onto PenaltyGround(height=0, "
     about.call += "stiffness=400, damping=10); 20 s in steps of 1/240 s; p.position.y, in m"
-    about.cause = (
-        "The particle comes to rest where the push equals its weight m g. Its depth there is m g "
-        "/ k, which is 5 cm, where k is the stiffness."
-    )
+    about.cause = "The particle comes to rest where the push equals its weight m g. Its depth "
+    about.cause += "there is m g / k, which is 5 cm, where k is the stiffness."
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
-    about.cause = (
-        "The particle arrives at 3.2 m/s, and the ground must stop it within about 0.2 m. Check "
-        "the stiffness and the sign of the damping."
-    )
+    about.cause = "The particle arrives at 3.2 m/s, and the ground must stop it within about 0.2 "
+    about.cause += "m. Check the stiffness and the sign of the damping."
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     expect_between(lowest, deepest, 0.6 * deepest, then=", at its lowest")
     about.call = "ground = PenaltyGround(height=0, stiffness=400, damping=0), changed to "
     about.call += "height=1, stiffness=3 and damping=0.5; p at (0, 0, 0) with velocity (0, 2, 0); "
     about.call += "ground.update_force(p, 0.5); p.force_accumulator, in N"
-    about.cause = (
-        "The check changes the attributes after creating the ground, so read them in every call. "
-        "The force must now be 3 N minus 0.5 * 2 N, which is 2 N."
-    )
+    about.cause = "The check changes the attributes after creating the ground, so read them in "
+    about.cause += "every call. The force must now be 3 N minus 0.5 * 2 N, which is 2 N."
     ground, p = PenaltyGround(0.0, 400.0), Particle(velocity=Vector3(0.0, 2.0, 0.0))
     ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5
     ground.update_force(p, 0.5)

@@ -47,27 +47,33 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     numbers = positive_number(rng), positive_number(rng), positive_number(rng)
     hang = "hang_bridge(registry, planks, height={}, stiffness={}, damping={})".format(*numbers)
     about.call = f"{hang}; registry.update_forces(0.5)"
-    about.cause = (
-        "In a new bridge no spring is stretched, so each rest length must equal the length at the "
-        "start. That is the height for a hanger, and the distance between two planks for the "
-        "spring that joins them."
-    )
+    about.cause = "A spring of your new bridge is stretched. As the rest length, use the height "
+    about.cause += "for a hanger and the distance between two planks for the spring that joins "
+    about.cause += "them."
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     height, k, _ = numbers
     for i, force in enumerate(forces):
-        slack = (
-            "Your hangers have a rest length of 0, so they pull the planks of a new bridge up. "
-            "Use the height as their rest length."
-        )
-        blame(force, [((0.0, k * height, 0.0), slack)])
+        x, y, z = places[i]
+        slips = {
+            "Your hangers have a rest length of 0, so they pull the planks of a new bridge up. Use "
+            "the height as their rest length.": [0.0, k * height, 0.0],
+            "You put the anchors of all hangers above planks[0]. Put each anchor straight above "
+            "its own plank.": pull(
+                (places[i], ZERO), ((places[0][0], places[0][1] + height, z), ZERO), k, height, 0.0
+            ),
+        }
+        if i == 0:
+            slips[
+                "The springs between your planks have a rest length of 0. Use the distance between "
+                "the two planks instead."
+            ] = [k * (b - a) for a, b in zip(places[0], places[1], strict=True)]
+        blame(force, slips)
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator, in N", tolerance=1e-12)
     about.call = f"{hang} with a single plank; the check lowers this plank by 0.5 m; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = (
-        "The lowered plank stretches its hanger by 0.5 m. The hanger must therefore pull the "
-        "plank up with 0.5 m times the stiffness."
-    )
+    about.cause = "No hanger pulls on the lowered plank, although it is 0.5 m too low. Add an "
+    about.cause += "AnchoredSpring for each plank to the registry."
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
@@ -75,7 +81,7 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G6.2")
-def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
+def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
     about.read = HANG
     places = draw_places(rng)
     height, k, c = positive_number(rng, 2.0, 9.0), positive_number(rng), positive_number(rng)
@@ -87,10 +93,8 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
     about.call = f"hang_bridge(registry, planks, height={height}, stiffness={k}, damping={c}); the "
     about.call += "check moves all planks a little and gives them velocities; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = (
-        "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then join "
-        "each plank to the next with one call of connect, which acts on both ends."
-    )
+    about.cause = "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then "
+    about.cause += "join each plank to the next with one call of connect, which acts on both ends."
     forces = hung_bridge(places, after, (height, k, c))
     for i, end in enumerate(after):
         if i == 2:  # it is immovable, so the force that it receives does not matter
@@ -102,17 +106,22 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
                 parts.append(pull(end, after[j], k, math.dist(places[i], places[j]), c))
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
         below = pull(end, ((x, y - height, z), ZERO), k, height, c)
+        ropes = [total - hanger for total, hanger in zip(wanted, parts[0], strict=True)]
+        last = pull(end, after[-1], k, math.dist(places[i], places[-1]), c) if i == 0 else ZERO
         slips = {
+            "Your hangers pull but never push. Use an AnchoredSpring for each plank, and not an "
+            "AnchoredBungee.": ropes,
+            "You also connect the last plank to the first one. Connect only planks that are next "
+            "to each other.": [total + part for total, part in zip(wanted, last, strict=True)],
             "Your anchors are below the planks. Add the height to y, so that each plank hangs "
             "from an anchor above it.": [
-                total - hanger + part
-                for total, hanger, part in zip(wanted, parts[0], below, strict=True)
+                rope + part for rope, part in zip(ropes, below, strict=True)
             ],
-            "Only your hangers act, but neighboring planks must pull on each other too. Call "
-            "connect for each pair of neighbors.": parts[0],
+            "Only your hangers act, because no springs join the planks to each other. Call connect "
+            "for each pair of neighboring planks.": parts[0],
             "Your springs between the planks act twice. The spring that connect registers "
             "already acts on both planks, so call connect only once per pair.": [
-                2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
+                total + rope for total, rope in zip(wanted, ropes, strict=True)
             ],
         }
         why = named(forces[i], about.cause, slips)
@@ -123,10 +132,8 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
             cause=why,
             tolerance=1e-11,
         )
-    about.cause = (
-        "The registry already held another spring, which must keep acting. Add your springs "
-        "without clearing the registry."
-    )
+    about.cause = "The registry already held another spring, which must keep acting. Add your "
+    about.cause += "springs without clearing the registry."
     expect_close(
         forces[-1],
         (0.0, -2.0, 0.0),
@@ -143,14 +150,14 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             -1.25,
             (0.75, 0.25, 0.0),
-            "The walker is between two planks, which carry the fractions 1 - s and s of the "
-            "weight. The nearer plank carries more, so check which plank gets which fraction.",
+            "The two planks beside the walker carry wrong fractions of the weight. They must carry "
+            "1 - s and s, so that the nearer plank carries more.",
         ),
         (
             1.0,
             (0.0, 0.25, 0.75),
-            "The fraction s must go from 0 at one plank to 1 at the next. Divide the walker's "
-            "distance from the plank by the gap between the planks, which is 2 m here.",
+            "Your fraction s is the walker's distance from the plank in m. Divide this distance by "
+            "the gap between the two planks, which is 2 m here.",
         ),
         (
             -0.5,
@@ -160,14 +167,14 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             -7.0,
             (1.0, 0.0, 0.0),
-            "The walker is before the first plank, so the first plank must carry the whole "
-            "weight. Limit x to the ends of the bridge.",
+            "You don't limit x to the ends of the bridge, and this walker is before the first "
+            "plank. The first plank must carry the whole weight.",
         ),
         (
             9.0,
             (0.0, 0.0, 1.0),
-            "The walker is beyond the last plank, so the last plank must carry the whole "
-            "weight. Limit x to the ends of the bridge.",
+            "You don't limit x to the ends of the bridge, and this walker is beyond the last "
+            "plank. The last plank must carry the whole weight.",
         ),
         (
             -1.5,
@@ -195,20 +202,24 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             "The plank nearer to the walker must carry more.": [
                 -weight * (1.0 - share) if share else 0.0 for share in shares
             ],
-            "You gave each of the two planks half of the weight. The nearer plank must carry "
-            "more, so use the fractions 1 - s and s.": [
+            "You give all of the weight to the nearest plank. Divide it between the two planks "
+            "beside the walker, as the fractions 1 - s and s.": [
+                -weight * (share == max(shares)) for share in shares
+            ],
+            "You give each of the two planks half of the weight. The nearer plank must carry more, "
+            "so use the fractions 1 - s and s.": [
                 -0.5 * weight * (share > 0.0) for share in shares
             ],
             "Your weight pushes the planks up. Weight points down, so its y component must be "
             "negative.": [-part for part in wanted],
-            "You multiplied the weight by 9.81. It is already a force in N and not a mass in "
-            "kg, so use it unchanged.": [9.81 * part for part in wanted],
+            "You multiply the weight by 9.81. It is already a force in N and not a mass in kg, so "
+            "use it unchanged.": [9.81 * part for part in wanted],
         }
         about.cause = named(got, about.cause, slips) if beside else about.cause
         expect_close(
             got,
             wanted,
-            then="; the y components of the forces that load_bridge adds to the planks, in N",
+            then="; the y component of the force that it adds to each plank, in N",
             tolerance=1e-12 * weight,
         )
         got = [part for force in forces for part in (force[0], force[2])]
@@ -219,18 +230,14 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         )
     about.call = f"a single plank at x = -1.5; load_bridge([plank], x=4.0, weight={weight}); the y "
     about.call += "component of the force that it adds, in N"
-    about.cause = (
-        "There is only one plank, so it must carry the whole weight, wherever the walker is. "
-        "Don't look for a second plank."
-    )
+    about.cause = "Your load_bridge puts no weight on a bridge of one plank. A single plank must "
+    about.cause += "carry the whole weight, wherever the walker is."
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
     about.call = "load_bridge(planks, x=0.0, weight=4.0) with two planks at x = 0; the sum of the "
     about.call += "y components of the forces that it adds, in N"
-    about.cause = (
-        "Both planks are at the same x, so don't divide by the gap between them, which is 0. "
-        "Together they must carry the whole weight."
-    )
+    about.cause = "Both planks are at the same x, so don't divide by the gap between them, which "
+    about.cause += "is 0. Together they must carry the whole weight."
     got = math.fsum(force[1] - 2.0 for force in loaded([ZERO, ZERO], 0.0, 4.0))
     expect_close(got, -4.0)
 
@@ -242,10 +249,8 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.call = "7 planks of 2 kg on hang_bridge(registry, planks, height=3, stiffness=200, "
     about.call += "damping=20); load_bridge(planks, x=3, weight=100) in every step for 20 s; the "
     about.call += "total pull of the hangers in N"
-    about.cause = (
-        "At the end the bridge is at rest. The total pull of the hangers must equal the weight of "
-        "the planks plus that of the walker."
-    )
+    about.cause = "At the end the bridge is at rest. The total pull of the hangers must equal the "
+    about.cause += "weight of the planks plus that of the walker."
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 1200)
     up = math.fsum(
         pull((end, ZERO), ((place[0], 3.0, 0.0), ZERO), 200.0, 3.0, 0.0)[1]
@@ -253,33 +258,24 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     )
     # By then the swings have died out to e^-20 of some 100 N.
     expect_close(up, 7.0 * 2.0 * 10.0 + 100.0, tolerance=1e-4)
-    about.call = (
-        "the same bridge; how far planks[0], planks[1] and planks[2] sag in m, compared with the "
-        "last three planks"
-    )
-    about.cause = (
-        "The walker is on the middle plank, so the bridge must sag equally on both sides. Hang "
-        "all planks from the same kind of spring, and connect all neighbors."
-    )
+    about.call = "the same bridge; how far planks[0], planks[1] and planks[2] sag in m, compared "
+    about.call += "with the last three planks"
+    about.cause = "The walker is on the middle plank, so the bridge must sag equally on both "
+    about.cause += "sides. Hang all planks from the same kind of spring, and connect all neighbors."
     sags = [-end[1] for end in ends]
     expect_close(sags[:3], sags[:3:-1], tolerance=1e-6)
     about.call = "the same bridge; the sag of the middle plank minus that of the first plank, in m"
-    about.cause = (
-        "The planks near the walker must sag more than those at the ends, although the springs "
-        "between the planks spread the load. Check that neighboring planks are connected."
-    )
+    about.cause = "The planks near the walker must sag more than those at the ends, although the "
+    about.cause += "springs between the planks spread the load. Check that neighboring planks are "
+    about.cause += "connected."
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
     expect_between(sags[3] - sags[0], 0.2, 0.499)
 
 
 @pytest.mark.exercise("G6.2")
 @pytest.mark.robust
-def test_a_bridge_needs_numbers_that_mean_something() -> None:
-    about(
-        cause="The height, stiffness or damping is not valid, so raise ValueError, even "
-        "if there are no planks. Check all arguments before you add anything to the registry.",
-        read=HANG,
-    )
+def test_a_bridge_rejects_invalid_arguments() -> None:
+    about.read = HANG
     planks = [Particle(), Particle()]
     registry = ForceRegistry()
     for bad in (
@@ -291,6 +287,11 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
         (1.0, math.inf, 1.0),
         (1.0, 1.0, math.nan),
     ):
+        height, k, c = bad
+        name, value = ("stiffness", k) if not 0.0 <= k < math.inf else ("damping", c)
+        cause = f"The {name} is {value}. It must be finite and not negative, so raise ValueError"
+        if not height > 0.0:
+            cause = f"The height is {height}. It must be positive and finite, so raise ValueError"
         for some, name in ((planks, "planks"), ([], "[]")):
             expect_error(
                 lambda bad=bad, some=some: hang_bridge(registry, some, *bad),
@@ -299,22 +300,17 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
                     name, *bad
                 ),
                 allowed=lambda: hang_bridge(ForceRegistry(), planks, 1.0, 1.0, 1.0),
+                cause=f"{cause}." if some else f"{cause}, even if there are no planks.",
             )
     about.call = "hang_bridge(registry, planks, ...) with an argument that is not valid; "
     about.call += "planks[0] is moved; registry.update_forces(0.5)"
-    about.cause = (
-        "hang_bridge raised an error but left some of its springs in the registry. Check all "
-        "arguments before you add the first spring."
-    )
+    about.cause = "hang_bridge raised an error but left some of its springs in the registry. Check "
+    about.cause += "all arguments before you add the first spring."
     planks[0].position.y = -0.5
     registry.update_forces(0.5)
     got = xyz(planks[0].force_accumulator)
     expect_close(got, ZERO, then="; planks[0].force_accumulator, in N")
     about.read = LOAD
-    about.cause = (
-        "One of these arguments is not valid, so raise ValueError. There must be at least one "
-        "plank, x must be finite, and the weight must be finite and not negative."
-    )
     for count, x, weight in (
         (0, 1.0, 1.0),
         (2, math.nan, 1.0),
@@ -324,9 +320,15 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
         (2, 1.0, math.inf),
         (2, 1.0, math.nan),
     ):
+        cause = f"The weight is {weight}. It must be finite and not negative, so raise ValueError."
+        if not math.isfinite(x):
+            cause = f"x is {x}. It must be finite, so raise ValueError."
+        if not count:
+            cause = "There are no planks that could carry the weight, so raise ValueError."
         expect_error(
             lambda count=count, x=x, weight=weight: load_bridge(planks[:count], x, weight),
             ValueError,
-            call=f"load_bridge(planks, x={x}, weight={weight}) with {count} planks",
+            call=f"load_bridge({'planks' if count else '[]'}, x={x}, weight={weight})",
             allowed=lambda: load_bridge(planks, 1.0, 0.0),
+            cause=cause,
         )

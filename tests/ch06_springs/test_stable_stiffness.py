@@ -11,7 +11,7 @@ import pytest
 from ch06_springs.springs import max_stable_stiffness
 from ch06_springs.step_probes import step_matrix
 from draw import positive_number
-from expect import about, blame, expect_close, expect_error, expect_exactly, named
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_that, named
 
 READ = "exercise 6.6 and the docstring of max_stable_stiffness"
 
@@ -43,9 +43,11 @@ def test_the_largest_stiffness_by_known_values() -> None:
             "damping per second, so use d^-h instead of 1 / d.": (1.0 / d - 1.0) * 3600.0,
             "Your result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for "
             "Particle.integrate (E-16). Use d^-h - 1 instead of 1 - d^h.": (1.0 - keep) * 3600.0,
-            "This is the limit of semi-implicit Euler. Particle.integrate is explicit Euler, "
-            "whose limit is lower: m (d^-h - 1) / h^2, where d is the damping and h the "
-            "duration.": 2.0 * (1.0 + keep) / keep * 3600.0,
+            "Your result is the limit of semi-implicit Euler. Particle.integrate is explicit "
+            "Euler, so use m (d^-h - 1) / h^2, where d is the damping and h the duration.": 2.0
+            * (1.0 + keep)
+            / keep
+            * 3600.0,
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-10 * wanted)
@@ -58,8 +60,8 @@ def test_the_largest_stiffness_by_known_values() -> None:
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
         slips = {
-            "This is the limit for a mass of 1 kg. It is proportional to the mass, so multiply "
-            "by the mass.": 41.829985086921,
+            "Your result is the limit for a mass of 1 kg. The limit is proportional to the mass, "
+            "so multiply by it.": 41.829985086921,
             "You divide by the mass. A heavier particle tolerates a stiffer spring, so "
             "multiply by the mass instead.": 41.829985086921 / mass,
         }
@@ -75,11 +77,9 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
         m = positive_number(rng)
         about.call = f"k = max_stable_stiffness(damping={d}, duration={h}, mass={m}); "
         about.call += "Particle.integrate with a spring of "
-        about.cause = (
-            "At the largest stable stiffness k the oscillation neither grows nor dies out. Then "
-            "d^h (1 + k h^2 / m) is 1, where d is the damping and h the duration, so solve this "
-            "for k."
-        )
+        about.cause = "At the largest stable stiffness k the oscillation neither grows nor dies "
+        about.cause += "out. Then d^h (1 + k h^2 / m) is 1, where d is the damping and h the "
+        about.cause += "duration, so solve this for k."
         limit = max_stable_stiffness(d, h, m)
         for share in (0.98, 1.0, 1.02):
             size = largest_eigenvalue(step_matrix(share * limit, d, h, m))
@@ -99,7 +99,8 @@ def test_the_ends_of_the_damping() -> None:
         (
             1.0,
             0.0,
-            "Without damping every spring is unstable with this step. Return 0, and not -0.",
+            "Your formula gives a negative zero for a damping of 1. No spring is stable then, so "
+            "return exactly 0.",
         ),
         (
             1.5,
@@ -110,18 +111,17 @@ def test_the_ends_of_the_damping() -> None:
         (
             0.0,
             math.inf,
-            "A damping of 0 stops the particle in every step, so every spring is stable. "
-            "Return math.inf.",
+            "A damping of 0 stops the particle in every step, so every spring is stable. Return "
+            "math.inf before you use the formula, which fails for 0.",
         ),
     ):
         about(f"max_stable_stiffness(damping={d}, duration=0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)
-        expect_exactly(f"{got:.15g}", f"{wanted:.15g}", then=", in N/m")
+        came, right = f"{got:.15g}", f"{wanted:.15g}"
+        expect_that(came == right, f"{came} N/m", f"{right} N/m")
     about.call = "max_stable_stiffness(damping=1 - 1e-12, duration=1e-3), in N/m"
-    about.cause = (
-        "If the damping d is close to 1, so is d^-h, and the difference d^-h - 1 loses most of "
-        "its digits. Use math.expm1, which computes e^x - 1 accurately."
-    )
+    about.cause = "Your difference d^-h - 1 loses most of its digits, because d^-h is close to 1. "
+    about.cause += "Use math.expm1, which computes e^x - 1 accurately."
     d = 1.0 - 1e-12
     got = max_stable_stiffness(d, 1e-3)
     wanted = -math.log(d) / 1e-3
@@ -139,22 +139,16 @@ def test_the_ends_of_the_damping() -> None:
 @pytest.mark.robust
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about("max_stable_stiffness(damping=1e-300, duration=1000.0), in N/m", read=READ)
-    about.cause = (
-        "The limit is too large for a float here, so Python raises OverflowError. Catch this "
-        "error and return math.inf."
-    )
+    about.cause = "You let an OverflowError out, which Python raises because this limit is too "
+    about.cause += "large for a float. Catch the error and return math.inf."
     got = max_stable_stiffness(1e-300, 1000.0)
     expect_exactly(got, math.inf)
 
 
 @pytest.mark.exercise("6.6b")
 @pytest.mark.robust
-def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
+def test_max_stable_stiffness_rejects_invalid_arguments() -> None:
     about.read = READ
-    about.cause = (
-        "One of these arguments is not valid, so raise ValueError, even if the damping is 0. "
-        "Check each argument with one of the functions in arguments.py."
-    )
     for bad in (
         (-0.5, 0.25, 1.0),
         (math.nan, 0.25, 1.0),
@@ -169,16 +163,22 @@ def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
         (0.0, 0.25, math.inf),
         (0.5, 0.25, math.nan),
     ):
+        damping, duration, mass = bad
+        name, value = ("mass", mass) if 0.0 < duration < math.inf else ("duration", duration)
+        cause = f"The {name} is {value}. It must be positive and finite, so raise ValueError"
+        cause += ", even if the damping is 0." if damping == 0.0 else "."
+        if not 0.0 <= damping < math.inf:
+            cause = f"The damping is {damping}. It must be finite and not negative, so raise "
+            cause += "ValueError."
         expect_error(
             lambda bad=bad: max_stable_stiffness(*bad),
             ValueError,
             call="max_stable_stiffness(damping={}, duration={}, mass={})".format(*bad),
             allowed=lambda: max_stable_stiffness(0.5, 0.25, 1.0),
+            cause=cause,
         )
     about.call = "max_stable_stiffness(damping=0.25, duration=1.0, mass=2.0), in N/m"
-    about.cause = (
-        "All of these arguments are valid, so don't raise an error. The result is 2 (0.25^-1 - 1) "
-        "/ 1^2, which is 6."
-    )
+    about.cause = "All of these arguments are valid, so don't raise an error. The result is 2 "
+    about.cause += "(0.25^-1 - 1) / 1^2, which is 6."
     got = max_stable_stiffness(0.25, 1.0, 2.0)
     expect_close(got, 6.0)

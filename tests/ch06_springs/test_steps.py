@@ -202,9 +202,7 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     )
     got = tuple(0.5 * (ends["positions"][0][i] + ends["positions"][1][i]) for i in range(3))
     wanted = tuple(0.5 * (one[i] + two[i] + (v[i] + w[i]) * h) for i in range(3))
-    expect_close(
-        got, wanted, then="; the midpoint between the two particles, in m", tolerance=1e-11
-    )
+    expect_close(got, wanted, then="; the midpoint of the particles, in m", tolerance=1e-11)
 
 
 @methods

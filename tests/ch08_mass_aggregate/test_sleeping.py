@@ -18,55 +18,49 @@ WAKE = "the docstring of SleepingWorld."
 
 
 @pytest.mark.exercise("G8.1")
-def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
+def test_slow_particles_fall_asleep(rng: Random) -> None:
     about.read = FALL
     frames = rng.randint(3, 8)
-    about.call = (
-        "particles 0, 1 and 2, of 1 kg, have speeds of 0.9, 1.1 and 0 m/s and don't touch; a "
-        f"SleepingWorld with sleep_energy=0.5 and sleep_frames={frames}; which particles are "
-        "asleep after each step"
-    )
-    about.cause = (
-        "A particle is slow if v^2 / 2 is at most sleep_energy. Put it to sleep once it has been "
-        "slow for sleep_frames steps in a row."
-    )
+    about.call = "particles 0, 1 and 2, of 1 kg, have speeds of 0.9, 1.1 and 0 m/s and don't "
+    about.call += f"touch; a SleepingWorld with sleep_energy=0.5 and sleep_frames={frames}; which "
+    about.call += "particles are asleep after each step"
+    about.cause = "A particle is slow if v^2 / 2 is at most sleep_energy. Put it to sleep once it "
+    about.cause += "has been slow for sleep_frames steps in a row."
     seen = left_alone([0.9, 1.1, 0.0], frames + 2, sleep_frames=frames)
     wanted = [[]] * (frames - 1) + [[0, 2]] * 3
     if seen[0]:
-        about.cause = (
-            "Your particles fall asleep after a single slow step. Count each particle's slow "
-            "steps, and wait for sleep_frames of them in a row."
-        )
+        about.cause = "Your particles fall asleep after a single slow step. Count each particle's "
+        about.cause += "slow steps, and wait for sleep_frames of them in a row."
     elif not any(seen):
-        about.cause = (
-            "No particle ever falls asleep. Check that run_physics ends by calling fall_asleep, "
-            "and that fall_asleep adds each particle that falls asleep to self.asleep."
-        )
+        about.cause = "No particle ever falls asleep. Call fall_asleep at the end of run_physics, "
+        about.cause += "and add each particle that falls asleep to self.asleep."
     elif seen[:frames] == wanted[:frames]:
-        about.cause = (
-            "Your particles fall asleep but wake again. Set the velocity and the inverse_mass of a "
-            "sleeping particle to 0, and wake it only if something about it has changed."
-        )
+        why = "although nothing about them has changed. In wake_moved, wake only a particle that "
+        why += "differs from its Sleep"
+        if seen[frames]:
+            why = "because they keep their velocity. Set it to 0 in fall_asleep"
+        elif slept(1.0, 0.1)["inverse mass asleep"]:
+            why = "because their inverse_mass is not 0. Set it to 0 in fall_asleep"
+        about.cause = f"Your particles fall asleep but wake again, {why}."
     expect_sleepers_of_steps(seen, wanted)
-    about.call = (
-        "particles 0, 1 and 2, of 0.5, 1 and 2 kg, all move at 1 m/s; a SleepingWorld with "
-        "sleep_energy=0.5 and sleep_frames=5; which particles are asleep after 5 steps"
-    )
-    about.cause = (
-        "All three particles are slow, because v^2 / 2 is exactly sleep_energy. Compare v^2 / 2, "
-        "without the mass, with sleep_energy, and count equality as slow."
-    )
+    about.call = "particles 0, 1 and 2, of 0.5, 1 and 2 kg, all move at 1 m/s; a SleepingWorld "
+    about.call += "with sleep_energy=0.5 and sleep_frames=5; which particles are asleep after 5 "
+    about.call += "steps"
+    about.cause = "You compare the whole kinetic energy, so heavy particles stay awake. Compare "
+    about.cause += "v^2 / 2, without the mass, with sleep_energy."
     seen = left_alone([1.0] * 3, 5, masses=[0.5, 1.0, 2.0])
+    if 1 not in seen[-1]:
+        about.cause = "A particle is also slow if v^2 / 2 is exactly sleep_energy, as it is here. "
+        about.cause += "Use <= in the comparison."
     expect_sleepers(seen[-1], [0, 1, 2])
 
 
 @pytest.mark.exercise("G8.1")
-def test_slow_frames_count_in_a_row(rng: Random) -> None:
+def test_slow_steps_count_only_in_a_row(rng: Random) -> None:
     slow = rng.randint(1, 4)
-    about.call = (
-        f"particle 0 is at rest for {slow} steps, fast for one step, and then at rest again; a "
-        "SleepingWorld with sleep_frames=5; which particles are asleep after each step"
-    )
+    about.call = f"particle 0 is at rest for {slow} steps, fast for one step, and then at rest "
+    about.call += "again; a SleepingWorld with sleep_frames=5; which particles are asleep after "
+    about.call += "each step"
     about(
         cause="You still count the slow steps before the fast one. After a fast step, set the "
         "count back to 0.",
@@ -75,94 +69,76 @@ def test_slow_frames_count_in_a_row(rng: Random) -> None:
     wanted = [[]] * (slow + 1 + 4) + [[0]]
     seen = interrupted(slow, slow + 6)
     if seen[0]:
-        about.cause = (
-            "Your particle falls asleep after a single slow step. Count its slow steps, and wait "
-            "for sleep_frames of them in a row."
-        )
+        about.cause = "Your particle falls asleep after a single slow step. Count its slow steps, "
+        about.cause += "and wait for sleep_frames of them in a row."
     expect_sleepers_of_steps(seen, wanted)
 
 
 @pytest.mark.exercise("G8.1")
-def test_what_has_parted_is_no_group(rng: Random) -> None:
+def test_old_contacts_are_forgotten(rng: Random) -> None:
     about.read = FALL
-    about.cause = (
-        "Two particles belong together if they touched in one of the last sleep_frames steps. "
-        "Store the last step in which they touched, and forget contacts that are older than that."
-    )
+    about.cause = "Two particles belong together if they touched in one of the last sleep_frames "
+    about.cause += "steps. Store the last step in which they touched, and forget contacts that are "
+    about.cause += "older than that."
     for last in (rng.randint(1, 4), rng.randint(6, 12)):
-        about.call = (
-            f"slow particle 0 touches fast particle 1 in each step up to step {last}; a "
-            "SleepingWorld with sleep_frames=5; which particles are asleep after each step"
-        )
+        about.call = f"slow particle 0 touches fast particle 1 in each step up to step {last}; a "
+        about.call += "SleepingWorld with sleep_frames=5; which particles are asleep after each "
+        about.call += "step"
         wanted = [[]] * (last + 4) + [[0]] * 3
         seen, why = parted(last, last + 7), about.cause
         if not any(seen):
-            why = (
-                "Particle 0 never falls asleep, because an old contact keeps it awake. Forget a "
-                "contact after sleep_frames steps."
-            )
+            why = "Particle 0 never falls asleep, because an old contact keeps it awake. Forget a "
+            why += "contact after sleep_frames steps."
         elif any(seen[: last + 4]):
-            why = (
-                "Particle 0 falls asleep too early. Its contact with the fast particle 1 should "
-                "keep it awake for sleep_frames steps after the two last touched."
-            )
+            why = "Particle 0 falls asleep too early, because you forget its contact with the fast "
+            why += "particle 1 at once. Remember a contact for sleep_frames steps."
+            if any(0 in one for one in left_alone([0.0, 2.0], 8, [(0, 1)])):
+                why = "Particle 0 falls asleep too early, because you ignore its contact with the "
+                why += "fast particle 1. Put a group to sleep only when all of it is tired."
         expect_sleepers_of_steps(seen, wanted, cause=why)
     last = rng.randint(1, 2)
     fast = last + rng.randint(1, 4)
-    about.call = (
-        f"particle 0 touches fast particle 1 in each step up to step {last}; particle 0 itself is "
-        f"fast only in step {fast}; a SleepingWorld with sleep_frames=5; which particles are "
-        "asleep after each step"
-    )
+    about.call = f"particle 0 touches fast particle 1 in each step up to step {last}; particle 0 "
+    about.call += f"itself is fast only in step {fast}; a SleepingWorld with sleep_frames=5; which "
+    about.call += "particles are asleep after each step"
     wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
     if not any(seen):
-        about.cause = (
-            "Particle 0 never falls asleep, because an old contact keeps it awake. In each step, "
-            "forget every contact that is sleep_frames steps old."
-        )
+        about.cause = "Particle 0 never falls asleep, because you missed the step in which to "
+        about.cause += "forget an old contact. Forget it in every step in which it is sleep_frames "
+        about.cause += "steps old or older."
     elif any(seen[: fast + 4]):
-        about.cause = (
-            f"Particle 0 falls asleep too early. It was fast itself in step {fast}, so count its "
-            "slow steps only from the step after that."
-        )
+        about.cause = f"Particle 0 falls asleep too early. It was fast itself in step {fast}, so "
+        about.cause += "count its slow steps only from the step after that."
     expect_sleepers_of_steps(seen, wanted)
-    about.call = (
-        "particles 0 and 1 are slow and touch all the time, but particle 1 becomes immovable after "
-        "4 steps; a SleepingWorld with sleep_frames=5; which particles are asleep after 12 steps"
-    )
-    about.cause = (
-        "A particle can become immovable while the world is running. In fall_asleep, skip every "
-        "particle that is immovable at the time."
-    )
+    about.call = "particles 0 and 1 are slow and touch all the time, but particle 1 becomes "
+    about.call += "immovable after 4 steps; a SleepingWorld with sleep_frames=5; which particles "
+    about.call += "are asleep after 12 steps"
+    about.cause = "Your fall_asleep fails when particle 1 has become immovable. Skip every "
+    about.cause += "particle that is immovable at the time."
     seen = made_immovable(4, 12)
     if [0] in seen and seen[-1] == []:
-        about.cause = (
-            "Particle 0 falls asleep, but its contact with the immovable particle 1 wakes it "
-            "again. In wake_touched, let a particle wake another one only if it can move itself."
-        )
+        about.cause = "Particle 0 falls asleep, but its contact with the immovable particle 1 "
+        about.cause += "wakes it again. In wake_touched, let a particle wake another one only if "
+        about.cause += "it can move itself."
     elif not any(seen):
-        about.cause = (
-            "Particle 0 stays awake because it touches particle 1, which is immovable. An "
-            "immovable particle doesn't keep others awake, so skip it in fall_asleep."
-        )
+        about.cause = "Particle 0 stays awake because it touches particle 1, which is immovable. "
+        about.cause += "An immovable particle doesn't keep others awake, so skip it in fall_asleep."
     elif any(1 in one for one in seen):
-        about.cause = (
-            "You put particle 1 to sleep, although it is immovable. When it wakes, it gets a wrong "
-            "mass, so skip immovable particles in fall_asleep."
-        )
+        about.cause = "You put particle 1 to sleep, although it is immovable. When it wakes, it "
+        about.cause += "gets a wrong mass, so skip immovable particles in fall_asleep."
     expect_sleepers(seen[-1], [0])
 
 
 @pytest.mark.exercise("G8.1")
-def test_what_touches_the_restless_stays_awake() -> None:
+def test_a_fast_particle_keeps_its_group_awake() -> None:
     about.read = FALL
     for what, speeds, pairs, masses, wanted, cause in (
         ("0 and 1", [0.0, 2.0, 0.0], [(0, 1)], (), [2], "Particle 1 is fast and touches particle "
                                                         "0, so it keeps particle 0 awake too. "
                                                         "Neither of them should fall asleep."),
         ("0 and 1, 1 and 2, 2 and 3", [0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4],
-         "Particle 3 is fast. It keeps 2 awake, 2 keeps 1 awake, and 1 keeps 0 awake. Go through "
-         "the pairs again until you find no more particles that have to stay awake."),
+         "You keep awake only particle 2, which touches the fast particle 3 itself. Go through the "
+         "pairs again until you find no more particles that have to stay awake."),
         ("3 and 2, 2 and 1, 1 and 0", [2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [],
          "Particle 0 is fast, and through the chain of contacts it keeps all the others awake. The "
          "order of the contacts should make no difference."),
@@ -179,55 +155,44 @@ def test_what_touches_the_restless_stays_awake() -> None:
          "a particle awake, so skip such contacts."),
     ):  # fmt: skip
         about.cause = cause
-        about.call = (
-            f"particles 0, 1 and so on with speeds of {speeds} m/s; contacts between {what}; a "
-            "SleepingWorld with sleep_frames=5; which particles are asleep after each of 8 steps"
-        )
+        about.call = "particles 0, 1 and so on have speeds of "
+        about.call += f"{', '.join(f'{one:g}' for one in speeds)} m/s; contacts between {what}; a "
+        about.call += "SleepingWorld with sleep_frames=5; which particles are asleep after each of "
+        about.call += "8 steps"
         seen = left_alone(speeds, 8, pairs, masses)
         expect_sleepers_of_steps(seen, [[]] * 4 + [wanted] * 4)
 
 
 @pytest.mark.exercise("G8.1")
-def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
+def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     about.read = f"{WAKE}wake, and the class"
     mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)
-    about.call = (
-        f"a particle of {mass} kg that moves at a slow {speed} m/s; a SleepingWorld with "
-        "sleep_frames=3; 3 steps"
-    )
-    about.cause = (
-        "When a particle falls asleep, set its inverse_mass to 0 and clear its velocity, so that "
-        "nothing can move it."
-    )
+    about.call = f"a particle of {mass} kg that moves at a slow {speed} m/s; a SleepingWorld with "
+    about.call += "sleep_frames=3; 3 steps"
+    about.cause = "When a particle falls asleep, set its inverse_mass to 0 and clear its velocity, "
+    about.cause += "so that nothing can move it."
     done = slept(mass, speed)
     expect_close(done["inverse mass asleep"], 0.0, then="; particle.inverse_mass", tolerance=0.0)
     expect_close(done["velocity asleep"], (0.0,) * 3, then="; particle.velocity", tolerance=0.0)
-    about.cause = (
-        "A particle falls asleep at the end of its third slow step, so exactly three steps should "
-        "move it. After that it stays where it is."
-    )
+    about.cause = "A particle falls asleep at the end of its third slow step, so exactly three "
+    about.cause += "steps should move it. After that it stays where it is."
     place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)
     for name, shown in (("place asleep", "position"), ("place later", "position, 20 steps later")):
         expect_close(done[name], place, then=f"; particle.{shown}", tolerance=1e-12)
     about.call = f"{about.call}; world.wake(particle)"
-    about.cause = (
-        "When a particle wakes, give it back its old inverse mass and remove it from self.asleep."
-    )
+    about.cause = "Your particle stays immovable when it wakes. In wake, give it back its old "
+    about.cause += "inverse mass."
     got = done["inverse mass awake"]
     expect_close(got, 1.0 / mass, then="; particle.inverse_mass")
+    about.cause = "Your particle is still in self.asleep after it wakes. Remove it there in wake."
     expect_sleepers(done["asleep"], [], then="; which particles are asleep")
-    about.cause = (
-        "Your particle falls asleep again too early or too late. In wake, set its count of slow "
-        "steps back to 0."
-    )
+    about.cause = "Your particle keeps its old count of slow steps when it wakes. In wake, set its "
+    about.cause += "count of slow steps back to 0."
     got = done["frames to sleep again"]
     expect_exactly(got, 3, then="; how many more steps it takes to fall asleep again", unit="steps")
-    about.call = (
-        "a particle that is awake and has been slow for 2 steps; a SleepingWorld with "
-        "sleep_frames=3; world.wake(particle)"
-    )
-    about.cause = (
-        "wake should reset the count of slow steps to 0, even if the particle is already awake."
-    )
+    about.call = "a particle that is awake and has been slow for 2 steps; a SleepingWorld with "
+    about.call += "sleep_frames=3; world.wake(particle)"
+    about.cause = "wake should reset the count of slow steps to 0, even if the particle is already "
+    about.cause += "awake."
     got = done["frames from then on"]
     expect_exactly(got, 3, then="; how many more steps it takes to fall asleep", unit="steps")

@@ -56,11 +56,21 @@ def wrong_steps(
     def force(position: float, velocity: float) -> float:
         return a - k * position - c * velocity
 
-    def mean_of(weights: tuple[float, ...], parts: tuple[float, ...]) -> tuple[float, float]:
+    def mean_of(
+        weights: tuple[float, ...],
+        parts: tuple[float, ...],
+        *,
+        later: float = 0.0,
+        back: bool = True,
+        turns: bool = True,
+    ) -> tuple[float, float]:
         moved = pushed = velocity = rate = 0.0
-        for weight, part in zip(weights, parts, strict=True):
-            position, velocity = x + velocity * part * h, v + rate * part * h
-            rate = force(position, velocity)
+        start = x, v
+        for number, (weight, part) in enumerate(zip(weights, parts, strict=True)):
+            position = start[0] + velocity * part * h
+            velocity = start[1] + turns * rate * part * h
+            start = start if back else (position, velocity)
+            rate = force(position, velocity) + later * (number > 0)
             moved += weight * velocity
             pushed += weight * rate
         return x + moved / sum(weights) * h, (v + pushed / sum(weights) * h) * keep
@@ -108,51 +118,67 @@ def wrong_steps(
             "whole step.": (middle + 0.5 * h * halved, halved),
         }
     if method == "velocity_verlet":
-        half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
-        second, later = force(half, v + first * h), force(whole, v + first * h)
-        return {
-            "You add a h^2 to the position, as if the velocity were v + a h during the whole "
-            "step. It reaches that value only at the end, so the term must be a h^2 / 2.": (
-                whole,
-                (v + 0.5 * (first + later) * h) * keep,
-            ),
-            "Your new velocity is v + b h, which uses only b, the acceleration at the end of "
-            "the step. Use the mean of the two accelerations a and b instead.": (
-                half,
-                (v + second * h) * keep,
-            ),
-            "You add up the forces of both evaluations, so the velocity changes by twice as "
-            "much as it should. Use their mean instead.": (
-                half,
-                (v + (first + second - a) * h) * keep,
-            ),
-            "The forces of the first evaluation are still in the accumulators during the "
-            "second one. Clear the accumulators in between, and then add again the forces "
-            "that were there before the step.": (
-                half,
-                (v + 0.5 * (first + second + first - acceleration) * h) * keep,
-            ),
+        bare, half, whole = (x + v * h + part * first * h * h for part in (0.0, 0.5, 1.0))
+        least, second, most = (force(place, v + first * h) for place in (bare, half, whole))
+        velocities = {
+            "Your new velocity is v + a h, which uses only a, the acceleration at the start of "
+            "the step. Use the mean of the accelerations a and b instead.": v + first * h,
+            "Your new velocity is v + b h, which uses only b, the acceleration at the end of the "
+            "step. Use the mean of the accelerations a and b instead.": v + second * h,
+            "You add up the forces of both evaluations, so the velocity changes by twice as much "
+            "as it should. Use their mean instead.": v + (first + second - a) * h,
+            "You add the mean acceleration to v + a h, which is only the estimate for the second "
+            "evaluation. Add it to the old velocity v instead.": v
+            + (1.5 * first + 0.5 * second) * h,
+            "The forces of the first evaluation are still in the accumulators during the second "
+            "one. Clear them in between, and add only the forces from before the step.": v
+            + 0.5 * (first + second + first - acceleration) * h,
+            "Your second evaluation leaves out the force that was added to p before the step. "
+            "Store this force, and add it again before the second evaluation.": v
+            + 0.5 * (first + second - a + acceleration) * h,
             "Your second evaluation uses the old velocity. Set the velocity to v + a h before you "
-            "evaluate the forces again.": (
-                half,
-                (v + 0.5 * (first + force(half, v)) * h) * keep,
-            ),
+            "evaluate the forces again.": v + 0.5 * (first + force(half, v)) * h,
         }
-    if method == "runge_kutta_4":
-        parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "You give all four rates the same weight. The middle two must count double.": mean_of(
-                (1.0, 1.0, 1.0, 1.0), parts
-            ),
-            "You give the first and the last rate double weight. The two in the middle must "
-            "count double instead.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
+            "You move p by v h alone. Add a h^2 / 2, where a is the acceleration at the start of "
+            "the step.": (bare, (v + 0.5 * (first + least) * h) * keep),
+            "You move p by v h + a h^2. Use a h^2 / 2, because the velocity reaches v + a h only "
+            "at the end of the step.": (whole, (v + 0.5 * (first + most) * h) * keep),
+        } | {slip: (half, velocity * keep) for slip, velocity in velocities.items()}
+    if method == "runge_kutta_4":
+        weights, parts = (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 1.0)
+        position, velocity = mean_of(weights, parts)
+        short = x, v
+        for _ in range(4):
+            short = one_step("explicit_euler", *short, a, k, c, d, 0.25 * h)[:2]
+        return {
+            "You give all four rates the same weight. Give the second and the third rate twice "
+            "the weight of the others.": mean_of((1.0, 1.0, 1.0, 1.0), parts),
+            "You give the first and the last rate a weight of 2. Give this weight to the second "
+            "and the third rate instead.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
             "You evaluate the third rate at the end of the step. Evaluate it in the middle, "
-            "in the state that the second rate leads to.": mean_of(
-                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)
-            ),
+            "in the state that the second rate leads to.": mean_of(weights, (0.0, 0.5, 1.0, 1.0)),
             "You evaluate the last rate in the middle of the step. Evaluate it at the end, "
-            "in the state that the third rate leads to.": mean_of(
-                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)
+            "in the state that the third rate leads to.": mean_of(weights, (0.0, 0.5, 0.5, 0.5)),
+            "You evaluate only three rates, but Runge-Kutta needs four. Evaluate a second one in "
+            "the middle of the step, in the state that the first one there leads to.": mean_of(
+                (1.0, 4.0, 1.0), (0.0, 0.5, 1.0)
             ),
+            "You start each stage where the previous one ended. Go back to the start of the step "
+            "before you move at the next rate.": mean_of(weights, parts, back=False),
+            "Before each evaluation you move p but keep its old velocity. Set the velocity too, to "
+            "v + a h / 2 or v + a h, where a is the previous acceleration.": mean_of(
+                weights, parts, turns=False
+            ),
+            "Only your first evaluation contains the force that was added to p before the step. "
+            "Store this force, and add it again before each of the others.": mean_of(
+                weights, parts, later=acceleration - a
+            ),
+            "You take four short steps of explicit Euler, one after the other. Take one step from "
+            "the start with the weighted mean of the four rates instead.": short,
+            "You move p by v h, with the old velocity v. Use the weighted mean of the four "
+            "velocities instead.": (x + v * h, velocity),
+            "Your new velocity uses only the last of the four accelerations. Use their weighted "
+            "mean instead.": (position, mean_of((0.0, 0.0, 0.0, 1.0), parts)[1]),
         }
     return {}

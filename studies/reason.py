@@ -7,8 +7,8 @@ from pathlib import Path
 
 from autograder.at_home.students_code import LIBRARY
 from autograder.commands import advice
-from autograder.diagnosis.explain import slip_of
 from autograder.diagnosis.faults import is_inside
+from autograder.diagnosis.slips import slip_of
 from autograder.manifest import ROOT
 
 

@@ -12,9 +12,9 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NoReturn
 
-from autograder.diagnosis.explain import NOT_IMPLEMENTED
 from autograder.diagnosis.faults import CheckEnded
 from autograder.diagnosis.missing import MissingName
+from autograder.diagnosis.slips import NOT_IMPLEMENTED
 from autograder.isolation.exceptions import exception_of, known_name, text_of_worker
 from autograder.isolation.patience import Patience
 from autograder.isolation.wire import BrokenProtocolError, Wire, pack, unpack

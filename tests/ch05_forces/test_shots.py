@@ -266,7 +266,7 @@ def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -
     for name, now, before in (("start", first, start), ("end", last, end)):
         only_read = f"You change {name}, which you should only read. Use its numbers or a copy."
         expect_unchanged(name, xyz(now), before, cause=only_read)
-    del about.cause  # what is said where hit_on_the_way raises
+    about.cause = "Return a Hole with the target that was hit, x, y and points."
     if hole is None:
         return about.call, None
     target = hole.target

@@ -32,7 +32,7 @@ PROSE = {"functions", "lines", "line", "head", "top", "rest"}  # words about a f
 LIBRARY = re.compile(r"\b(math|random|itertools|functools|statistics|copy)\.([a-z]\w*)")
 # A name of two words or more. A name that begins with one letter, such as v_s, is from a formula.
 NAME = re.compile(r"(?<![\w.\"'{/-])_?[a-z]{2,}_[a-z_0-9]+\b(?!\.(?:py|csv|md))")
-FOR_ALL_CHAPTERS = ("tests/shared/expect.py", "autograder/diagnosis/explain.py")
+FOR_ALL_CHAPTERS = ("tests/shared/expect.py", "autograder/diagnosis/slips.py")
 ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "errata.md"}
 
 

@@ -18,7 +18,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Unpack
 
 from autograder.checks.asked import Words, about, scoped, short_numbers
-from autograder.diagnosis.explain import NOT_IMPLEMENTED
+from autograder.diagnosis.slips import NOT_IMPLEMENTED
 from autograder.message import ExpectationError, Message
 
 # Correct answers that were computed in another order differ by a few rounding errors, each about

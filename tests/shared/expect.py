@@ -203,8 +203,8 @@ def expect_finite_numbers(
     """
     __tracebackhide__ = True
     fields = ", ".join("{}" for _ in good)
-    valid = "which is not valid here. Pass the number to a function from arguments.py, which "
-    valid += "raises the ValueError for you."
+    valid = "which is not valid here. The functions in arguments.py check a number and raise the "
+    valid += "ValueError for you."
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]

@@ -17,6 +17,7 @@ from pathlib import Path
 # If one of these errors occurs, the machine is to blame and not the submission.
 OURS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EIO, errno.ESTALE)
 DEEPEST = 3  # a chapter's folder may be at most this many levels below the submission
+MOST_OTHERS = 200  # entries of a chapter's folder, where students have about twenty
 MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of one submission
 
 
@@ -35,13 +36,15 @@ class Found:
     the file. It takes the largest size to accept, and raises NotTakenError if it rejects the file.
 
     If ``doubtful`` is true, the file's folder is unreadable. The file then counts only if the
-    submission has no other folder for that chapter.
+    submission has no other folder for that chapter. If ``other`` is true, it is not a file that we
+    grade, but it may be one under another name.
     """
 
     place: tuple[str, ...]
     file: str
     read: Callable[[int], bytes]
     doubtful: bool = False
+    other: bool = False
 
 
 def search_folder(
@@ -128,6 +131,11 @@ def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> lis
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 
+def other_file(place: tuple[str, ...], name: str) -> Found:
+    """Describe a submitted file that is not one of those that we grade."""
+    return Found(place, name, refuse("it is not a file of this chapter"), other=True)
+
+
 def too_large(what: str, largest: int) -> NotTakenError:
     """Create the error for a submitted file or zip that is larger than ``largest`` bytes."""
     return NotTakenError(f"{what} is larger than {largest:,} bytes")
@@ -155,6 +163,9 @@ def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) 
             for file in files:
                 if _mode(folder / file):
                     found.append(Found(place, file, partial(read_file, folder / file)))
+            with os.scandir(folder) as entries:
+                names = [entry.name for entry in itertools.islice(entries, MOST_OTHERS)]
+            found += [other_file(place, name) for name in names if name not in files]
     except OSError as error:
         reason = f"a folder of the submission cannot be read: {cause(error)}"
         return refuse_all(place, files, reason)

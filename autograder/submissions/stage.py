@@ -15,6 +15,7 @@ from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, NotTakenError, cause, refuse_all, search_folder
+from autograder.submissions.renamed import renamed
 from autograder.submissions.zips import search_zip, search_zips_in
 
 LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten thousand
@@ -99,11 +100,16 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
     We take the least deeply nested folder and, if several tie, the first by name. A folder with the
     original stubs of a handout counts only if there is no other. If there are several folders, a
-    note for the instructor says which one was used.
+    note for the instructor says which one was used. A file that was handed in under a similar name
+    is rejected with a reason that says so.
     """
-    mine = [file for file in found if file.place[-1] == chapter.name]
+    all_of_it = [file for file in found if file.place[-1] == chapter.name]
+    mine = [file for file in all_of_it if not file.other]
     places = sorted(
-        {(file.doubtful, KEPT in file.place[:-1], len(file.place), file.place) for file in mine}
+        {
+            (file.doubtful, KEPT in file.place[:-1], len(file.place), file.place)
+            for file in mine or all_of_it
+        }
     )
     if not places:
         return {}, []
@@ -113,6 +119,8 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
         path = "/".join(place)
         notes.append(f"there are {several} folders called {chapter.name}: '{path}' was used")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
+    there = [file.file for file in all_of_it if file.place == place]
+    chosen += renamed(place, chapter.handed_in, there)
     return {file.file: file for file in chosen}, notes
 
 

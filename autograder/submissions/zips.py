@@ -23,6 +23,7 @@ from autograder.submissions.folders import (
     Found,
     NotTakenError,
     is_skipped,
+    other_file,
     read_file,
     refuse,
     refuse_all,
@@ -66,26 +67,30 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
         raise NotTakenError(f"the zip contains more than {MOST_ENTRIES:,} files and folders")
     found: dict[tuple[tuple[str, ...], str], Found] = {}
     doubtful: list[Found] = []
+    others: list[Found] = []
     for entry in file.infolist():
         name = path_in_zip(entry)
         *above, last = name.rsplit("/", 2)
         if last in wanted and stat.S_ISLNK(entry.external_attr >> 16):
             doubtful += refuse_all((last,), wanted[last], "its folder is a symbolic link")
-        if not above or last not in wanted.get(above[-1], ()):
+        if not above or above[-1] not in wanted:
             continue
-        if is_unsafe(name):
+        is_graded = last in wanted[above[-1]]
+        place = tuple(name.split("/")[:-1])
+        if is_unsafe(name) and is_graded:
             doubtful += refuse_all(
                 (above[-1],), [last], "its path in the zip is absolute or has dots in it"
             )
-        elif name.count("/") <= DEEPEST:
-            *place, _ = name.split("/")
-            if any(map(is_skipped, place)):
-                continue
-            key = (tuple(place), last)
+        elif is_unsafe(name) or len(place) > DEEPEST or any(map(is_skipped, place)):
+            continue
+        elif not is_graded:
+            others.append(other_file(place, last))
+        else:
+            key = (place, last)
             twice = key in found
             read = refuse("it is in the zip twice") if twice else partial(read_entry, file, entry)
             found[key] = Found(*key, read)
-    return [*found.values(), *doubtful], []
+    return [*found.values(), *doubtful, *others], []
 
 
 def search_zips_in(

@@ -96,6 +96,21 @@ def test_only_the_chapters_that_are_asked_for_are_staged(hand_in: HandIn) -> Non
     assert [path.name for path in box.iterdir()] == ["ch02_vectors"]
 
 
+@pytest.mark.parametrize("name", ["vector (1).py", "Vector.py", "vectors.py", "vector_.py"])
+@pytest.mark.parametrize("beside", [{}, {EXERCISES: CODE}])
+def test_a_file_under_a_similar_name_is_named(
+    hand_in: HandIn, name: str, beside: dict[str, bytes]
+) -> None:
+    submission = hand_in({f"ch02_vectors/{name}": CODE, **beside})
+    why = f"it was handed in as '{name}', so rename it and hand it in again"
+    assert boxed(submission) == (beside, {VECTOR: why}, [])
+
+
+@pytest.mark.parametrize("name", ["vector.txt", "my_helpers.py", "vector\x1b.py", "._vector.py.py"])
+def test_a_file_under_another_name_is_not_named(hand_in: HandIn, name: str) -> None:
+    assert boxed(hand_in({f"ch02_vectors/{name}": CODE})) == NOTHING
+
+
 @pytest.mark.parametrize("place", ["*", "a/*", "a/b/*", "[x] Ångström\n/$(b)/*"])
 def test_a_chapter_may_stand_three_levels_down(hand_in: HandIn, place: str) -> None:
     assert boxed(hand_in({place.replace("*", "ch02_vectors") + "/vector.py": CODE})) == TAKEN

@@ -1,0 +1,33 @@
+"""Recognize a student's file that was handed in under a similar name, such as "vector (1).py"."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterable, Sequence
+
+from autograder.submissions.folders import Found, refuse
+
+HARMLESS = re.compile(r"[\w .()+-]{1,80}")  # names that can be shown in a report
+SIMILAR = 0.8  # least similarity, from 0 to 1; "vector (1).py" and "vector.py" have 0.82
+
+
+def renamed(place: tuple[str, ...], files: Sequence[str], there: Iterable[str]) -> list[Found]:
+    """Look for files of a chapter that a student has handed in under a similar name.
+
+    ``place`` is the chapter's folder in the submission, ``there`` are the names in it, and
+    ``files`` are the names that the grader looks for. A file with a similar name is rejected, and
+    the reason says so.
+    """
+    names = set(there)
+    others = [name for name in sorted(names - {*files}) if HARMLESS.fullmatch(name)]
+    found = []
+    for file in files:
+        if file in names:
+            continue
+        ending = f".{file.rpartition('.')[2]}"
+        alike = [name for name in others if name.endswith(ending)]
+        for name in difflib.get_close_matches(file, alike, 1, SIMILAR):
+            reason = f"it was handed in as '{name}', so rename it and hand it in again"
+            found.append(Found(place, file, refuse(reason)))
+    return found

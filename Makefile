@@ -20,7 +20,7 @@ TAKES_check := CH EX GIVEN ENGINE SEED
 TAKES_hint := EX N GIVEN
 TAKES_reset := EX WHOLE GIVEN ENGINE
 TAKES_plot := CH GIVEN ENGINE
-TAKES_demo := DEMO GIVEN ENGINE
+TAKES_demo := DEMO SET GIVEN ENGINE
 TAKES_lab := CH SCENE SET OPEN GIVEN ENGINE
 TAKES_setup :=
 TAKES_help :=
@@ -64,7 +64,7 @@ plot: $(READY) ## draw the pictures of a chapter with your engine (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
 
 demo: $(READY) ## run a scene of the lab in its own window (DEMO=fireworks)
-	@$(RUN) -m lab play $(if $(DEMO),"$(DEMO)") --engine "$(ENGINE)" $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
+	@$(RUN) -m lab play $(if $(DEMO),"$(DEMO)") --engine "$(ENGINE)" $(if $(GIVEN),--given "$(GIVEN)") $(foreach set,$(SET),--set "$(set)") $(DIAGNOSIS)
 
 setup: $(READY) ## create .venv (the other commands do this when needed)
 	@echo "Set up: .venv is ready."

@@ -98,6 +98,12 @@ def test_every_command_of_students_takes_given(arguments: str) -> None:
     assert '--given "2"' in done.stdout
 
 
+@pytest.mark.parametrize("command", ["lab SCENE=cloth", "demo DEMO=cloth"])
+def test_a_scene_takes_several_settings(command: str) -> None:
+    done = make("--dry-run", *command.split(), "SET=rate=240 mass=2")
+    assert '--set "rate=240" --set "mass=2"' in done.stdout
+
+
 def test_reports_with_codes_go_to_a_folder_of_their_own() -> None:
     with_names = make("--dry-run", "grade", "ROSTER=a b.csv", "ANONYMOUS=0").stdout
     assert '--out "build/grades"' in with_names

@@ -1,9 +1,9 @@
 """Compare the book's two equations for damping, which slows a particle down.
 
-The damping d is the fraction of its velocity that a particle keeps. The equations differ in how
-often the velocity is multiplied by d. In Eq. 3.5 this happens once per time step, however long the
-step is. In Eq. 3.6 it happens once per second of simulated time, so the frame rate makes no
-difference. The engine itself uses a variant of Eq. 3.6, which is in particle.py.
+The damping d is the fraction of its velocity that a particle keeps. In Eq. 3.5 the particle keeps
+this fraction in every time step, however long the step is. In Eq. 3.6 it keeps this fraction in
+every second of simulated time, so the damping does not depend on the frame rate. The engine itself
+uses a variant of Eq. 3.6, which is in particle.py.
 
 Both functions return the velocity after a time step as a new vector, and do not change their
 arguments. The velocity is in m/s, the acceleration in m/s^2 and the duration in s. A damping or a

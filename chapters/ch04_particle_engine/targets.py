@@ -19,7 +19,7 @@ class TargetBlock:
 
     The sides of the box are parallel to the axes, and ``size`` contains their lengths along X, Y
     and Z in m. ``particle`` holds the mass and velocity of the block, and its position is the
-    center of the box. If its mass is ``math.inf``, a shot cannot move the block. ``damping``
+    center of the box. If the mass is ``math.inf``, a shot cannot move the block. ``damping``
     imitates friction and brings the block to rest after a hit. ``hits`` counts the shots that have
     hit it.
 

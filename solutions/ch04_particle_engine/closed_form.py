@@ -20,8 +20,8 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     """Compute three factors that give the exact motion of a particle with drag.
 
     A particle starts at the position p with the velocity v and a constant acceleration a. After t
-    s, its velocity is v * kept + a * gone, and its position is p + v * gone + a * fallen. Here
-    kept, gone and fallen are the three factors:
+    seconds, its velocity is v * kept + a * gone, and its position is p + v * gone + a * fallen.
+    Here kept, gone and fallen are the three factors:
 
     - kept = d^t, which has no unit, is the fraction of the velocity that remains.
     - gone = (1 - d^t) / k, in s, is how far an initial speed of 1 m/s takes the particle.

@@ -1,9 +1,11 @@
 """Check arguments, and reject invalid values with an error that names the argument.
 
-If the value is valid, each function returns it as a float or a copy. If not, it raises ValueError,
-or TypeError for a wrong type, with a message that contains the argument's name and its value. NaN
-needs special care, because every comparison with it is False. That is why each function tests for
-valid values and rejects everything else.
+If the value is valid, the function returns it. Most functions for numbers convert it to a float,
+and the one for vectors copies it. If the value is invalid, the function raises ValueError, or
+TypeError if the type is wrong. The message contains the name and the value of the argument.
+
+NaN needs special care, because every comparison with it is False. That is why each function tests
+for valid values and rejects everything else.
 
 This file is complete, and you do not hand it in. If you need more functions, write them in the
 files that you edit.
@@ -45,14 +47,16 @@ def positive(name: str, value: float) -> float:
 
 
 def positive_or_infinite(name: str, value: float) -> float:
-    """Return ``value`` as a float, or raise an error unless it is greater than 0 or infinite."""
+    """Return ``value`` as a float, or raise an error unless it is positive. Infinity is allowed."""
     if not (isinstance(value, (int, float)) and (0.0 < value <= LARGEST or value == math.inf)):
         raise _refusal(name, value, "positive")
     return float(value)
 
 
 def whole(name: str, value: int) -> int:
-    """Return ``value``, or raise an error unless it is an int of at least 1. Reject True and False.
+    """Return ``value``, or raise an error unless it is an int of at least 1.
+
+    True and False are rejected.
     """
     if not isinstance(value, int) or isinstance(value, bool):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
@@ -71,7 +75,7 @@ def finite_vector(name: str, v: Vector3) -> Vector3:
 
 
 def instance_of(name: str, value: Value, kind: type) -> Value:
-    """Return ``value``, or raise TypeError unless it is an object of the class ``kind``."""
+    """Return ``value``, or raise TypeError unless it is an instance of the class ``kind``."""
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a {kind.__name__}, got {value!r}")
     return value

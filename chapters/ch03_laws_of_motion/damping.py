@@ -1,9 +1,9 @@
 """Compare the book's two equations for damping, which slows a particle down.
 
-The damping d is the fraction of the velocity that is kept, and the equations differ in how often
-this fraction applies. In Eq. 3.5 each time step keeps the fraction d, however long the step is. In
-Eq. 3.6 each second of simulated time keeps it, so the motion does not depend on the frame rate. The
-engine's own form is in particle.py.
+The damping d is the fraction of its velocity that a particle keeps. In Eq. 3.5 the particle keeps
+this fraction in every time step, however long the step is. In Eq. 3.6 it keeps this fraction in
+every second of simulated time, so the damping does not depend on the frame rate. The engine itself
+uses a variant of Eq. 3.6, which is in particle.py.
 
 Both functions return the velocity after a time step as a new vector, and do not change their
 arguments. The velocity is in m/s, the acceleration in m/s^2 and the duration in s. A damping or a
@@ -21,8 +21,8 @@ def damp_per_frame(
     """Compute a velocity after one time step, with damping that is applied once per step.
 
     The result is v' = v d + a h, where a is the acceleration and h is the duration. Every step
-    keeps the fraction d of the velocity, however long the step is. A higher frame rate means more
-    steps per second, so it damps the motion more strongly.
+    multiplies the velocity by d, however long the step is. A higher frame rate means more steps per
+    second, so it damps the motion more strongly.
 
     Raises:
         ValueError: if the damping is negative or not finite, or if the duration is not positive and
@@ -38,9 +38,9 @@ def damp_per_second(
 ) -> Vector3:
     """Compute a velocity after one time step, with damping that depends on the step's duration.
 
-    The result is v' = v d^h + a h, where a is the acceleration and h is the duration. Every second
-    keeps the fraction d of the velocity, so a step of h s keeps d^h of it. ``Particle.kick`` uses
-    the form of the book's listing instead, which is (v + a h) d^h (erratum E-16).
+    The result is v' = v d^h + a h, where a is the acceleration and h is the duration. The particle
+    keeps the fraction d of its velocity per second, so in a step of h s it keeps d^h. In contrast,
+    ``Particle.kick`` computes (v + a h) d^h, like the book's listing (erratum E-16).
 
     Raises:
         ValueError: if the damping is negative or not finite, or if the duration is not positive and

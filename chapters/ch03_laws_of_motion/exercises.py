@@ -1,8 +1,8 @@
 """Functions that solve the exercises of the book's chapter 3.
 
-Exercise 3.3 is the method ``Particle.kinetic_energy`` in particle.py. None of these functions
-changes its arguments. All of them raise TypeError if an argument that must be a number is something
-else.
+The solution of exercise 3.3 is in particle.py, as the method ``Particle.kinetic_energy``. None of
+these functions changes its arguments. All of them raise TypeError if an argument that should be a
+number is not one.
 """
 
 from __future__ import annotations
@@ -55,8 +55,8 @@ def position_by_equation(
     """Compute a particle's position after ``time`` s of constant acceleration, without time steps.
 
     The result is p' = p + v t + a t^2 / 2 in m, as a new vector. It is exact, so you can use it to
-    measure the error of a simulation that makes time steps. In all examples for exercise 3.4, the
-    start position and two components of the acceleration differ from the book's.
+    measure the error of a simulation that makes time steps. The examples for exercise 3.4 use a
+    different start position and acceleration than the book.
 
     Raises:
         ValueError: if the time is not positive and finite.
@@ -130,12 +130,13 @@ def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[f
 def damping_difference(
     velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
 ) -> float:
-    """Measure the average difference, in m/s, between the results of the book's damping equations.
+    """Measure how much the book's two damping equations differ, as an average over several runs.
 
     Each item of ``runs`` is one run: a list of step durations in s. In each run, two particles
     start with the same ``velocity`` in m/s and make the same steps with the same damping. One of
-    them follows Eq. 3.5, and the other follows Eq. 3.6. At the end of the run, take the length of
-    the difference between their velocities. The result is the mean of these lengths over all runs.
+    them follows Eq. 3.5, and the other follows Eq. 3.6. At the end of the run, subtract one
+    velocity from the other, and take the length of the difference. Return the mean of these lengths
+    in m/s.
 
     Raises:
         ValueError: if there are no runs, if the damping is negative or not finite, or if a duration

@@ -1,4 +1,4 @@
-"""A Catherine wheel (mini-project 4.4): a nozzle on a rotating wheel throws sparks.
+"""A Catherine wheel (mini-project 4.4), which is a firework that rotates and throws sparks.
 
 The wheel rotates at a constant rate, so a formula gives the angle, the position and the velocity of
 the nozzle at any time. The wheel itself therefore needs no simulation, and only the sparks are
@@ -18,7 +18,7 @@ class CatherineWheel:
 
     ``center`` and ``radius`` are in m. The wheel rotates from X toward Y at ``rate`` in rad/s. A
     nozzle on its rim throws ``sparks_per_second`` sparks in each second. The sparks are fireworks
-    of the type ``spark_type``, which burn in ``show``. The sparks leave the nozzle backward,
+    of the type ``spark_type``, and the wheel adds them to ``show``. They leave the nozzle backward,
     against the motion of the rim, at the speed ``jet`` in m/s. ``angle`` is the current angle of
     the nozzle in radians, measured from the X axis, and ``thrown`` counts the sparks that have left
     it.

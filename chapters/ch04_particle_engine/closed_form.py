@@ -17,9 +17,9 @@ from ch03_laws_of_motion.particle import Particle
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     """Compute three factors that give the exact motion of a particle with drag.
 
-    A particle starts at the position p with the velocity v and a constant acceleration a. After t s
-    its velocity is v(t) = v kept + a gone, and its position is p(t) = p + v gone + a fallen. The
-    three factors are called kept, gone and fallen:
+    A particle starts at the position p with the velocity v and a constant acceleration a. After t
+    seconds, its velocity is v * kept + a * gone, and its position is p + v * gone + a * fallen.
+    Here kept, gone and fallen are the three factors:
 
     - kept = d^t, which has no unit, is the fraction of the velocity that remains.
     - gone = (1 - d^t) / k, in s, is how far an initial speed of 1 m/s takes the particle.
@@ -59,7 +59,7 @@ def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
 def burst_positions(
     start: float, speeds: Sequence[float], acceleration: float, damping: float, time: float
 ) -> list[float]:
-    """Compute where all sparks of a burst are along one axis, in m, after ``time`` s.
+    """Compute the position of each spark of a burst along one axis, in m, after ``time`` s.
 
     All sparks start at the same position and time, with the same acceleration and damping. They
     differ only in their ``speeds`` along the axis, in m/s. So compute everything that they share

@@ -1,7 +1,7 @@
 """The behavior of a grenade (mini-project 4.1): it bounces, and it bursts when its fuse runs out.
 
 The bounce is a simple rule that works only for this type of shot on level ground. Chapter 7
-replaces such rules by contacts, which work for any particle.
+replaces such rules with contacts, which work for any particle.
 """
 
 from __future__ import annotations

@@ -1,11 +1,10 @@
-"""Slow down a bullet so that the player can see it, by changing its mass and gravity (book 4.1.1).
+"""Change the mass and gravity of a bullet so that it flies slowly enough to be seen (book 4.1.1).
 
-A real bullet is too fast to be seen, so a game slows it down. ``factor`` is the real speed divided
-by the speed in the game. For example, if a bullet of 500 m/s flies at 25 m/s in the game, the
-factor is 20. The book defines this ratio in two opposite ways (erratum E-19).
+A slow bullet should still hit as hard as a real one and follow the same path. ``factor`` is the
+real speed divided by the speed in the game. For example, if a bullet of 500 m/s flies at 25 m/s in
+the game, the factor is 20. The book defines this ratio in two opposite ways (erratum E-19).
 
-Every function of this chapter raises TypeError if an argument that must be a number is something
-else.
+Every function of this chapter raises TypeError if an argument that should be a number is not one.
 """
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from __future__ import annotations
 def muzzle_energy(mass: float, speed: float) -> float:
     """Compute the kinetic energy of a shot, m v^2 / 2, in J.
 
-    This energy decides how much work the shot can do on a target. The mass is in kg and the speed
+    The energy determines how much work the shot can do on a target. The mass is in kg and the speed
     in m/s.
 
     Raises:
@@ -30,8 +29,8 @@ def muzzle_energy(mass: float, speed: float) -> float:
 def slowed_mass(mass: float, factor: float) -> float:
     """Compute the mass in kg that gives a slowed shot the kinetic energy of the real shot.
 
-    The shot is ``factor`` times slower than a real one, so it needs a larger mass to have the same
-    energy. It then does as much work on a target.
+    The slowed shot flies at the real speed divided by ``factor``. It needs a larger mass to have
+    the same energy, so that it does the same work on a target as the real shot.
 
     Raises:
         ValueError: if the mass or the factor is not positive and finite.

@@ -1,7 +1,8 @@
-"""Sparks that rotate on the screen at a constant rate, for a picture without physics (book 4.2.3).
+"""Sparks that are drawn as rotating squares (book 4.2.3).
 
-A rotation at a constant rate needs no time steps, because a formula gives the angle at any time.
-The book mentions an exercise with such sparks but does not contain it (erratum E-35).
+The rotation only makes the picture livelier and has no effect on the motion of the sparks. Its rate
+is constant, so a formula gives the angle at any time, and no time steps are needed. The book refers
+to an exercise about such sparks, but the exercise is missing (erratum E-35).
 """
 
 from __future__ import annotations
@@ -13,8 +14,8 @@ def screen_angle(start: float, rate: float, time: float) -> float:
     """Compute the angle of a spark that rotates on the screen at a constant rate.
 
     The angle is ``start`` at time 0 and grows by ``rate`` per second. All angles are in radians,
-    and ``time`` is in s. Remove full turns from the result, so that it is from -pi to pi, because
-    they make no difference on the screen.
+    and ``time`` is in s. Full turns make no difference on the screen, so remove them from the
+    result. It then lies between -pi and pi.
 
     Raises:
         ValueError: if an argument is not finite.

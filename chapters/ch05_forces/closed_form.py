@@ -38,7 +38,7 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 
 
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
-    """Compute the speed in m/s of a body after ``time`` s in which only drag has acted on it.
+    """Compute the speed in m/s of a body after drag alone has acted on it for ``time`` s.
 
     If v is the ``speed`` at the start and s = k1 t / m, the result is v e^-s / (1 + k2 v (1 - e^-s)
     / k1). For k1 = 0 you would divide by 0, so replace (1 - e^-s) / k1 by its limit t / m.

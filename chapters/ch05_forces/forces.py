@@ -75,8 +75,8 @@ class ForceRegistry:
 
         ``duration`` is the length of the step in s. Skip immovable particles, because no force can
         move them. A generator may add or remove pairs while this method runs, but the change takes
-        effect only in the next call. If a generator raises an exception, pass it on. The generators
-        that come after it are then not called.
+        effect only in the next call. If a generator raises an exception, let it propagate, and do
+        not call the remaining generators.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case no generator is
@@ -105,9 +105,10 @@ class Gravity:
 
 
 class Drag:
-    """Drag: a force against the motion that grows with the speed and its square.
+    """A force generator for drag, a force that opposes the motion and grows with the speed.
 
-    ``k1`` in N s/m is multiplied by the speed, and ``k2`` in N s^2/m^2 by the square of the speed.
+    Its magnitude is the sum of two terms, ``k1`` times the speed and ``k2`` times the speed
+    squared. ``k1`` is in N s/m, and ``k2`` is in N s^2/m^2.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.
@@ -120,7 +121,7 @@ class Drag:
         self.k2 = not_negative("k2", k2)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag on ``particle``, which ``drag_force`` computes from its current velocity."""
+        """Compute the drag with ``drag_force``, and add it to the particle's other forces."""
         raise NotImplementedError("Exercise B5.5: Drag")
 
 
@@ -151,10 +152,10 @@ class Uplift:
         self.force = finite_vector("force", force)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the rising air if the particle is inside the column, at any height.
+        """Add the force of the rising air to the particle if it is inside the column.
 
-        The particle is inside if its horizontal distance (in X and Z) from the origin is at most
-        the radius. Exercise 5.1.
+        It is inside if its horizontal distance (in X and Z) from the origin is at most the radius.
+        The height does not matter. Exercise 5.1.
         """
         raise NotImplementedError("Exercise 5.1: An uplift column")
 
@@ -236,10 +237,10 @@ class InverseSquareGravity:
         self.mu = finite("mu", mu)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Pull the particle toward the center with the force m mu / r^2, where r is in m.
+        """Pull the particle toward the center with the force m mu / r^2.
 
-        Here r is the distance of the particle from the center. Skip an immovable particle, because
-        its force would be infinite.
+        Here r is the distance of the particle from the center in m. Skip an immovable particle,
+        because its force would be infinite.
 
         Raises:
             ArithmeticError: if the particle is at the center, or so close to it that the force is

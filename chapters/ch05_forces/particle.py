@@ -41,9 +41,10 @@ class Particle(particle.Particle):
         self._forces = [None, None]
 
     def __copy__(self) -> Particle:
-        """Return a copy of the particle with its own force accumulator.
+        """Return a copy of the particle that has a separate force accumulator.
 
-        The accumulator of the copy starts with the same sum of forces.
+        The copy starts with the same sum of forces. A force that you later add to one of the two
+        particles does not affect the other.
         """
         other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
         other.inverse_mass = self.inverse_mass
@@ -65,9 +66,9 @@ class Particle(particle.Particle):
     def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
         """Add a force in N to this particle, and the opposite force to the particle ``other``.
 
-        ``x``, ``y`` and ``z`` are the components of the force on this particle. By Newton's third
-        law, ``other`` gets the opposite force. You could also call ``add_force`` twice, but this
-        method takes half the time, which matters for a cloth with hundreds of springs.
+        ``x``, ``y`` and ``z`` are the components of the force on this particle. Newton's third law
+        gives the force on ``other``. You could also call ``add_force`` twice, but this method takes
+        half the time, which matters for a cloth with hundreds of springs.
 
         Raises:
             ValueError: if a component, or one of the two sums, is not finite. In that case neither
@@ -123,9 +124,9 @@ class Particle(particle.Particle):
 
         This is the constant acceleration plus f / m, where f is the sum of the forces that the last
         step used. The mass and the constant acceleration are the current ones, even if they have
-        changed since that step. Before the first step there is no such force, and an immovable
-        particle does not react to it, so the result is the constant acceleration alone. Book Eq.
-        3.2.
+        changed since that step. Before the first step there is no f, so the result is only the
+        constant acceleration. The same holds for an immovable particle, which does not react to
+        forces. Book Eq. 3.2.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")
 

@@ -1,9 +1,10 @@
 """The rules of a sniper game (project 4.2), in which the wind changes between shots.
 
-The player shoots at four discs of the same size. The rules do not need a screen. The Z axis points
-down the range, Y points up, and X points to the left of an observer who faces along Z. The player
-aims with two angles in radians: the azimuth from Z toward X, and the elevation above the
-horizontal. Everything here raises TypeError for an argument that is not a number.
+These rules draw nothing, so they work without a screen. The player shoots at four discs of the same
+size. The Z axis points down the range, Y points up, and X points to the left of an observer who
+faces along Z. The player aims with two angles in radians: the azimuth from Z toward X, and the
+elevation above the horizontal. Everything here raises TypeError for an argument that is not a
+number.
 """
 
 from __future__ import annotations
@@ -79,10 +80,11 @@ class Wind:
         self.velocity = Vector3()
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag on a particle, which depends on its velocity relative to the air.
+        """Add the drag of the moving air to the particle's other forces.
 
-        Compute the drag with ``drag_force``. A particle that moves with the air therefore feels no
-        force, and in still air the force is the same as that of ``Drag``. Project 4.2.
+        Compute it with ``drag_force`` from the velocity of the particle relative to the air. A
+        particle that moves with the air therefore feels no force. In still air, the force is the
+        same as with ``Drag``. Project 4.2.
         """
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 
@@ -125,8 +127,8 @@ class SniperRange:
         ``self.forces``.
 
         Raises:
-            ValueError: if an angle is not finite, or more than ``SWING`` to either side. In that
-                case no bullet is fired.
+            ValueError: if an angle is not finite, or is outside the range from -SWING to SWING. In
+                that case no bullet is fired.
 
         Project 4.2.
         """

@@ -137,11 +137,11 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
 
 
 def checked_duration(duration: float) -> float:
-    """Check that ``duration`` is a valid length for a time step in s, and return it as a float.
+    """Check the duration of a time step, in s, and return it as a float.
 
-    A valid duration is positive and finite. Call this function before you compute anything, so that
-    a rejected call changes nothing. The error message names the argument, says what it must be, and
-    shows the value: ``duration must be positive and finite, got -1.5``.
+    A valid duration is positive and finite. Call this function first, before anything has changed,
+    so that a step with an invalid duration changes nothing. The error message names the argument,
+    says what it must be, and shows the value: ``duration must be positive and finite, got -1.5``.
 
     Raises:
         ValueError: for zero, a negative number, an infinity or NaN.

@@ -61,7 +61,7 @@ class Vector3:
     def copy(self) -> Vector3:
         """Return a new vector with the same components.
 
-        Copy a vector before it changes in place, if you still need its current value.
+        If you still need the current value of a vector, copy it before you change it in place.
         """
         return Vector3(self.x, self.y, self.z)
 
@@ -99,8 +99,8 @@ class Vector3:
     def __mul__(self, scale: float) -> Vector3:
         """Multiply every component by a number, and return a new vector.
 
-        Both ``v * scale`` and ``scale * v`` call this method. Two vectors can be multiplied in
-        three different ways, so a vector as ``scale`` raises TypeError. Book 2.1.3.
+        Both ``v * scale`` and ``scale * v`` call this method. A vector as ``scale`` raises
+        TypeError, because there are three different products of two vectors. Book 2.1.3.
         """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)
@@ -204,9 +204,9 @@ class Vector3:
     def add_scaled(self, v: Vector3, scale: float) -> None:
         """Add a multiple of another vector, ``v * scale``, to this one, in place.
 
-        The engine uses this method for every update of the form p' = p + v h, because it creates no
-        temporary vector. It also works if ``v`` is the vector itself. Raises TypeError if ``v`` is
-        not a vector. Book 2.1.4.
+        Use this method to update a vector, for example a position by p' = p + v h. It is faster
+        than ``p += v * h``, because it creates no temporary vector. It also works if ``v`` is the
+        vector itself. Raises TypeError if ``v`` is not a vector. Book 2.1.4.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -246,7 +246,7 @@ class Vector3:
         return self.x * v.x + self.y * v.y + self.z * v.z
 
     def __matmul__(self, v: Vector3) -> float:
-        """Let ``a @ b`` return the scalar product of two vectors, as ``a.dot(b)`` does."""
+        """Return the scalar product of two vectors, so that ``a @ b`` equals ``a.dot(b)``."""
         if not isinstance(v, Vector3):
             return NotImplemented
         return self.dot(v)
@@ -280,9 +280,9 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
     Use it to build the axes of a camera or a contact when you know one direction exactly and a
     second one only roughly. The first vector of the basis points along ``a``, and the third is
     perpendicular to the plane of ``a`` and ``b``. The second vector lies in that plane, as close to
-    ``b`` as it can be while it is perpendicular to ``a``. All three are new vectors, and the vector
-    product of the first and the second is the third. Only the directions of ``a`` and ``b`` matter,
-    not their lengths.
+    ``b`` as it can be while it is perpendicular to ``a``. All three are new vectors. In a
+    right-handed basis, the third is the vector product of the first and the second. Only the
+    directions of ``a`` and ``b`` matter, not their lengths.
 
     Raises:
         ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, because such

@@ -142,7 +142,7 @@ class Particle:
         return self.acceleration.copy()
 
     def drift(self, duration: float) -> None:
-        """Move the particle with its velocity for ``duration`` s, leaving the velocity unchanged.
+        """Move the particle for ``duration`` s at its current velocity, which does not change.
 
         With h = ``duration``, the new position is p' = p + v h. An immovable particle does not move
         at all. The duration may be 0 or negative, because some integrators of chapter 6 split a
@@ -181,9 +181,9 @@ class Particle:
     def integrate(self, duration: float) -> None:
         """Move the particle by one time step of explicit Euler: first drift, then kick.
 
-        ``duration`` is in s. Because the drift comes first, the position changes with the velocity
-        from before the step. The term a h^2 / 2 is left out on purpose (book 3.3.2). This is the
-        book's integrator, although the book gives it another name (erratum E-17).
+        ``duration`` is in s. Because the drift comes first, the new position depends only on the
+        old velocity. The term a h^2 / 2 is left out on purpose (book 3.3.2). This is the book's
+        integrator, although the book gives it another name (erratum E-17).
 
         The new velocity must come from ``self.kick(duration)``, because the particle of chapter 5
         overrides ``kick`` to add forces. An immovable particle does not change.

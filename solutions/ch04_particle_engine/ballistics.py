@@ -25,7 +25,7 @@ END_OF_RANGE = 200.0  # m along Z, as in the book's listing; its text says 100 (
 
 @dataclass(frozen=True)
 class ShotType:
-    """A kind of ammunition, such as "pistol" or "laser", and the values with which it is fired.
+    """A kind of ammunition, such as "pistol" or "laser", and the properties that its shots share.
 
     The mass is in kg, the velocity in m/s and the acceleration in m/s^2. The damping is the
     fraction of its velocity that a shot keeps per second.
@@ -53,8 +53,8 @@ SHOT_TYPES = {type.name: type for type in _TYPES}
 class Shot:
     """A bullet, grenade or other shot that is in flight.
 
-    ``type`` is the name of its ammunition, such as "pistol". ``particle`` moves the shot, and
-    ``age`` is the time in s since it was fired.
+    ``type`` is the name of its ammunition, such as "pistol". ``particle`` holds the position and
+    velocity of the shot, and ``age`` is the time in s since it was fired.
     """
 
     __slots__ = ("age", "particle", "type")
@@ -98,13 +98,13 @@ def is_spent(shot: Shot) -> bool:
 
 
 def grenade_after(shot: Shot) -> list[Shot]:
-    """Let a grenade bounce or burst after a time step, and list the shots that fly on.
+    """Let a grenade bounce or burst, and return the shots that are in flight afterward.
 
-    When this function is called, the grenade has already moved. If it is now below the ground, let
-    it bounce first. Then check its fuse. If the age of the grenade has reached ``FUSE``, it bursts,
-    so return its fragments as shots of the type "fragment" with an age of 0. Otherwise return a
-    list that contains only the grenade, or an empty list if ``is_spent`` is True for it.
-    Mini-project 4.1.
+    Call this function after the grenade has moved by one time step. If the grenade is now below the
+    ground, let it bounce first. Then check its fuse. If the age of the grenade has reached
+    ``FUSE``, it bursts, so return its fragments as shots of the type "fragment" with an age of 0.
+    Otherwise return a list that contains only the grenade, or an empty list if ``is_spent`` is True
+    for it. Mini-project 4.1.
     """
     bounce(shot.particle)
     if shot.age >= FUSE:
@@ -113,13 +113,12 @@ def grenade_after(shot: Shot) -> list[Shot]:
 
 
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
-    """List the shots that fly on after ``shot`` has moved from ``start`` by one time step.
+    """Return the shots that remain after ``shot`` has moved from ``start`` by one time step.
 
-    If the shot has hit one of the ``targets`` on its path, the list is empty, because the shot
-    disappears. Use ``strike_first`` to find out, because it also pushes the target. Otherwise the
-    result depends on the type of the shot. For a grenade, it is the result of ``grenade_after``.
-    For any other shot, it is a list that contains only the shot, or an empty list if ``is_spent``
-    is True for it.
+    A shot disappears if it hits one of the ``targets`` on its path, so the list is empty. To check
+    for a hit, call ``strike_first``, which also pushes the target. If the shot has hit nothing, the
+    result depends on its type. For a grenade, it is the result of ``grenade_after``. For any other
+    shot, it is a list that contains only the shot, or an empty list if ``is_spent`` is True for it.
     """
     if targets and strike_first(start, shot.particle, targets):
         return []

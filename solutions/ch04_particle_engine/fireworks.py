@@ -23,7 +23,9 @@ POLICIES = ("keep_old", "drop_oldest")
 
 @dataclass(frozen=True)
 class Payload:
-    """Fireworks that another firework lights when it burns out: ``count`` of them, of one ``type``.
+    """Fireworks of one type that another firework lights when it burns out.
+
+    ``count`` is how many there are, and ``type`` is the number of their type.
 
     Raises:
         ValueError: if the count is below 1.
@@ -86,8 +88,8 @@ class FireworkRule:
 class Firework:
     """A firework that is burning at the moment.
 
-    ``type`` is the number of its type, and ``particle`` moves it. ``age`` is the time in s that is
-    left on the fuse, so it counts down.
+    ``type`` is the number of its type, and ``particle`` holds its position and velocity. ``age`` is
+    the time in s that is left on the fuse, so it counts down.
     """
 
     __slots__ = ("age", "particle", "type")
@@ -102,10 +104,10 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
     """Create a firework of the type that ``rule`` describes, with random numbers from ``random``.
 
     The age of the firework and each component of its velocity are drawn uniformly between the
-    rule's limits. A payload has a ``parent``, so it starts at the parent's position, and the
-    parent's velocity is added to the drawn velocity. A firework without a parent starts on the
-    ground, at one of ``LAUNCH_PLACES``. In both cases it has a mass of 1 kg, the acceleration
-    ``GRAVITY`` and the damping of the rule. Book 4.2.3.
+    rule's limits. A payload starts at the position of its ``parent``, the particle of the firework
+    that lit it, and the velocity of the parent is added to the drawn velocity. A firework without a
+    parent starts on the ground, at one of ``LAUNCH_PLACES``, chosen at random. In both cases it has
+    a mass of 1 kg, the acceleration ``GRAVITY`` and the damping of the rule. Book 4.2.3.
     """
     velocity = Vector3(*map(random.uniform, rule.min_velocity, rule.max_velocity))
     if parent is None:
@@ -140,13 +142,14 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
 
 class FireworksShow:
-    """A fireworks show. Its list of burning fireworks is in the order in which they were lit.
+    """A fireworks show, which lists its burning fireworks in the order in which they were lit.
 
-    At most ``capacity`` fireworks burn at a time, even if the rules light each other forever.
+    At most ``capacity`` fireworks burn at a time, even if their types light each other forever.
     ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are
     lit, as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room,
     as in the book's listing (erratum E-20). In both cases ``dropped`` counts the fireworks that
-    were not lit or were put out. The same ``seed`` always gives the same show.
+    were not lit, or were put out, because the show was full. The same ``seed`` always gives the
+    same show.
 
     Raises:
         ValueError: if two rules have the same type, a payload has a type without a rule, the

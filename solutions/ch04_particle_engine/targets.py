@@ -19,9 +19,10 @@ class TargetBlock:
     """A box that stands on the ground or on a post, and slides when a shot hits it.
 
     The sides of the box are parallel to the axes, and ``size`` contains their lengths along X, Y
-    and Z in m. ``particle``, at the center of the box, moves the block. If its mass is
-    ``math.inf``, a shot cannot move the block. ``damping`` imitates friction and brings the block
-    to rest after a hit. ``hits`` counts the shots that have hit it.
+    and Z in m. ``particle`` holds the mass and velocity of the block, and its position is the
+    center of the box. If the mass is ``math.inf``, a shot cannot move the block. ``damping``
+    imitates friction and brings the block to rest after a hit. ``hits`` counts the shots that have
+    hit it.
 
     Raises:
         ValueError: if a side or the mass is not positive, or if the damping is negative or not

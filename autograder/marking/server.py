@@ -95,8 +95,8 @@ class Marks(Handler):
     """Sends the marks for written answers to the marking page, and changes them at its request.
 
     A request to change a mark includes the old mark that the page displayed. If somebody has
-    changed the mark in the file since then, the user has not seen that change, so it is not
-    overwritten.
+    changed the mark in the file since then, the request is refused, because the user has not seen
+    that change.
     """
 
     site: Marking
@@ -134,7 +134,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks to the marking page, so that it picks up those changed on other pages."""
+        """Send all current marks to the marking page, including those changed on other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:

@@ -35,7 +35,7 @@ class Code:
 class Pair:
     """A function as the student wrote it, next to the same function in the reference solution.
 
-    Either version is None if it does not exist.
+    A version that does not exist is None.
     """
 
     name: str
@@ -69,8 +69,8 @@ def compare_others(
 ) -> list[Compared]:
     """Pair functions that belong to no exercise, such as helpers, with the reference solution.
 
-    If a function is identical on both sides, perhaps because students did not have to write it, it
-    is left out. So is all code outside functions.
+    Functions that are identical in both are left out, because they may have been given to the
+    students. Code outside functions is left out too.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []

@@ -91,10 +91,10 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Read the functions in one module of a student or of the reference solution.
+    """Read the functions in one module, from a student's files or from the reference solution.
 
-    The result maps names such as "Particle.mass" to the code. Functions that cannot be parsed are
-    left out.
+    The result maps each name, such as "Particle.mass", to the function's code. Functions that
+    cannot be parsed are left out.
     """
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}

@@ -179,7 +179,7 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
     """Tell the student where to find the chapter's picture, or which command draws it.
 
-    An existing picture counts only if the student's own engine drew it, and if the code has not
+    The command is named unless the student's own engine has drawn the picture and the code has not
     changed since.
     """
     folder = ROOT / "build" / "plots" / chapter.name

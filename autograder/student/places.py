@@ -22,8 +22,8 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
     If the check's message names a line, we take that one. Otherwise, we take the start of the
     function that the check calls. We ignore a line in a file that must not be edited. Usually we
-    also ignore a line in a function of another exercise, because that function may be correct. For
-    a check of data that the student entered, the result is the data file.
+    also ignore a line in a function of another exercise, because that function may be correct. If
+    the check is about data that the student entered, we return the path of the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where

@@ -44,7 +44,7 @@ class Report:
     """The results of checking a student's code for one chapter.
 
     ``results`` come from a run that uses the student's own earlier chapters. ``on_reference`` comes
-    from a second run that uses our solutions to them, and is empty if there was no such run.
+    from a second run with our solutions to those chapters, and is empty if there was no such run.
     ``suspects`` are earlier chapters that may have caused failures.
     """
 
@@ -158,7 +158,7 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print a table of a chapter's exercises, and warn about modules that are not handed in."""
+    """Print a table of a chapter's exercises and points, and warn about extra modules."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
@@ -215,7 +215,7 @@ def points_of(chapter: Chapter, result: Result) -> str:
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Warn the student about modules that are not handed in, as they belong to no exercise."""
+    """Warn the student about modules that are not handed in, since they belong to no exercise."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     extra = [name for name in files if name not in known]

@@ -203,8 +203,8 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 def cause(error: OSError) -> str:
     """Say why a submitted file cannot be read.
 
-    An error that says nothing about the submission is raised again. For example, our own machine
-    may have run out of memory.
+    An error that says nothing about the submission is raised again, for example if our own machine
+    has run out of memory.
     """
     if error.errno in OURS:
         raise error

@@ -1,9 +1,9 @@
 """Compile Python's standard library and the course, and pack them into archives for the browser.
 
-The script runs in Pyodide under Node.js. It reads the folder /in and writes to /out. Importing a
-compiled module is five times as fast. The student's modules, the checks and the scenes are not
-compiled, because tracebacks show their source code and the list of scenes is read from it.
-Compiling the checks would save a tenth of a second once per chapter, but would add 0.8 MB.
+The script runs in Pyodide under Node.js. It reads the folder /in and writes to /out. Compiled
+modules are imported five times as fast as source files. The student's modules, the checks and the
+scenes are not compiled, because tracebacks show their source code and the list of scenes is read
+from it. Compiling the checks would save a tenth of a second once per chapter, but would add 0.8 MB.
 """
 
 import importlib.util

@@ -1,4 +1,4 @@
-"""Convert the results of checks to data for the page, worded as make check words them."""
+"""Convert the results of checks to data for the page, in the words that make check uses."""
 
 from __future__ import annotations
 

@@ -5,8 +5,8 @@ hashes is kept as a fingerprint. So if two students' functions have GRAM + WINDO
 tokens in common, they share at least one fingerprint.
 
 Renaming variables does not hide a copy, because within a sequence the student's own names are
-replaced with numbers, in order of appearance. Moving statements around does not hide it either. A
-sequence is no longer than a short statement, so most fingerprints stay the same.
+replaced with numbers, in order of appearance. Moving statements around hides little, because a
+sequence is no longer than a short statement. Most fingerprints stay the same.
 """
 
 from __future__ import annotations

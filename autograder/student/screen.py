@@ -158,7 +158,7 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print a table of a chapter's exercises and points, and warn about extra modules."""
+    """Print a table of a chapter's exercises, and warn about modules that are not handed in."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results

@@ -10,10 +10,11 @@ from pathlib import Path
 def imported_by(
     roots: Iterable[Path], folders: Iterable[Path], packages: Collection[str]
 ) -> list[Path]:
-    """Find the files of ``packages`` that the root files import, directly or indirectly.
+    """Find the files of ``packages`` that some Python files import, directly or indirectly.
 
-    Imports inside functions count too. ``folders`` are the folders that contain the packages. A
-    root file that belongs to one of the packages is included in the result.
+    ``roots`` are the files to start from, and ``folders`` are the folders that contain the
+    packages. Imports inside functions count too. A root file that belongs to one of the packages is
+    included in the result.
     """
     folders = list(folders)
     found: set[Path] = set()

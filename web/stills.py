@@ -1,8 +1,8 @@
-"""Draw the pictures of scenes that readers see before they start one: python -m web.stills FOLDER.
+"""Draw the pictures that readers see before they start a scene: python -m web.stills FOLDER.
 
 Each scene is drawn as it looks after a scripted player has briefly played it on the reference
-engine. A lesson's command with settings, `make lab SCENE=... SET=...`, gets a picture of the start
-of the scene instead, because a later picture would give away the outcome.
+engine. A lesson can also start a scene with settings, as in `make lab SCENE=... SET=...`. In that
+case the picture shows the start of the scene, because a later one would give away the outcome.
 """
 
 from __future__ import annotations

@@ -52,8 +52,8 @@ def collect_tasks(
 ) -> list[Task]:
     """Collect the written questions of these chapters, each with the answers of all students.
 
-    The answers are in an order that does not depend on the students' names, so that it does not
-    give away who wrote what. The order is the same on every call, and missing answers come last.
+    The answers are sorted by the codes that replace the students' names, so that their order does
+    not reveal who wrote them. Missing answers come last.
 
     Raises:
         ValueError: A question has no model answer.
@@ -77,7 +77,7 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield one student's answer to each written question, as in ("2.2b", answer).
+    """Yield one student's answer to each written question, in pairs such as ("2.2b", answer).
 
     The text of a missing answer is empty.
     """
@@ -117,9 +117,9 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of the chapter for which students hand in only the file answers.md.
+    """Return a copy of the chapter in which answers.md is the only file that students hand in.
 
-    Their code is not needed for marking, so it is not copied.
+    Marking does not need the students' code, so it is not copied.
     """
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])

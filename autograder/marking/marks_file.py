@@ -69,9 +69,10 @@ class MarksFile:
             replace_file(self.path, "".join(lines))
 
     def _lines(self) -> list[str]:
-        """Return the lines of marks.csv with their line endings, or the header if there is no file.
+        """Return the lines of marks.csv, or only the header if the file does not exist.
 
-        ``read_rows`` counts lines in the same way when it reports where each mark begins and ends.
+        Each line keeps its line ending. Lines are counted as in ``read_rows``, which reports the
+        first and last line of each mark.
         """
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]

@@ -53,8 +53,8 @@ class Marking(Site):
     def known(self) -> dict[str, dict[str, Any]]:
         """Read the marks from marks.csv, and sort them by exercise and by student.
 
-        For example, ``known()["2.2b"]`` holds the marks for exercise 2.2b. Its keys are the codes
-        that stand for students on the marking page.
+        For example, ``known()["2.2b"]`` is a dict of all marks for exercise 2.2b. The keys in this
+        dict are the codes that stand for students on the marking page.
         """
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
@@ -95,8 +95,8 @@ class Marks(Handler):
     """Sends the marks for written answers to the marking page, and changes them at its request.
 
     A request to change a mark includes the old mark that the page displayed. If somebody has
-    changed the mark in the file since then, the user has not seen that change, so it is not
-    overwritten.
+    changed the mark in the file since then, the request is refused. That way nobody overwrites a
+    mark without having seen it.
     """
 
     site: Marking
@@ -134,7 +134,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks to the marking page, so that it picks up those changed on other pages."""
+        """Send all current marks to the marking page, including those changed on other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:

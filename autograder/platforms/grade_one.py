@@ -115,10 +115,10 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Choose the sandbox for the student's code on Gradescope's machine.
+    """Choose the sandbox in which the student's code runs on Gradescope's machine.
 
-    Without a sandbox, student code must never run as root. If this machine has none and ``unsafe``
-    permits grading anyway, this process switches from root to an unprivileged user first.
+    Grading on a machine without a sandbox is possible only if ``unsafe`` is true. Student code must
+    not run as root in that case, so the process first switches from root to an unprivileged user.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

@@ -33,9 +33,9 @@ def make_gradescope(
 ) -> None:
     """Write the zip file that an instructor uploads to Gradescope, and print what it contains.
 
-    ``work`` describes the assignment. Its given chapters come from the reference solution, even if
-    students hand in their own files for them. ``unsafe`` permits grading without a sandbox on a
-    machine that has none.
+    ``work`` describes the assignment. For its given chapters, the grader uses the reference
+    solution, even if students hand in their own files. ``unsafe`` permits grading on a machine that
+    has no sandbox.
 
     Raises:
         ValueError: ``out`` does not name a .zip file, or hidden checks would be unprotected.
@@ -100,10 +100,10 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Read the instructor's hidden checks of the graded chapters, to be put into Gradescope's zip.
+    """Read the instructor's hidden checks for the graded chapters, which go into Gradescope's zip.
 
     Returns:
-        The content of each file, with its path in the zip as the key.
+        A dict from the path of each file in the zip to the contents of the file.
     """
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()

@@ -21,8 +21,8 @@ CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment
 class Column:
     """The gradebook column on Canvas or Moodle into which the grades are imported.
 
-    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is how much
-    the assignment is worth on the platform, and all grades are scaled to it.
+    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is the number
+    of points that the assignment is worth on the platform. All grades are scaled to this number.
     """
 
     title: str = ""

@@ -35,7 +35,7 @@ class Code:
 class Pair:
     """A function as the student wrote it, next to the same function in the reference solution.
 
-    Either version is None if it does not exist.
+    A version that does not exist is None.
     """
 
     name: str
@@ -69,8 +69,8 @@ def compare_others(
 ) -> list[Compared]:
     """Pair functions that belong to no exercise, such as helpers, with the reference solution.
 
-    If a function is identical on both sides, perhaps because students did not have to write it, it
-    is left out. So is all code outside functions.
+    Functions that are identical in both are left out, because they may have been given to the
+    students. Code outside functions is left out too.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []
@@ -91,10 +91,10 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Read the functions in one module of a student or of the reference solution.
+    """Read the functions in one module, from a student's files or from the reference solution.
 
-    The result maps names such as "Particle.mass" to the code. Functions that cannot be parsed are
-    left out.
+    The result maps each name, such as "Particle.mass", to the function's code. Functions that
+    cannot be parsed are left out.
     """
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}

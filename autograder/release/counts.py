@@ -1,7 +1,7 @@
 """Count the lines, calls and new objects in a student's function and in the reference solution.
 
-The counts let a student see how the two versions differ. They come from the source text. The code
-never runs, so a call inside a loop counts only once.
+The counts let a student see how the two versions differ. They come from reading the source text
+rather than running it, so a call inside a loop counts only once.
 """
 
 from __future__ import annotations

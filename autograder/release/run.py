@@ -122,9 +122,8 @@ def _compare(
     """Compare a student's solved exercises with the reference solution, function by function.
 
     Returns:
-        Three things: the comparisons, the ids of the released exercises that the student has not
-        solved, and the reason why there are no comparisons. The reason matters only if there are
-        none.
+        The comparisons, the ids of the released exercises that the student has not solved, and the
+        reason to show if there are no comparisons.
     """
     if report is None:
         return [], [], "the work was not graded"

@@ -57,7 +57,7 @@ class Bin:
 
 
 def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[ExerciseRate]:
-    """Work out how many students of a class pass each exercise, from the reports on all of them.
+    """Compute the pass rate and the average points of each exercise from the reports on a class.
 
     The result lists the exercises in the order of ``chapters``.
     """

@@ -67,10 +67,10 @@ class LostChecks:
 class ShownExercise(ExerciseReport):
     """A student's results in one exercise, prepared for the student's feedback page.
 
-    The page explains each failed check in ``lost``, and only names the checks in ``passed``.
-    ``gains`` is true if the exercise earns more points when our solutions replace the student's
-    earlier chapters. ``uneven`` is true if some of its physics checks, or some of its robust
-    checks, count more than others.
+    The page explains each failed check in ``lost``, but lists the checks in ``passed`` only by
+    name. ``gains`` is true if the student would earn more points for the exercise with our
+    solutions to the earlier chapters. ``uneven`` is true if some of its physics checks, or some of
+    its robust checks, count more than others.
     """
 
     anchor: str
@@ -205,9 +205,9 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Add up the points that a student can earn in these exercises, without extra credit.
+    """Add up the points that these exercises are worth, without extra credit.
 
-    Extra credit can lift a student above this total.
+    A student with extra credit can earn more than this total.
     """
     return round(sum(e.points for e in exercises if not e.extra), 2)
 

@@ -38,8 +38,8 @@ class ExerciseResult:
 class GradescopeResults:
     """The contents of results.json, the file from which Gradescope shows a student's grade.
 
-    All texts in it are plain text, not HTML or Markdown. Students do not see what the grader prints
-    while it runs.
+    The file contains only plain text, without HTML or Markdown. Students do not see what the grader
+    prints while it runs.
     """
 
     output: str

@@ -68,9 +68,9 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
 def read_rows(
     path: Path, chapters: list[Chapter], students: Iterable[str]
 ) -> tuple[str, list[Row]]:
-    """Read the rows of marks.csv with their line numbers, and find out what separates the columns.
+    """Read the rows of marks.csv, together with their line numbers and the column separator.
 
-    With that, a program can change a single mark and leave all other lines of the file untouched.
+    These let a program change a single mark and leave all other lines of the file untouched.
 
     Returns:
         The separator, which is a comma or a semicolon, and the rows.
@@ -111,7 +111,7 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Build the cells of the row in marks.csv that records the mark for one student's answer.
+    """Build the row of marks.csv that records the mark for one student's answer.
 
     The name and the comment are escaped if a spreadsheet would take them for formulas.
     """
@@ -122,7 +122,7 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Store each mark under the name that the reports use for the student.
+    """Return the marks with each student's name replaced by the one that the reports use.
 
     In marks.csv a student may go by another name, such as the one on the roster. ``names`` maps
     every such name to the one in the reports.
@@ -196,7 +196,7 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Map every way to write a student's name in marks.csv to the student.
+    """Map each spelling of a name that marks.csv may contain to the student it stands for.
 
     A spreadsheet may have encoded accents differently, or put an apostrophe before a name that
     looks like a formula. A spelling that fits two students is left out, unless it is exactly the
@@ -211,8 +211,8 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Bring the accented letters in a student's name into one form, so that names can be compared.
+    """Normalize the accented letters in a student's name, so that names can be compared.
 
-    Unicode has two encodings of a letter such as é. They look the same but do not compare equal.
+    Unicode has two encodings for a letter such as é. They look the same but do not compare equal.
     """
     return unicodedata.normalize("NFC", name.strip())

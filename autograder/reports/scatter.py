@@ -21,8 +21,8 @@ Point = Sequence[float]  # cost and error
 class Dot:
     """A dot on an exercise's chart, which shows the cost and the error of one student's solution.
 
-    ``x`` and ``y`` are its position in the picture. ``best`` is true if no solution that costs the
-    same or less has a smaller error.
+    ``x`` and ``y`` are its position in the picture. ``best`` is true if no solution at the same or
+    a lower cost has a smaller error.
     """
 
     name: str
@@ -38,8 +38,8 @@ class Scatter:
     """The layout of an open exercise's chart: the axes, a dot for each student, and the front.
 
     The front is a line through the best solutions, which may include ours. A solution is one of the
-    best if no other that costs the same or less has a smaller error. A tick on an axis is given by
-    its position and its label.
+    best if no other at the same or a lower cost has a smaller error. Each tick on an axis consists
+    of a position and a label.
     """
 
     exercise: ExerciseReport
@@ -83,10 +83,10 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Pick the best of several solutions, given the cost and the error of each.
+    """Select the best of several solutions, given the cost and the error of each.
 
-    A solution is one of the best if every other that costs the same or less has a larger error.
-    Cheap solutions come first in the result.
+    A solution is one of the best if every other solution at the same or a lower cost has a larger
+    error. The result starts with the cheapest.
     """
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
@@ -98,8 +98,8 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """Connect the best solutions on a chart by a staircase, and return its corners.
 
-    The smallest error for a given cost stays the same until the cost reaches that of the next
-    solution. That is why the line has steps.
+    As the permitted cost grows, the smallest possible error stays the same until the next solution
+    becomes affordable. It then drops at once, which is why the line has steps.
     """
     corners = line[:1]
     for x, y in line[1:]:

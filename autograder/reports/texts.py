@@ -16,9 +16,9 @@ LONGEST = 4000  # characters of a text in a report; the message of a check has o
 
 
 def clean_all(value: T) -> T:
-    """Return a copy of a student's report, or of a part of it, with all texts safe to show.
+    """Return a copy of a student's report, or of a part of it, in which all text is safe to show.
 
-    Texts may contain anything that a student wrote. Unprintable characters are escaped, and long
+    The text may contain anything that a student wrote. Unprintable characters are escaped, and long
     texts are cut off.
     """
     return cast(T, _cleaned(value))

@@ -52,10 +52,10 @@ class Function:
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
     """Split each function in a student's file into tokens, so that code can be compared.
 
-    Signatures, comments and docstrings are left out, because they are given or do not change what
-    the code does. All strings count as equal, and so do 2 and 2.0. ``known`` contains the engine's
-    names, which all students use. A method is named as in Particle.mass, and its setter as in
-    Particle.mass.setter.
+    Signatures are left out because they are given to the students. Comments and docstrings are left
+    out because they do not change what the code does. All strings count as equal, and so do 2 and
+    2.0. ``known`` contains the engine's names, which all students use. A method has a name such as
+    Particle.mass, and its setter is called Particle.mass.setter.
 
     Returns:
         The functions, and the line at which we had to stop reading (0 if the whole file was read).
@@ -90,10 +90,10 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the names that students did not invent: Python's own, and those in one of our files.
+    """Yield names that students did not invent: those of Python, and those in one of our files.
 
-    ``text`` is the contents of that file. Any other name in a student's code is replaced before the
-    comparison, so renaming a variable does not hide a copy.
+    ``text`` is the contents of our file. All other names in a student's code are replaced before
+    the comparison, so that renaming a variable does not hide a copy.
     """
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -104,9 +104,9 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Cut off a student's file at the point from which it would take too long to read.
+    """Cut off the part of a student's file that would take too long to read.
 
-    This happens if a line or the whole file is far too long.
+    This happens only if a line or the whole file is far too long.
 
     Returns:
         The text before the cut, and the number of the first line after it (0 if nothing was cut).
@@ -143,9 +143,9 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield those tokens in a logical line of a student's code that take part in the comparison.
+    """Yield the tokens to compare from one logical line of a student's code.
 
-    A docstring does not take part, so it yields nothing.
+    If the line is a docstring, nothing is yielded.
     """
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return

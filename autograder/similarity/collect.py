@@ -22,7 +22,7 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 
 @dataclass(frozen=True)
 class Ground:
-    """Which functions to compare between students, and which code to ignore in the comparison.
+    """The rules for comparing students' code: which functions to compare, and what to ignore.
 
     Attributes:
         parts: The exercise that each function belongs to. A key is a file and a name, such as
@@ -126,8 +126,8 @@ def _reference_sizes(
 ) -> dict[tuple[str, str], int]:
     """Count the tokens in each function of our solution to a chapter.
 
-    The counts show which exercises are too short to compare, because all students' solutions to
-    them must look alike.
+    The counts show which exercises are too short to compare. All students' solutions to such an
+    exercise look alike.
     """
     sizes = {}
     for name in chapter.edited_files:

@@ -4,9 +4,10 @@ We compare fingerprints of the code, which are hashes of short sequences of toke
 that few students share weighs more, because it is less likely to be a coincidence. The similarity
 of a pair is an average over the exercises, weighted so that a long one cannot dominate the result.
 
-Some students write code that resembles everybody's. So we subtract how similar the two students
-usually are to the rest of the class. We then compare the result with those of all other pairs. How
-far it lies above their median, in units of their spread, is called the surprise of the pair.
+Some students write code that resembles everybody else's. From the similarity of a pair we therefore
+subtract how similar the two students usually are to the rest of the class. The remaining excess is
+compared with that of all other pairs. The surprise of a pair says how far its excess lies above the
+median, in units of the spread.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """The code that a student wrote for one exercise, or the rest of the code in one file."""
+    """A student's code for one exercise, or the code in one file that belongs to no exercise."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -70,10 +71,11 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """The code that two students have in common in one exercise, or in the rest of one file.
+    """The code that two students have in common in one exercise.
 
-    ``rarest`` says how many students of the class have the rarest of the shared fingerprints. The
-    fewer they are, the less likely is a coincidence.
+    Code that belongs to no exercise is grouped by file instead. ``rarest`` says how many students
+    of the class have the rarest of the shared fingerprints. The fewer they are, the less likely it
+    is that the match is a coincidence.
     """
 
     name: str
@@ -112,9 +114,9 @@ class Comparison:
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """Return the code that two students have in common, by exercise, best evidence first.
+        """List the code that two students have in common by exercise, strongest evidence first.
 
-        Shared code is better evidence of copying if fewer other students have it.
+        Shared code is stronger evidence of copying if fewer other students have it.
         """
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
@@ -199,7 +201,7 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Add up the weights of some fingerprints of students' code for one exercise.
+        """Compute the total weight of a set of fingerprints from students' code for one exercise.
 
         A fingerprint weighs more if fewer students share it, because it is less likely to be a
         coincidence.

@@ -56,9 +56,9 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write a page about each pair of students with similar code, and an index of these pages.
+    """Write an index of the pairs of students with similar code, and a page about each pair in it.
 
-    The index lists the first 30 pairs, or all pairs that stand out if there are more of those.
+    The index lists the first 30 pairs. If more than 30 pairs stand out, it lists all of those.
     Return the path of the index.
     """
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
@@ -165,7 +165,7 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Count the pairs of students by surprise, in ranges such as 2 to 3, for a histogram.
+    """Count the pairs of students in each range of surprise, such as 2 to 3, for a histogram.
 
     The surprise of a pair rates how unusual the similarity of the two students' code is.
     """

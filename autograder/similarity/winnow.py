@@ -5,8 +5,8 @@ hashes is kept as a fingerprint. So if two students' functions have GRAM + WINDO
 tokens in common, they share at least one fingerprint.
 
 Renaming variables does not hide a copy, because within a sequence the student's own names are
-replaced with numbers, in order of appearance. Moving statements around does not help much either: a
-sequence is no longer than a short statement, so most fingerprints survive.
+replaced with numbers, in order of appearance. Moving statements around hides little, because a
+sequence is no longer than a short statement. Most fingerprints stay the same.
 """
 
 from __future__ import annotations
@@ -43,8 +43,8 @@ def fingerprints(words: tuple[str, ...]) -> set[int]:
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
     """Find the tokens of a student's function that belong to code shared with another student.
 
-    Such a token is part of a sequence of tokens that has one of the ``shared`` hashes. Return the
-    indices of these tokens.
+    A token is included if it is part of a sequence whose hash is in ``shared``. Return the indices
+    of these tokens.
     """
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)

@@ -49,8 +49,8 @@ def end_of(
     """Write the closing screen of a finished chapter, or a line that names playable scenes.
 
     The closing screen is shown until the student begins another chapter. While a chapter is
-    unfinished, we name the scenes that ``exercise`` unlocks. If it is None, the last working
-    exercise with scenes counts.
+    unfinished, the line names the scenes that ``exercise`` unlocks. If ``exercise`` is None, it
+    names those of the last working exercise that has scenes.
 
     Returns:
         The lines to print, each with its style. The list may be empty.
@@ -108,7 +108,7 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Write a sentence that names the scenes which an exercise lets the student play.
+    """Write a sentence that names the scenes that a student can play after solving an exercise.
 
     The sentence is empty if the scenes would not work yet. That happens if this exercise or an
     earlier one does not work, or if an earlier chapter causes failures.
@@ -179,7 +179,7 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
     """Tell the student where to find the chapter's picture, or which command draws it.
 
-    An existing picture counts only if the student's own engine drew it, and if the code has not
+    The command is named unless the student's own engine has drawn the picture and the code has not
     changed since.
     """
     folder = ROOT / "build" / "plots" / chapter.name
@@ -194,9 +194,9 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return when the student last changed a file that affects the chapter's picture.
+    """Return the time of the student's last change to a file that affects the chapter's picture.
 
-    If the picture is older than that, it has to be drawn again.
+    If the picture is older, it has to be drawn again.
     """
     files = [
         file

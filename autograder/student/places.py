@@ -22,8 +22,8 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
     If the check's message names a line, we take that one. Otherwise, we take the start of the
     function that the check calls. We ignore a line in a file that must not be edited. Usually we
-    also ignore a line in a function of another exercise, which may be correct. If the check is
-    about data that the student entered, the result is the data file.
+    also ignore a line in a function of another exercise, because that function may be correct. If
+    the check is about data that the student entered, we return the path of the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -46,8 +46,9 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     """Find the line at which one of the student's functions is defined, as path:line.
 
-    ``name`` is the function's name in the manifest, such as vector.Vector3.dot. If its file is
-    missing or unreadable, return only the path. A path inside the working folder is relative to it.
+    ``name`` is the function's name in the manifest, such as vector.Vector3.dot. If the file is
+    missing or unreadable, only its path is returned. The path is relative if the file is inside the
+    working folder.
     """
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")

@@ -77,9 +77,9 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Name a function or class as the manifests do, such as dot or mass.setter.
+    """Return the name that a manifest uses for a function or class, such as dot or mass.setter.
 
-    For any other statement, the name is "".
+    For any other statement, return "".
     """
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)

@@ -25,10 +25,9 @@ COPIES = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """A planned change to one of a student's files, to start an exercise over.
+    """A change to one of a student's files that resets an exercise, planned but not yet made.
 
-    ``names`` lists the functions to restore. If ``gone`` is true, they are missing because the
-    student deleted them.
+    ``names`` lists the functions to restore. If ``gone`` is true, the student has deleted them.
     """
 
     file: Path

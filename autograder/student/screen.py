@@ -43,9 +43,9 @@ BAR = 40
 class Report:
     """The results of checking a student's code for one chapter.
 
-    ``results`` come from a run with the student's own earlier chapters. ``on_reference`` comes from
-    a second run with our solutions to those chapters, and is empty if there was none. ``suspects``
-    are earlier chapters that may be to blame for failures.
+    ``results`` come from a run that uses the student's own earlier chapters. ``on_reference`` comes
+    from a second run with our solutions to those chapters, and is empty if there was no such run.
+    ``suspects`` are earlier chapters that may have caused failures.
     """
 
     chapter: Chapter
@@ -158,7 +158,7 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print a table of a chapter's exercises and points, and warn about files not handed in."""
+    """Print a table of a chapter's exercises, and warn about modules that are not handed in."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
@@ -215,7 +215,7 @@ def points_of(chapter: Chapter, result: Result) -> str:
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Warn the student about modules that belong to no exercise and so are not handed in."""
+    """Warn the student about modules that are not handed in, since they belong to no exercise."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     extra = [name for name in files if name not in known]

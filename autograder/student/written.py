@@ -49,9 +49,9 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """List the questions that the student has not answered, with the files for the answers.
+    """List the questions that the student has not answered, and the files for the answers.
 
-    The list is one line of text. It is "" if every question has an answer.
+    The list is a single line of text. It is empty if every question has an answer.
     """
     groups = [
         open_ones

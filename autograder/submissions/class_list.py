@@ -91,10 +91,10 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return the same class with other names for the students in the reports.
+        """Return a copy of the class in which the reports use other names for the students.
 
-        The new name of each member is ``name(member)``. Anonymous grading replaces names with codes
-        in this way.
+        The new name of each member is ``name(member)``. Anonymous grading uses this to replace
+        names with codes.
         """
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))
@@ -105,8 +105,8 @@ def match(
 ) -> ClassList:
     """Match each submission with a student on the roster, and return the members of the class.
 
-    Submissions that match nobody belong to the class as well, and so do students who have not
-    handed anything in.
+    The class also includes submissions that match nobody, and students who have not handed anything
+    in.
 
     Raises:
         ValueError: A submission matches two students, or a student matches two submissions. The

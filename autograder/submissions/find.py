@@ -25,8 +25,8 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 class Submission:
     """The folder or zip file that a student has handed in.
 
-    If Canvas or Moodle has named it, ``export`` holds the parts of that name. ``aliases`` are the
-    student's other names, taken from the folder or file and from the roster.
+    If its name comes from Canvas or Moodle, ``export`` holds the parts of that name. ``aliases``
+    are the student's other names, taken from the folder or file and from the roster.
     """
 
     student: str
@@ -41,7 +41,7 @@ class Submission:
 
     @property
     def late(self) -> bool:
-        """Whether Canvas has marked the submission as late. No other platform does so."""
+        """Whether Canvas marked the submission as late. Other platforms add no such mark."""
         return self.export is not None and self.export.late
 
 

@@ -32,12 +32,11 @@ class NotTakenError(Exception):
 class Found:
     """A file that we have found in a student's submission and want to grade.
 
-    ``place`` lists the folders on the path to it, as in ("work", "ch02_vectors"). ``read`` reads
-    the file. It takes the largest size to accept, and raises NotTakenError if it rejects the file.
-
-    If ``doubtful`` is true, the file's folder is unreadable. The file then counts only if the
-    submission has no other folder for that chapter. If ``other`` is true, it is not a file that we
-    grade, but it may be one under another name.
+    ``place`` lists the folders on the path to it, as in ("work", "ch02_vectors"). ``read`` is a
+    function that returns the contents of the file. Its argument is the largest size to accept, and
+    it raises NotTakenError if it rejects the file. If ``doubtful`` is true, the file's folder is
+    unreadable. The file is then used only if the submission has no other folder for that chapter.
+    If ``other`` is true, we do not grade a file of this name, but the student may have renamed it.
     """
 
     place: tuple[str, ...]
@@ -112,9 +111,9 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Create a ``Found.read`` for a submitted file that cannot be graded.
+    """Create a function for ``Found.read`` that rejects a submitted file.
 
-    Whenever somebody tries to read the file, it raises NotTakenError with this reason.
+    Whenever somebody tries to read the file, the function raises NotTakenError with this reason.
     """
 
     def read(_: int) -> bytes:
@@ -124,9 +123,10 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 
 
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
-    """Reject all files that a chapter's folder in a submission should contain, for the same reason.
+    """Reject all files that a chapter's folder in a submission should contain.
 
-    For example, the folder may be a symbolic link, or we may not be allowed to read it.
+    The reason applies to the whole folder. For example, it may be a symbolic link, or we may not be
+    allowed to read it.
     """
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
@@ -214,8 +214,8 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 def cause(error: OSError) -> str:
     """Say why a submitted file cannot be read.
 
-    If our own machine is to blame, for example because it ran out of memory, the error is raised
-    again. It says nothing about the submission.
+    An error that says nothing about the submission is raised again, for example if our own machine
+    has run out of memory.
     """
     if error.errno in OURS:
         raise error

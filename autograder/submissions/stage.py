@@ -23,12 +23,12 @@ LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten
 
 @dataclass(frozen=True)
 class Staged:
-    """The files that were rejected when we copied a student's submission for grading.
+    """The result of copying the files to be graded from a student's submission.
 
     ``missing`` maps each rejected module, such as ch02_vectors.vector, to the reason. ``notes`` are
-    for the instructor, and contain no text from the student except for names. Submissions with the
-    same ``digest`` get the same grade, because it depends on everything that was accepted or
-    rejected.
+    for the instructor, and contain no text from the student except for names. ``digest`` depends on
+    everything that was accepted or rejected, so submissions with the same digest get the same
+    grade.
     """
 
     missing: dict[str, str]
@@ -98,10 +98,10 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
     """Choose one of several folders for a chapter in a submission, and return the files in it.
 
-    We take the least deeply nested folder and, if several tie, the first by name. A folder with the
-    original stubs of a handout counts only if there is no other. If there are several folders, a
-    note for the instructor says which one was used. A file that was handed in under a similar name
-    is rejected with a reason that says so.
+    We take the least deeply nested folder or, if several are equally deep, the first by name. A
+    folder with the original stubs of a handout is used only if there is no other. If there are
+    several folders, a note for the instructor says which one was used. If the student has renamed a
+    file, it is rejected with the reason.
     """
     all_of_it = [file for file in found if file.place[-1] == chapter.name]
     mine = [file for file in all_of_it if not file.other]

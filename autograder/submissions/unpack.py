@@ -40,10 +40,10 @@ NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EI
 
 @dataclass(frozen=True)
 class Unpacked:
-    """A record of what was unpacked from the zip of a class.
+    """A record of the submissions that were unpacked from the zip of a class.
 
-    ``names`` are those of the submissions, and ``notes`` are about skipped files. ``zip`` is a hash
-    of the zip, which shows whether the zip has changed since then.
+    ``names`` lists the submissions, and ``notes`` describe the files that were skipped. ``zip`` is
+    a hash of the zip, which shows whether the zip has changed since then.
     """
 
     zip: str
@@ -55,7 +55,7 @@ class Unpacked:
 class _File:
     """A file in the zip of a class, which contains the submissions of all students.
 
-    ``parts`` are the parts of its path. The first one names the submission that the file is from.
+    ``parts`` are the parts of its path. The first part names the submission that contains the file.
     """
 
     parts: list[str]
@@ -88,7 +88,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Unpack the zip of a class. Replace the submissions from an earlier version of the zip."""
+    """Unpack the zip of a class, replacing the submissions from an earlier version of the zip."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:

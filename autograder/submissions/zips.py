@@ -96,9 +96,10 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files to be graded in zips that a student has put into the submitted folder.
+    """Find the files to be graded in zips that are inside a student's submitted folder.
 
-    They count as if they had been unpacked there. Return the files, with notes on any problems.
+    Each zip is treated like a folder with the same contents. Return the files, with notes on any
+    problems.
     """
     with os.scandir(folder) as entries:
         names = [

@@ -74,8 +74,8 @@ def few_lines(text: str, lines: int, characters: int) -> str:
     """Shorten a student's long output to its beginning and a note such as "... and 12 more lines".
 
     If the text has been shortened before, the note also counts the lines that were removed then.
-    Output of LONGEST_PRINTED or more characters was already cut off when it was captured. Since its
-    true length is unknown, the note then says "at least".
+    Output of LONGEST_PRINTED or more characters was already cut off when it was captured. The note
+    then says "at least", because the true length is unknown.
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")

@@ -61,8 +61,8 @@ class Edits:
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
     """Return the code of each function in a student's module, without comments and layout.
 
-    The result is None if the module is unreadable or empty. A module may be empty only briefly,
-    because some editors truncate a file before writing to it.
+    The result is None if the module is unreadable or defines no functions. Some editors empty a
+    file for a moment before they write to it.
     """
     try:
         found = functions(ast.parse(text))

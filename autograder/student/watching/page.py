@@ -19,7 +19,7 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """What the command `watch` prints after a failed check: the explanation, and lines around it.
+    """The page that the command `watch` prints: the explanation of a failed check, and other lines.
 
     The lines in ``top`` come before the explanation, and those in ``bottom`` after it. If the
     explanation does not fit on the terminal, the page names ``whole``, the command that prints all

@@ -28,7 +28,7 @@ TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows 
 class Session:
     """Keeps track of the student's current exercise while the command `watch` is running.
 
-    Once that exercise is done, it also knows the next one.
+    Once that exercise is done, the session also remembers which one comes next.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Session:
     def go_on(self) -> None:
         """Move on to the next exercise, because the student has pressed Enter.
 
-        If no next exercise has been offered, nothing happens.
+        If `watch` has not offered a next exercise, nothing happens.
         """
         if self.next:
             self.current, self.edited = self.next, []
@@ -100,9 +100,9 @@ class Session:
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
         """Check the student's current exercise, show the result, and return whether it is done.
 
-        At first, an exercise is done as soon as its physics passes. Robust checks count only after
-        the physics of the whole chapter passes. If the physics of a prerequisite no longer passes,
-        that exercise becomes the current one.
+        At first, an exercise is done as soon as its physics checks pass. Its robust checks count
+        only after all required physics checks of the chapter pass. If the physics checks of a
+        prerequisite no longer pass, the prerequisite becomes the current exercise.
         """
         worked = self.progress.works(chapter, exercise)
         report = self.progress.report(chapter, exercise)
@@ -160,9 +160,9 @@ class Session:
     def find_next(self) -> None:
         """Find the next exercise that is not done yet, and offer it to the student.
 
-        The student accepts by pressing Enter or by editing the code for that exercise. When `watch`
-        starts, nothing has to be finished first, so we move on at once. We also do so if keys
-        cannot be read, because Enter would not work.
+        The student accepts by pressing Enter or by editing the code for that exercise. If there is
+        no current exercise, as when `watch` starts, we move on at once. We do the same if single
+        keys cannot be read, because Enter would not work.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

@@ -1,7 +1,7 @@
 """Resume a run of checks that was cut short because one check never ended.
 
-The page has to stop the web worker that runs the endless check, but it keeps the worker's reports.
-A new worker then starts the run over. It repeats the results already known, rather than running
+The page has to stop the web worker that runs the endless check, but it keeps the results that the
+worker reported. A new worker then starts the run over, and reuses these results instead of running
 those checks again.
 """
 
@@ -30,11 +30,11 @@ from web.python.browser.watchdog import watchdog
 
 @dataclass(frozen=True)
 class Past:
-    """The record of one process of checks that an earlier web worker ran.
+    """A record of one process of checks that an earlier web worker ran, to be replayed later.
 
-    ``run`` names the chapter and the checks that the process was meant to run. ``lines`` are the
-    reports that it sent. ``left`` is how many seconds remained for all checks when the process
-    began, and ``seconds`` is how many it took.
+    ``run`` names the chapter and the exercises that the process was meant to check. ``lines`` are
+    the reports that it sent. When the process began, ``left`` seconds remained for all checks. The
+    process itself took ``seconds`` seconds.
     """
 
     run: str
@@ -94,7 +94,7 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Describe a check that never finished as a failure that the page can show immediately.
+    """Describe a check that never finished as a failed check, which the page can show at once.
 
     If no check was running, return None.
     """

@@ -71,7 +71,7 @@ class InBrowser(InProcess):
         code.change(self.engine, self.graded)
 
     def after_collection(self) -> None:
-        """Do nothing, because a browser never makes copies of this process."""
+        """Skip a step that saves memory in copies of the process, since browsers make no copies."""
 
     def start_clock(self) -> None:
         """Start the watchdog, which interrupts the student's code when a check takes too long."""
@@ -82,9 +82,9 @@ class InBrowser(InProcess):
 
 
 class BrowserRecorder(Recorder):
-    """Records the results of checks, reading only the test files it needs.
+    """Records the results of checks, but reads only the test files that it needs.
 
-    Files load slowly in a browser.
+    Skipping the others saves time, because files load slowly in a browser.
     """
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:

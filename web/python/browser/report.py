@@ -1,4 +1,4 @@
-"""Convert the results of checks to data that the page can show, in the words of make check."""
+"""Convert the results of checks to data for the page, in the words that make check uses."""
 
 from __future__ import annotations
 

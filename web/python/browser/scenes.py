@@ -86,7 +86,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Make this scene's engine importable in a with block, with the limits for student code."""
+        """Let a with block import this scene's engine, under the limits for student code."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

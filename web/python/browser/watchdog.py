@@ -1,6 +1,6 @@
 """Interrupt student code when its time is up, although a web worker has only one thread.
 
-No other thread and no alarm can interrupt that one thread. However, Python checks thousands of
+Neither another thread nor an alarm can interrupt that thread. However, Python checks thousands of
 times per second whether the worker has sent a signal. When the time is up, the worker sends
 SIGALRM, and Python calls ``Watchdog.hear`` at the current line of the student's code. ``hear``
 reports the line, and the page then ends the worker.
@@ -40,7 +40,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report the line that is running to the page, then wait for the page to end the worker."""
+        """Tell the page which line is running, then wait for the page to end the worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:

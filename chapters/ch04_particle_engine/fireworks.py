@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from random import Random
 
-from ch02_vectors.arguments import finite, not_negative
+from ch02_vectors.arguments import finite, not_negative, whole
 from ch03_laws_of_motion.particle import Particle
 
 Numbers = tuple[float, float, float]
@@ -35,7 +35,7 @@ class Payload:
     count: int
 
     def __post_init__(self) -> None:
-        _whole("count", self.count)
+        whole("count", self.count)
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ class FireworksShow:
                     )
         if when_full not in POLICIES:
             raise ValueError(f"when_full must be one of {', '.join(POLICIES)}, got {when_full!r}")
-        self.capacity = _whole("capacity", capacity)
+        self.capacity = whole("capacity", capacity)
         self.when_full = when_full
         self.random = Random(seed)
         self.fireworks: list[Firework] = []
@@ -206,12 +206,3 @@ class FireworksShow:
         Book 4.2.3.
         """
         raise NotImplementedError("Exercise B4.6: The show goes on")
-
-
-def _whole(name: str, value: int) -> int:
-    """Check that ``value`` is a whole number of at least 1, and return it."""
-    if not isinstance(value, int):
-        raise TypeError(f"{name} must be a whole number, got {value!r}")
-    if value < 1:
-        raise ValueError(f"{name} must be 1 or more, got {value!r}")
-    return value

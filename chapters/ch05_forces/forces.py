@@ -185,7 +185,7 @@ class Airbrake:
         In a time step of h s, a force f changes the velocity by f h / m. If k or h is large, a
         force of -k v would therefore push the particle backward. A brake cannot do this, so limit
         the force: on its own, the brake may remove at most the fraction ``FULL`` of the velocity in
-        one step. For an immovable particle, do nothing and raise no error.
+        one step. An immovable particle must not cause an error, and no force can move it.
 
         Raises:
             ValueError: if the duration is not positive and finite.

@@ -35,7 +35,7 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of those students on whose submissions the grader did not fail."""
+        """The percentages of all students except those on whose submissions the grader failed."""
         return [value for value in self.percent.values() if value is not None]
 
     @property

@@ -152,7 +152,7 @@ class Run:
     def progress(self) -> tuple[int, int]:
         """How many verdicts there are so far, and how many modules are known to be broken.
 
-        If a process ends and neither number has grown, starting another process is pointless.
+        If neither number has grown by the time a process ends, starting another one is pointless.
         """
         return len(self.verdicts), len(self.broken)
 
@@ -264,10 +264,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Record that a check of this exercise hung, and skip checks that would probably hang too.
+        """Record that a check of this exercise hung, and perhaps skip the exercise's other checks.
 
-        These are the remaining checks of this exercise, if a check of one of its prerequisites hung
-        before. They would most likely get stuck in the same loop, so they fail without running.
+        If a check of one of the exercise's prerequisites hung earlier, the remaining checks would
+        most likely get stuck in the same loop. In that case they fail without running.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")

@@ -83,7 +83,7 @@ class Mistakes:
     def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
         """Read a positive number from the course file, or return None if it is missing or invalid.
 
-        If the value is anything else, record a mistake. A missing key is not a mistake.
+        An invalid value is recorded as a mistake, but a missing key is not.
         """
         value: Any = table.get(key)
         if type(value) in (int, float) and 0 < value <= LARGEST:

@@ -45,7 +45,7 @@ def start_waiting() -> None:
 
 
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
-    """Have the waiting helper process fork a template, from which workers can then be forked.
+    """Ask the waiting helper process to fork a template, the process that later forks workers.
 
     ``control`` is the template's end of the socket for its orders. ``log`` is the file descriptor
     to which the template's output goes.

@@ -148,7 +148,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, after waiting for its process number."""
+        """Wait for the process number of the worker that was ordered in advance. Return the worker."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())

@@ -69,7 +69,7 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message to the process at the other end: from a check to its worker, or back.
+        """Send a message to the process at the other end, which is either a worker or the checks.
 
         ``deadline`` is a time of ``time.monotonic``, or None to wait as long as necessary.
 

@@ -112,8 +112,8 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
     """Split the text of an answers.md file into one section per question.
 
     A section begins at a level-two heading (##). Students sometimes delete a # or the space after
-    it by accident. That is why a heading of any other level also begins a section if its first word
-    is one of the exercise ids in ``ids``.
+    it by accident. For this reason, any other heading also begins a section if its first word is
+    one of the exercise ids in ``ids``.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -195,7 +195,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return True if a line of answers.md is the placeholder, perhaps with a few letters changed."""
+    """Return True if a line of answers.md is the placeholder, even with a few letters changed."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 

@@ -95,8 +95,8 @@ def command(name: str, **variables: str) -> str:
     """Write out a command as the user has to type it, such as "make check EX=2.5".
 
     On a machine without make, the result calls Python directly. In the browser, where students
-    cannot type commands, the result is the make command too. The buttons on that page have the same
-    names.
+    click buttons instead of typing, the result is a make command too. The buttons have the same
+    names as these commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])

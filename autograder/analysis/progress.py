@@ -56,7 +56,7 @@ class Run:
 class Returning:
     """A mistake that students of a class made in more than one assignment.
 
-    ``counts`` holds the number of students who made it in each assignment, and ``again`` the number
+    ``counts`` holds the number of students who made it in each assignment. ``again`` is the number
     of students who repeated it in a later one.
     """
 

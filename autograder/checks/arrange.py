@@ -135,8 +135,8 @@ def _put_hidden_checks(
 ) -> list[str]:
     """Copy a chapter's hidden and public checks into the folder from which pytest runs them.
 
-    Return a list with one path, that of the hidden checks relative to this folder. If the chapter
-    has no hidden checks, the list is empty.
+    Return a list whose only item is the path of the hidden checks, relative to that folder. If the
+    chapter has no hidden checks, the list is empty.
     """
     if not behind or not behind.hidden:
         return []

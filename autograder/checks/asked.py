@@ -20,9 +20,9 @@ LONG = re.compile(r"\b\d{1,5}\.\d{10,}\b(?![eE])")  # a computed number with all
 class Words(TypedDict, total=False):
     """Texts for the failure message of a single expectation in a check.
 
-    ``call``, ``cause`` and ``read`` replace the texts that the check has stored. ``then`` is added
-    at the end of the call. ``unit`` is written after the number that the code returned and after
-    the expected one. It can be a unit such as "m/s" or a plural such as "contacts".
+    ``call``, ``cause`` and ``read`` replace the texts that the check has stored, and ``then`` is
+    added to the end of the call. ``unit`` is shown after the returned number and after the expected
+    one. It can be a unit such as "m/s" or a plural such as "contacts".
     """
 
     call: str

@@ -142,8 +142,8 @@ class Run:
     def limit(self) -> float:
         """The number of seconds that the next check may take.
 
-        Once a function has hung twice, the limit is shorter than usual. Otherwise, the student
-        would have to wait out the same endless loop again and again.
+        The limit becomes shorter once a function has hung twice. Otherwise the student would have
+        to wait for the same endless loop to time out again and again.
         """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)

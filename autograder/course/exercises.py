@@ -104,7 +104,8 @@ class Chooser:
     def _chapters(self, key: str) -> list[Chapter]:
         """Return the chapters that are listed under a key of the course file, such as "given".
 
-        A number that belongs to no chapter is skipped and recorded as a mistake.
+        If there is no chapter with a listed number, the number is skipped and recorded as a
+        mistake.
         """
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)

@@ -96,7 +96,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Format a value as the instructor would write it in a TOML file. A long one is cut off."""
+    """Format a value as in a TOML file, and cut it off if it is long."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)

@@ -30,9 +30,8 @@ def explain_exception(
     other exception, the message shows the check's call, the exception, the student's line and a
     likely mistake.
 
-    The likely mistake is an explanation of Python's error, if that is a common one. For any other
-    error, or one that the student's own ``raise`` caused, it is the mistake that the check
-    suggests.
+    If Python's error is a common one, the likely mistake explains it. For any other error, and for
+    one that the student's own code raises, the message shows the mistake that the check suggests.
 
     ``complete`` lists modules that the student uses but did not write, such as
     ch02_vectors/arguments.py. If the exception comes from a worker process, its attribute ``fault``

@@ -166,8 +166,8 @@ def _slots(kind: type) -> list[str]:
     """List the attributes that a student may assign to, if a class limits them with __slots__.
 
     If the class accepts any attribute, the list is empty. A private slot such as _damping is listed
-    only if there is a property named damping, because other private slots are internal to the
-    class. If all slots are private and none has a property, all of them are listed.
+    only if there is a property named damping. Other private slots are internal to the class. If all
+    slots are private and none has a property, all of them are listed.
     """
     if kind.__dictoffset__:
         return []

@@ -34,8 +34,8 @@ def start_waiting() -> None:
     """Start a process that waits for orders, and forks a template for each of them.
 
     A template in turn forks the workers that run student code. The orders arrive on a socket that
-    never splits or joins messages. On a system without such sockets, nothing is started, and each
-    template will be a new Python process.
+    never splits or joins messages. On a system without such sockets, no process is started here,
+    and each template will be a new Python process.
     """
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)

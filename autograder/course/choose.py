@@ -30,8 +30,7 @@ def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
 
     The options name either an assignment of the course file or some chapters. With ``handed_out``,
     as in `make handout`, the given chapters are added to the selected ones. Otherwise the given
-    chapters are part of the selection. If the options name no chapters, the selection then consists
-    of all chapters.
+    chapters are part of the selection, which contains all chapters if the options name none.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

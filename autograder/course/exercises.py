@@ -149,7 +149,7 @@ class Chooser:
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Find the key in the course file through which an exercise is part of the assignment.
+        """Find the key in the course file that adds an exercise to the assignment.
 
         It is "exercises" or "extra_credit" if the exercise is listed there. Otherwise its whole
         chapter was assigned, and the key is "chapters". A message about a mistake points to the
@@ -164,7 +164,7 @@ class Chooser:
         """Work out how many points each exercise is worth in this assignment.
 
         The points come from the manifests, unless the table ``points`` in the course file overrides
-        them. If the assignment sets ``out_of``, all points are then scaled to add up to that total.
+        them. If the assignment sets ``out_of``, the points are then scaled to add up to that total.
         """
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)

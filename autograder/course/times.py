@@ -148,6 +148,7 @@ def _readable(path: Path) -> Iterator[None]:
 def _key(name: str) -> str:
     """Normalize a student's name, so that it can be compared with the names in other files.
 
-    Unicode has two encodings for most accented letters. Here they are converted to the same one.
+    Unicode has two encodings for most accented letters. This function converts both to the same
+    one.
     """
     return unicodedata.normalize("NFC", name.strip())

@@ -30,8 +30,8 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 class StudentsCode:
     """Recognizes the student's code by the folder that contains its file.
 
-    ``graded`` lists, for the folder of each chapter, the files that the grader has too. If a folder
-    is not in ``graded``, all of its files count as graded. ``ours`` lists files that are in the
+    ``graded`` maps the folder of each chapter to the files that the grader has too. If a folder is
+    not in ``graded``, all of its files count as graded. ``ours`` lists files that are in the
     student's folders but were not written by the student, such as ch06_springs/cloth.py.
     """
 

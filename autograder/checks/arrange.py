@@ -16,7 +16,7 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """How to run a student's code in worker processes inside a sandbox.
+    """Settings for running a student's code in worker processes inside a sandbox.
 
     Attributes:
         level: The layers of protection to use, as a dictionary with the fields of sandbox.Level.

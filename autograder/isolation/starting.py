@@ -3,8 +3,8 @@
 A new Python process needs 70 ms to start and to import the modules of a template. The grader needs
 a template for each chapter and submission, so it keeps a process waiting that has already imported
 these modules. That process forks a template for each order, and it never runs any student code. It
-ends when no process is left that could send an order. Where forking is not possible, the template
-is started as a new Python process.
+ends once every process that could send it orders has ended. Where forking is not possible, the
+template is started as a new Python process.
 """
 
 from __future__ import annotations

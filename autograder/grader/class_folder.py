@@ -38,8 +38,8 @@ def seed_of(state: Path, seed: str | None) -> str:
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
     """Require a roster for a regrade if the class was graded with one, and refuse it otherwise.
 
-    With a roster, the reports use the names on it. Otherwise they use the names of the submissions,
-    so the same student would then be listed twice.
+    With a roster, the reports use the names on it. Without one, they use the names of the
+    submissions. If the two runs differed in this, the same student would be listed twice.
 
     Raises:
         ValueError: A roster is given now but was not given before, or the reverse.

@@ -8,10 +8,10 @@ The following terms have a fixed meaning throughout the autograder:
   physics. *Robust* checks try bad arguments, overflow and NaN.
 - *Stub*: The unfinished file that a student starts from. Our own solution, in solutions/, is the
   *reference*.
-- *Engine*: The student's game physics code, described by a list of folders to search for a
-  chapter's files. If several folders contain a file, the first one wins.
+- *Engine*: The student's game physics code. The autograder searches a list of folders for its
+  files. If several folders contain a file, the first one wins.
 - *Given* chapter: A chapter whose code comes from the reference rather than from the student.
-- *Inherited*: A failed check is inherited if only a mistake in an earlier chapter makes it fail. A
-  check is *blocked* if its exercise builds on another one that still fails.
+- *Inherited*: A failed check is inherited if it fails only because of a mistake in an earlier
+  chapter. A check is *blocked* if its exercise builds on another one that still fails.
 - *Handout*: The folder that an instructor gives to students, without the reference.
 """

@@ -90,7 +90,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 def run_check(arguments: argparse.Namespace) -> bool:
     """Check some chapters of the student's code, or one exercise, and print the results.
 
-    Return whether any check fails. The exit status of the program is then 1, and otherwise 0.
+    Return True if any check fails, so that the program exits with status 1 instead of 0.
     """
     chapters = select_chapters(arguments.chapter)
     exercise = None
@@ -130,7 +130,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 
 def run_hint(arguments: argparse.Namespace) -> int:
-    """Print the first few hints for an exercise and the command that shows the next one."""
+    """Print the first few hints for an exercise, and then the command that shows the next one."""
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
     refuse_given(chapter, exercise, arguments.given)
     shown = exercise.hints[: max(1, arguments.count)]

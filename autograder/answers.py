@@ -50,7 +50,7 @@ class Section:
     def has_words(self) -> bool:
         """Whether the student has written an answer of two words or more.
 
-        A placeholder line that the student forgot to delete makes no difference.
+        The words of a placeholder that the student forgot to delete do not count.
         """
         return self.words >= ENOUGH
 
@@ -96,9 +96,10 @@ class Question:
 
 
 def blank_answers(text: str) -> str:
-    """Turn our answers.md into the one for students.
+    """Make the answers.md for students from ours, which contains the model answers.
 
-    It keeps the questions. Each model answer becomes the placeholder "_Write your answer here._".
+    The questions stay. Each model answer is replaced by "_Write your answer here._", and its rubric
+    is removed.
     """
     title = text.partition("\n")[0]
     parts = [title]
@@ -111,8 +112,8 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
     """Split the text of an answers.md file into one section per question.
 
     A section begins at a level-two heading (##). Students sometimes delete a # or the space after
-    it by accident. That is why a heading of any other level also begins a section if its first word
-    is one of the exercise ids in ``ids``.
+    it by accident. For this reason, any other heading also begins a section if its first word is
+    one of the exercise ids in ``ids``.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -194,7 +195,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return whether a line of answers.md is the placeholder, even if a few letters differ."""
+    """Return True if a line of answers.md is the placeholder, even with a few letters changed."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 

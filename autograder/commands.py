@@ -39,10 +39,11 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 def prepare() -> bool:
     """Get Python ready to run a command, and return whether the required packages are installed.
 
-    If a package is missing, this also prints how to install it. File names must be encoded in
-    UTF-8. If Python uses another encoding, as under LC_ALL=C with PYTHONUTF8=0, the program
-    restarts itself in UTF-8 mode. The console shows a question mark for any character that it
-    cannot encode.
+    If a package is missing, this also prints how to install it.
+
+    If Python does not encode file names in UTF-8, the program restarts itself in UTF-8 mode. One
+    such case is LC_ALL=C with PYTHONUTF8=0. Any character of the output that the console cannot
+    encode is shown as a question mark.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -61,7 +62,7 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """Suggest a remedy for a file that could not be written, such as freeing space on a full disk.
+    """Suggest what to do if a file could not be written, such as freeing space on a full disk.
 
     Return an empty string if the error has some other cause.
     """
@@ -70,13 +71,13 @@ def advice(error: BaseException) -> str:
 
 
 def sentence(error: Exception) -> str:
-    """Turn an error into a message for the user, with advice if a file could not be written."""
+    """Turn an error into a message for the user, and add advice if a file could not be written."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the folders to search for the code that is checked: ``folder``, and then chapters/.
+    """List the folders to search for the code to check: first ``folder``, and then chapters/.
 
     The folder chapters/ is always needed, because it is the only one with the files that students
     do not edit.
@@ -93,8 +94,9 @@ def find_engine(folder: str) -> list[Path]:
 def command(name: str, **variables: str) -> str:
     """Write out a command as the user has to type it, such as "make check EX=2.5".
 
-    On a machine without make, the result calls Python directly. In the browser, students cannot
-    type commands, but the buttons on the page have the same names as the make commands.
+    On a machine without make, the result calls Python directly. In the browser, where students
+    click buttons instead of typing, the result is a make command too. The buttons have the same
+    names as these commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])

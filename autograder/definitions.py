@@ -1,6 +1,7 @@
 """List the functions that a Python file defines, by the names that manifests use for them.
 
-One such name is Vector3.dot. The file is only parsed, so none of its code runs.
+The method dot of the class Vector3, for example, is listed as Vector3.dot. The file is only parsed,
+so none of its code runs.
 """
 
 from __future__ import annotations
@@ -67,7 +68,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Remove the module and class from a function's full name. vector.Vector3.dot becomes dot."""
+    """Return a function's name without its module and class: dot for vector.Vector3.dot."""
     return edited.split(".", 2)[-1]
 
 

@@ -33,7 +33,7 @@ def replace_bytes(path: Path, content: bytes) -> None:
 def is_full(folder: Path) -> bool:
     """Return whether the disk that contains ``folder`` has less than 1 MB of free space.
 
-    That may be the reason why a program has failed.
+    If so, the lack of space may be the reason why a program has failed.
     """
     return shutil.disk_usage(folder).free < LITTLE
 
@@ -46,8 +46,7 @@ def temporary_of(path: Path) -> Path:
 def is_new(folder: Path, first: Path) -> bool:
     """Return whether a folder is missing or empty, so that the grader may write its results there.
 
-    Every run of the grader writes the file ``first`` before any other. If the folder contains only
-    an unfinished copy of that file, it counts as empty. An earlier run must then have been killed
-    right after it started.
+    A folder still counts as empty if an earlier run was killed right after it started. It then
+    contains only an unfinished copy of ``first``, the file that every run writes before any other.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

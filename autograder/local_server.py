@@ -59,7 +59,7 @@ class Site:
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether a web request comes from our own page, which alone may change data.
+    """Return whether a web request comes from our own page. No other page may change data.
 
     ``origin`` is the text of the request's Origin header.
     """

@@ -239,7 +239,7 @@ def _are_words(value: object) -> bool:
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Check that no exercise id is used twice, and that prerequisites come before the exercises.
+    """Check that no exercise id is used twice, and that each exercise follows its prerequisites.
 
     Raises:
         ValueError: An id is used twice, or an exercise is listed before one of its prerequisites.

@@ -83,7 +83,7 @@ class Message:
     def changed(self, change: Callable[[str], str]) -> Message:
         """Return a copy of the message in which ``change`` has been applied to every text.
 
-        One use is to escape special characters in all of its texts at once.
+        This makes it possible, for example, to escape the special characters in all texts at once.
         """
         values: dict[str, Any] = {
             field.name: change(value)

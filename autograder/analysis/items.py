@@ -1,7 +1,7 @@
 """Compute how well a class did on each exercise and on each of its checks.
 
-For these scores, earlier chapters are taken from the reference solution. Otherwise a single mistake
-in chapter 2 would resurface in every chapter that uses vectors.
+Each chapter is scored together with the reference solution of all earlier chapters. Otherwise a
+single mistake in chapter 2 would lower the scores in every chapter that uses vectors.
 """
 
 from __future__ import annotations

@@ -35,7 +35,7 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of those students on whose submissions the grader did not fail."""
+        """The percentages of all students except those on whose submissions the grader failed."""
         return [value for value in self.percent.values() if value is not None]
 
     @property
@@ -56,7 +56,7 @@ class Run:
 class Returning:
     """A mistake that students of a class made in more than one assignment.
 
-    ``counts`` holds the number of students who made it in each assignment, and ``again`` the number
+    ``counts`` holds the number of students who made it in each assignment. ``again`` is the number
     of students who repeated it in a later one.
     """
 

@@ -1,1 +1,1 @@
-"""Run the checks in the student's own Python, with only what the grader allows."""
+"""Run the checks on a student's own machine, under the same restrictions as in the grader."""

@@ -53,7 +53,8 @@ def limit_imports(code: StudentsCode) -> None:
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
     """Raise ImportError if an import in the student's code would fail in the grader.
 
-    The error is the same as it would be there. An import that would work raises nothing.
+    The student sees the same error as in the grader. If the import would work there, nothing
+    happens.
     """
     if name.startswith("."):
         try:

@@ -20,7 +20,7 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """List, for the folder of each chapter, the files that will also exist in the grader.
+    """List the files of each chapter's folder that the grader will have too.
 
     These are the files that students hand in and the ones that we supply.
     """
@@ -30,8 +30,8 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 class StudentsCode:
     """Recognizes the student's code by the folder that contains its file.
 
-    ``graded`` lists, for the folder of each chapter, the files that the grader has too. If a folder
-    is not in ``graded``, all of its files count as graded. ``ours`` lists files that are in the
+    ``graded`` maps the folder of each chapter to the files that the grader has too. If a folder is
+    not in ``graded``, all of its files count as graded. ``ours`` lists files that are in the
     student's folders but were not written by the student, such as ch06_springs/cloth.py.
     """
 
@@ -49,10 +49,10 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """From now on, treat the code in other folders as the student's.
+        """From now on, treat only the code in ``folders`` as the student's.
 
-        The browser needs this. There, a single process runs the checks again and again, and it can
-        set up the restrictions on imports and operations only once.
+        The browser needs this, because there a single process runs the checks again and again. It
+        can set up the restrictions on imports and operations only once.
         """
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
@@ -85,7 +85,7 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether a file in the folder of a chapter will also exist in the grader.
+        """Return whether the grader will also have this file from the folder of a chapter.
 
         ``package`` is the name of the folder, such as ch02_vectors. Files that end in probes.py
         always count as graded, because they belong to our checks.

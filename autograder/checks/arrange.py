@@ -16,7 +16,7 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """How to run a student's code in worker processes inside a sandbox.
+    """Settings for running a student's code in worker processes inside a sandbox.
 
     Attributes:
         level: The layers of protection to use, as a dictionary with the fields of sandbox.Level.
@@ -133,10 +133,10 @@ def shared_by_checks(root: Path) -> list[Path]:
 def _put_hidden_checks(
     folder: Path, chapter: Chapter, root: Path, behind: Behind | None
 ) -> list[str]:
-    """Copy a chapter's hidden checks, and its public ones, to where a check process can run them.
+    """Copy a chapter's hidden and public checks into the folder from which pytest runs them.
 
-    The result is a list that contains the path of the hidden checks, relative to the folder from
-    which pytest runs. It is empty if the chapter has no hidden checks.
+    Return a list whose only item is the path of the hidden checks, relative to that folder. If the
+    chapter has no hidden checks, the list is empty.
     """
     if not behind or not behind.hidden:
         return []
@@ -185,8 +185,8 @@ def _modules(
 ) -> list[str]:
     """List the student's modules to import before the checks, to find out which of them fail.
 
-    If a module cannot be imported, the others are still tried. Some handouts contain an earlier
-    chapter without its manifest. All files of that chapter are then imported.
+    If a module cannot be imported, the others are still tried. If a handout contains an earlier
+    chapter without its manifest, all files of that chapter are imported.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

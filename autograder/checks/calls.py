@@ -1,6 +1,6 @@
-"""Find out which of the student's functions a check calls.
+"""Find out whether a check calls a certain function of the student.
 
-The answer comes from the expression that the failure message shows, such as "v.dot(w)".
+To do so, examine the expression in the check's failure message, such as "v.dot(w)".
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def names_class(expression: str, name: str) -> bool:
     """Return whether a check's expression creates an object of the class that defines a method.
 
     For example, "Vector3(1, 2, 3)" creates an object of the class that defines vector.Vector3.dot.
-    For a function outside a class, return True.
+    If the function does not belong to a class, return True.
     """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

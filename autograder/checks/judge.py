@@ -41,7 +41,7 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """Stop the check processes of all threads, and start no new ones while the context lasts.
+    """Create a context that stops the check processes of all threads and prevents new ones.
 
     Each run of checks that is stopped raises GraderError.
     """

@@ -142,8 +142,8 @@ class Run:
     def limit(self) -> float:
         """The number of seconds that the next check may take.
 
-        Once a function has hung twice, the limit is shorter than usual. Otherwise, the student
-        would have to wait out the same endless loop again and again.
+        The limit becomes shorter once a function has hung twice. Otherwise the student would have
+        to wait for the same endless loop to time out again and again.
         """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)
@@ -152,7 +152,7 @@ class Run:
     def progress(self) -> tuple[int, int]:
         """How many verdicts there are so far, and how many modules are known to be broken.
 
-        If a process ends and neither number has grown, starting another process is pointless.
+        If neither number has grown by the time a process ends, starting another one is pointless.
         """
         return len(self.verdicts), len(self.broken)
 
@@ -264,10 +264,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Record that a check of this exercise hung, and skip checks that would probably hang too.
+        """Record that a check of this exercise hung, and perhaps skip the exercise's other checks.
 
-        These are the remaining checks of this exercise, if a check of one of its prerequisites hung
-        before. They would most likely get stuck in the same loop, so they fail without running.
+        If a check of one of the exercise's prerequisites hung earlier, the remaining checks would
+        most likely get stuck in the same loop. In that case they fail without running.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")

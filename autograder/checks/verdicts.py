@@ -1,9 +1,9 @@
 """Run the checks with pytest, and report each verdict as soon as it is known.
 
 The runner starts this program as ``python -m autograder.checks.verdicts FILE``, and reads one JSON
-object from each line of its output. The objects list the checks, and report when each check starts
-and how it ends. The verdicts come from pytest's own reports, because the student's code could print
-anything.
+object from each line of its output. Each object reports an event, such as the start of a check or
+its verdict. The verdicts come from pytest's own reports and not from printed text, because the
+student's code could print anything.
 """
 
 from __future__ import annotations

@@ -29,8 +29,8 @@ def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
     """Work out which exercises an instructor has selected on the command line.
 
     The options name either an assignment of the course file or some chapters. With ``handed_out``,
-    as in `make handout`, the given chapters are added to the selected ones. Otherwise they are some
-    of the selected chapters, and all chapters are selected if none are named.
+    as in `make handout`, the given chapters are added to the selected ones. Otherwise the given
+    chapters are part of the selection, which contains all chapters if the options name none.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

@@ -104,7 +104,8 @@ class Chooser:
     def _chapters(self, key: str) -> list[Chapter]:
         """Return the chapters that are listed under a key of the course file, such as "given".
 
-        A number that belongs to no chapter is skipped and recorded as a mistake.
+        If there is no chapter with a listed number, the number is skipped and recorded as a
+        mistake.
         """
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
@@ -148,7 +149,7 @@ class Chooser:
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Find the key of the course file that makes an exercise part of the assignment.
+        """Find the key in the course file that adds an exercise to the assignment.
 
         It is "exercises" or "extra_credit" if the exercise is listed there. Otherwise its whole
         chapter was assigned, and the key is "chapters". A message about a mistake points to the
@@ -162,8 +163,8 @@ class Chooser:
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
         """Work out how many points each exercise is worth in this assignment.
 
-        The points of the manifests apply, unless the table ``points`` in the course file has other
-        ones. If the assignment has an ``out_of``, all points are then scaled to that total.
+        The points come from the manifests, unless the table ``points`` in the course file overrides
+        them. If the assignment sets ``out_of``, the points are then scaled to add up to that total.
         """
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)

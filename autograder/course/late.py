@@ -13,9 +13,9 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """When a student handed in a submission, and the platform or file that says so.
+    """The time of a submission, and the platform or file that reports it.
 
-    Canvas does not give the time. It only says whether the submission was ``late``.
+    Canvas does not report the time, only whether the submission was ``late``.
     """
 
     source: str
@@ -39,11 +39,11 @@ def days_late(due: datetime, submitted: datetime) -> int:
 
 
 def _end(time: datetime) -> datetime:
-    """Return the last moment at which a clock shows this local time.
+    """Convert the local time at which a late day ends to UTC.
 
-    A late day ends at that moment. When the clocks go back, some times occur twice, and the second
-    occurrence counts. When the clocks go forward, some times are skipped. Such a time is converted
-    as if the clocks had not changed yet.
+    When the clocks go back, some local times occur twice, and the second occurrence counts. When
+    the clocks go forward, some are skipped. A skipped time is converted as if the clocks had not
+    changed yet.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 

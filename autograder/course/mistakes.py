@@ -83,7 +83,7 @@ class Mistakes:
     def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
         """Read a positive number from the course file, or return None if it is missing or invalid.
 
-        If the value is anything else, record a mistake. A missing key is not a mistake.
+        An invalid value is recorded as a mistake, but a missing key is not.
         """
         value: Any = table.get(key)
         if type(value) in (int, float) and 0 < value <= LARGEST:
@@ -96,7 +96,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Format a value as the instructor would write it in a TOML file. A long one is cut off."""
+    """Format a value as in a TOML file, and cut it off if it is long."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)

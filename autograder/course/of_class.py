@@ -23,10 +23,10 @@ from autograder.submissions.find import Submission
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, submissions: list[Submission]
 ) -> tuple[dict[str, Late], list[str]]:
-    """Compute for each student of a class how late the work is, and how many points that costs.
+    """Compute how late the work of each student in a class is, and how many points that costs.
 
-    Return this together with a list of notes for the instructor. A note may say, for example, that
-    some submission times are unknown.
+    Return the results together with a list of notes for the instructor. A note may say, for
+    example, that some submission times are unknown.
 
     Raises:
         ValueError: A file with the times of the submissions is not valid.

@@ -137,7 +137,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """While the context lasts, add the file's name to any error about invalid CSV or YAML."""
+    """Create a context in which every error about invalid CSV or YAML names the file."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
@@ -148,6 +148,7 @@ def _readable(path: Path) -> Iterator[None]:
 def _key(name: str) -> str:
     """Normalize a student's name, so that it can be compared with the names in other files.
 
-    An accented letter can be encoded in two ways, which this function makes the same.
+    Unicode has two encodings for most accented letters. This function converts both to the same
+    one.
     """
     return unicodedata.normalize("NFC", name.strip())

@@ -27,12 +27,15 @@ def explain_exception(
     """Build the message that explains to a student why an exception ended a check.
 
     If the student's code returned a wrong value, the exception already carries its message. For any
-    other exception, the message shows the call that the check made, the exception, the student's
-    line and a likely mistake. It explains Python's error if that is a common one. Otherwise it
-    shows the mistake that the check suggests.
+    other exception, the message shows the check's call, the exception, the student's line and a
+    likely mistake.
+
+    If Python's error is a common one, the likely mistake explains it. For any other error, and for
+    one that the student's own code raises, the message shows the mistake that the check suggests.
 
     ``complete`` lists modules that the student uses but did not write, such as
-    ch02_vectors/arguments.py. An exception from a worker process has the attribute ``fault``.
+    ch02_vectors/arguments.py. If the exception comes from a worker process, its attribute ``fault``
+    describes the original error.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     written = [frame for frame in fault.frames if not _is_given(frame, complete)]
@@ -134,7 +137,7 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
     """Return whether a line that raised an exception is in code that the student was given.
 
-    The mistake is then in the code that called it. Constructors count as given, because students
+    If so, the mistake is in the code that called it. Constructors count as given, because students
     never write them.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete

@@ -63,7 +63,7 @@ class Fault:
     def first_line(self) -> str:
         """The type and text of the exception, as in "ZeroDivisionError: division by zero".
 
-        If the text has several lines, or is very long, this is only its beginning.
+        If the text has several lines or is very long, only its beginning is included.
         """
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type

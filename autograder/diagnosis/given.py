@@ -26,7 +26,7 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """While the context lasts, use our solutions as the code of the ``given`` chapters.
+    """Create a context in which our solutions serve as the code of the ``given`` chapters.
 
     The with statement yields the folders to search for code. The first of them is a temporary
     folder with copies of our solutions. The folders of ``engine`` follow it.
@@ -119,9 +119,9 @@ def suspects(
 ) -> list[Chapter]:
     """List the earlier chapters that fail some of their own checks.
 
-    This is used in a handout. Without our solutions, we cannot tell there which failures are
-    inherited, but we can warn the student that an earlier chapter may be to blame. The list is
-    empty if the failures in ``verdicts`` are all due to functions that are not written yet.
+    A handout has no solutions, so it cannot show which failures are inherited. With this list, it
+    can still warn the student that an earlier chapter may be to blame. The list is empty if the
+    failures in ``verdicts`` are all due to functions that are not written yet.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):

@@ -53,7 +53,10 @@ def _candidates(
 
 
 def _names(says: str, name: str) -> bool:
-    """Return whether Python's error says that the function ``name`` or its class does not exist."""
+    """Return True if a NameError, ImportError or AttributeError is about ``name`` or its class.
+
+    ``says`` is a text that contains the message of the error.
+    """
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
     signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]

@@ -57,8 +57,8 @@ def file_of(module: str) -> str:
 def broken_module(name: str, why: Message) -> ModuleType:
     """Create a placeholder for a student's module that cannot be imported.
 
-    The checks can still import any name from it. As soon as a check calls such a name, it ends with
-    the message ``why``.
+    The checks can still import any name from it. A check that calls such a name ends with the
+    message ``why``.
     """
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
@@ -68,8 +68,7 @@ def broken_module(name: str, why: Message) -> ModuleType:
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
     """Create a __getattr__ for a module, so that checks can import names that it does not define.
 
-    As soon as a check calls such a name, it ends with a message that the student's module does not
-    define it.
+    A check that calls such a name ends with a message that the student's module does not define it.
     """
     is_empty = all(name.startswith("__") for name in vars(module))
 

@@ -33,7 +33,7 @@ class Unknown:
     Attributes:
         of: The type or file that lacks the name. It is empty for a variable.
         nearest: The most similar name that exists.
-        slots: If the code assigned to the attribute, the attributes that the object may have.
+        slots: The attributes that the object may have, if the code tried to assign to another one.
         module: Whether the name is a standard library module that was not imported.
     """
 
@@ -78,7 +78,7 @@ def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
 def explain_unknown(unknown: Unknown) -> str:
     """Suggest to the student what to use in place of a name that does not exist.
 
-    If no existing name is similar, return an empty string.
+    If there is nothing to suggest, return an empty string.
     """
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
@@ -166,8 +166,8 @@ def _slots(kind: type) -> list[str]:
     """List the attributes that a student may assign to, if a class limits them with __slots__.
 
     If the class accepts any attribute, the list is empty. A private slot such as _damping is listed
-    only if there is a property named damping, because other private slots are internal to the
-    class. If all slots are private and none has a property, all of them are listed.
+    only if there is a property named damping. Other private slots are internal to the class. If all
+    slots are private and none has a property, all of them are listed.
     """
     if kind.__dictoffset__:
         return []

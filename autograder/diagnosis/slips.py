@@ -1,4 +1,7 @@
-"""Explain errors of Python that are hard to understand, by a part of their texts."""
+"""Explain Python's error messages that students find hard to understand.
+
+Each one is recognized by a part of its text.
+"""
 
 from __future__ import annotations
 
@@ -145,7 +148,7 @@ PERHAPS = (
 
 
 def slip_of(text: str) -> str:
-    """Explain the common Python mistake that causes an exception with this text.
+    """Explain which common Python mistake causes an exception with this text.
 
     For example, "circular import" means that two files import each other. If the text is not one
     that we recognize, return an empty string.

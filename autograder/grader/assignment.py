@@ -119,7 +119,7 @@ class OnceForAll:
         """Return the results of the reference solution on the exercises that have a chart.
 
         The chart compares the student's cost and error with those of the reference solution. If the
-        reference solution cannot be checked, the chart shows only the student's.
+        reference solution cannot be checked, the chart shows only the student's numbers.
         """
         root = assignment.root
         with self._lock:

@@ -21,8 +21,8 @@ from autograder.submissions.find import file_name
 def seed_of(state: Path, seed: str | None) -> str:
     """Choose the seed for the random numbers in the checks of a class.
 
-    The instructor may request a seed. Otherwise a run that was interrupted continues with its own
-    seed, and any other run draws a new one.
+    The instructor may request a seed. If not, an interrupted run continues with its own seed, and
+    any other run draws a new one.
     """
     if seed:
         return seed
@@ -36,10 +36,10 @@ def seed_of(state: Path, seed: str | None) -> str:
 
 
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
-    """Refuse to regrade a student with a roster if the class was graded without one, or vice versa.
+    """Require a roster for a regrade if the class was graded with one, and refuse it otherwise.
 
-    With a roster, the reports use the names on it. Otherwise they use the names of the submissions,
-    so the same student would then be listed twice.
+    With a roster, the reports use the names on it. Without one, they use the names of the
+    submissions. If the two runs differed in this, the same student would be listed twice.
 
     Raises:
         ValueError: A roster is given now but was not given before, or the reverse.

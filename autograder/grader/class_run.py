@@ -32,8 +32,8 @@ from autograder.submissions.find import Submission, file_name
 class ClassRun:
     """Grades the submissions of a class, or reuses the reports of an earlier run.
 
-    It keeps everything that the submissions have in common, such as the assignment and the folder
-    for the reports. It also keeps the marks for written answers, and how late each student was.
+    The object stores what all submissions have in common, such as the assignment and the folder for
+    the reports. It also stores the marks for written answers, and how late each student was.
     """
 
     def __init__(

@@ -256,7 +256,7 @@ def _tree(folder: Path | None) -> Tree:
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write the files that the instructor's machine sent into a folder on this worker.
+    """Write the files received from the instructor's machine to a folder on this worker.
 
     All users may read them, because the student's code may run under another account.
     """

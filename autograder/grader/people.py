@@ -55,8 +55,8 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 def differences(people: ClassList) -> list[str]:
     """List students who handed in nothing, and submissions whose names are not on the roster.
 
-    If the lists contain similar names, such as "Ann Lee" and "Ann Le", a line suggests how to
-    rename the submission.
+    If a submission is named "Ann Le" and the roster has "Ann Lee", for example, a line suggests how
+    to rename the submission.
     """
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."

@@ -192,9 +192,9 @@ def _helpers_of(
 ) -> dict[str, str]:
     """Find the helper functions of a solution that nothing uses once some bodies are removed.
 
-    Each helper gets the error message of a function that used it. A helper always stays if other
-    functions have the same short name, such as the methods of a Protocol. We cannot tell which of
-    them a body used.
+    The result maps each helper to the error message of a function that used it. If another function
+    has the same short name, as with the methods of a Protocol, the helper always stays. In that
+    case we cannot tell which of them a body used.
     """
     short_names = [_short(name) for name in defined]
     return {

@@ -81,10 +81,10 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Read the unknown name that made the student's code raise an exception, if there is one.
+    """Read from a worker's data which unknown name made the student's code raise an exception.
 
-    The result contains the name, such as "Vector", and the most similar name that exists, such as
-    "Vector3". It is None if the exception has another cause.
+    The result contains this name, such as "Vector", and the most similar name that exists, such as
+    "Vector3". If the exception has another cause, the result is None.
     """
     if data is None:
         return None

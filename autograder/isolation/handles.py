@@ -121,7 +121,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Explain to a student that a module lacks a name that the check uses."""
+        """Tell the student which function or class a module should define but does not."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])

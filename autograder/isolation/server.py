@@ -140,10 +140,10 @@ class Server:
     # The requests. Each method's name is "do_" and the name of its request.
 
     def do_begin(self, broken: list[str]) -> None:
-        """Replace the student's modules that cannot be imported with placeholders.
+        """Put placeholders in place of those student modules that cannot be imported.
 
-        A check that uses a name from such a module fails. The explanation for the student comes
-        from the checks' process, so the placeholders need none.
+        A check that uses a name from such a module fails. The placeholders need no explanation for
+        the student, because the checks' process supplies it.
         """
         for module in broken:
             sys.modules[module] = broken_module(module, Message())

@@ -3,8 +3,8 @@
 A new Python process needs 70 ms to start and to import the modules of a template. The grader needs
 a template for each chapter and submission, so it keeps a process waiting that has already imported
 these modules. That process forks a template for each order, and it never runs any student code. It
-ends when no process is left that could send an order. Where forking is not possible, the template
-is started as a new Python process.
+ends once every process that could send it orders has ended. Where forking is not possible, the
+template is started as a new Python process.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ def start_waiting() -> None:
     """Start a process that waits for orders, and forks a template for each of them.
 
     A template in turn forks the workers that run student code. The orders arrive on a socket that
-    never splits or joins messages. On a system without such sockets, nothing is started, and each
-    template will be a new Python process.
+    never splits or joins messages. On a system without such sockets, no process is started here,
+    and each template will be a new Python process.
     """
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -45,7 +45,7 @@ def start_waiting() -> None:
 
 
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
-    """Have the waiting helper process fork a template, from which workers can then be forked.
+    """Ask the waiting helper process to fork a template, the process that later forks workers.
 
     ``control`` is the template's end of the socket for its orders. ``log`` is the file descriptor
     to which the template's output goes.

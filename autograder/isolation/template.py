@@ -148,7 +148,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, after waiting for its process number."""
+        """Return the worker that was ordered in advance, as soon as its process number is known."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -212,7 +212,7 @@ class Template:
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Explain in a sentence for the student why the process of the student's code has ended.
+        """Explain to the student in one sentence why the process with the student's code ended.
 
         For example, the code may have used up its processor time.
 

@@ -92,7 +92,7 @@ def main(text: str) -> None:
 
 
 def run_template(config: dict[str, Any]) -> None:
-    """Turn this process into a template, which forks a worker for student code for each order.
+    """Turn this process into a template, which forks one worker for student code per order.
 
     The template restricts itself before it forks the first worker, and the workers inherit the
     restrictions. It ends when the control socket closes.

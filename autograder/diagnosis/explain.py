@@ -56,7 +56,7 @@ def explain_exception(
     cause, read = (about.cause, about.read) if about.call else ("", "")
     where = where and _with_source(where, engine_folders)
     likely, other = _likely(fault.first_line, cause, fault)
-    if where and where.source.startswith("raise ") and cause:
+    if where and re.search(r"\braise\b", where.source) and cause:
         likely, other = cause, ""  # the student's own error is no mistake in Python
     return Message(
         called=short_numbers(about.call),

@@ -91,6 +91,20 @@ def test_names_that_are_not_there_and_notimplemented(messages: Messages) -> None
     assert "renamed it to cros," in likely(failed["B2.9"])
 
 
+def test_an_error_that_the_student_raises_is_no_slip_in_python(messages: Messages) -> None:
+    """Both methods end with a TypeError, but only cross has a value of a wrong type."""
+    failed = messages(
+        "ch02_vectors/vector.py",
+        {
+            whole("dot"): "    def dot(self, v):\n        if v: raise TypeError('no vector')\n",
+            whole("cross"): "    def cross(self, v):\n        return self.y * 'z'\n",
+        },
+    )
+    assert "has the wrong type" in likely(failed["B2.9"])
+    assert "TypeError: no vector" in "".join(failed["B2.8"])
+    assert "has the wrong type" not in likely(failed["B2.8"])
+
+
 def test_what_slots_can_hold(messages: Messages) -> None:
     """Every particle is made with a mass, so every check that makes one says it."""
     failed = messages(

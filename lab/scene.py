@@ -108,7 +108,7 @@ class Scene:
         """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Do what a scripted player does at ``time``, in s, such as aiming or firing.
+        """Do what a player would do at ``time``, in s, such as aiming or firing.
 
         Recordings and tests call this before each frame, because they have no human player.
         """

@@ -180,10 +180,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that moves two hundred falling particles by a frame, in plain numbers.
+    """Return a function that moves two hundred falling particles by a frame with plain arithmetic.
 
-    ``dimensions`` is the number of coordinates, 2 or 3. The difference between the two is the cost
-    of a third dimension.
+    ``dimensions`` is the number of coordinates, 2 or 3. The difference between the two times is the
+    cost of a third dimension.
     """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 

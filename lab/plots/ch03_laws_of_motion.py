@@ -1,7 +1,7 @@
-"""Plots of chapter 3, drawn with the particle of the student's engine: make plot CH=3.
+"""Plots of chapter 3, drawn with the particle of a student's engine.
 
 The title of each plot reports a measured result, such as the largest error, so a bug in the engine
-shows up there.
+shows up there. The command is `make plot CH=3`.
 """
 
 from __future__ import annotations

@@ -203,8 +203,8 @@ def _fall(
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
     """Simulate an orbit that starts at the point farthest from the center.
 
-    The gravitational parameter mu is 1. Return the position and the velocity at the start, and then
-    once every ``every`` frames.
+    The gravitational parameter mu is 1. Return the position and velocity at the start, and then
+    after each interval of ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)

@@ -107,10 +107,11 @@ class FrameRates(Scene):
 
 
 class DampingForms(Scene):
-    """A scene of three sliding pucks, which shows how exact two forms of damping are.
+    """A scene of three sliding pucks that compares two forms of damping with the exact motion.
 
-    The first puck is damped once per step by Eq. 3.5, and the second per second by Eq. 3.6. The
-    third follows the exact solution.
+    The first puck loses the same fraction of its speed in every step (Eq. 3.5). The second one
+    loses a fraction that depends on the length of the step (Eq. 3.6). The third follows the exact
+    solution.
     """
 
     chapter = 3

@@ -58,7 +58,7 @@ def lines() -> list[Measurement]:
 
 
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
-    """Set up a benchmark of pymunk against our engine, with bodies that fall with damping.
+    """Set up a benchmark that compares pymunk and our engine on bodies that fall with damping.
 
     If ``read`` is true, the x and y of every body are read after each step. Our engine stores
     positions as Python objects, so reading them is cheap. Pymunk has to get each position from its

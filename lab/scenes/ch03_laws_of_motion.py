@@ -150,7 +150,7 @@ class DampingForms(Scene):
             self.speeds[1] = damp_per_second(self.speeds[1], Vector3(), self.kept, h)
 
     def slid(self) -> float:
-        """Compute how far the third puck has slid by the exact solution, in m."""
+        """Compute the exact distance in m that the third puck has slid so far."""
         k = -math.log(self.kept)
         return self.SPEED * -math.expm1(-k * self.steps / self.rate) / k
 

@@ -3,7 +3,7 @@
 A model is one way to simulate a scene, for example with a certain integrator. Its error and its
 amount of work are the same in every run, so they are measured only once. Its time varies, so it is
 measured in several rounds. Each round times all models in random order. If the computer is busy for
-a moment, it is then not always the same model that suffers.
+a moment, this does not always affect the same model.
 
 The results are saved after every round. An interrupted run can resume from them as long as the code
 and the versions have not changed.

@@ -69,7 +69,7 @@ class Row:
     def bounds(self) -> tuple[float, float]:
         """The smallest and the largest possible ratio of pymunk's time to ours.
 
-        They are useful if one side missed the tolerance. We then know only that this side needs
+        They are useful if one side missed the tolerance. All we know then is that this side needs
         more time than its longest run took. The ratio is therefore bounded on one side only, and
         the other bound is 0 or infinity.
         """

@@ -125,9 +125,9 @@ def hanging(extra: float = 0.0) -> list[Place]:
     held = cables()
 
     def off(state: Any) -> Any:
-        """List by how much a state violates the conditions for a bridge at rest.
+        """Compute how far a state of the bridge is from rest, as a list of errors.
 
-        The list holds the net force on each plank's end in N, and each cable's excess length in m.
+        The errors are the net force on each plank's end in N, and each cable's excess length in m.
         SciPy searches for the state in which all of them are 0.
         """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]

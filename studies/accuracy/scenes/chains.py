@@ -1,8 +1,8 @@
 """Simulate a swinging chain of rods with our engine and with pymunk, and compute its exact motion.
 
-To compare methods on any computer, each simulation counts its work, which is the number of contacts
-that it resolves. If a method solves for all rods at once, every rod counts once per evaluation. In
-pymunk, pin joints act as the rods, and each joint counts once per iteration.
+The work of a simulation is counted, so that it does not depend on the computer's speed. Each
+contact that is resolved counts once. If a method solves for all rods at once, every rod counts once
+per evaluation. In pymunk, pin joints act as the rods, and each joint counts once per iteration.
 """
 
 from __future__ import annotations

@@ -3,10 +3,10 @@
 In the first scene, a ball bounces without losing energy, and in the second one it loses energy. In
 the third one, a light ball is dropped on top of a heavy one.
 
-To compare methods on any computer, their work is measured as the number of searches for contacts.
-Most methods search once per step, but time division searches once per impact and once per frame. A
-method that computes a ball's heights from its impacts does not search. Its work is the number of
-computed heights.
+The work of a simulation is counted, so that it does not depend on the computer's speed. It is the
+number of searches for contacts. Most methods search once per step, but time division searches once
+per impact and once per frame. If a method computes the heights of a ball from its impacts alone, it
+counts these heights instead.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 """Simulate a net of cables with our engine and with pymunk, and compute its exact motion.
 
 The net moves in a plane, because pymunk is two-dimensional. Our engine has two solvers for nets.
-The errors of DirectNet are of order 2, and those of SmoothNet are of order 4.
+DirectNet has order 2, and SmoothNet has order 4.
 
-To compare methods on any computer, their work is counted. Whenever the tensions are computed, each
-link counts once. A SmoothNet computes them four times per step. In pymunk, slide joints act as the
-links, and each joint counts once per iteration of a step.
+The work of a simulation is counted, so that it does not depend on the computer's speed. Each link
+counts once whenever the solver solves for all of them, which SmoothNet does four times per step. In
+pymunk, slide joints act as the links, and each joint counts once per iteration.
 """
 
 from __future__ import annotations

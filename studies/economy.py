@@ -88,9 +88,10 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List features that falling particles do not need, such as gravity as a force generator.
+    """List the features whose cost is measured, although falling particles do not need them.
 
-    Each feature is a tuple of its name and two functions, which simulate the same frame with it and
+    An example is gravity as a force generator. Each feature is a tuple of its name and two
+    functions. One simulates a frame with the feature, and the other simulates the same frame
     without it.
     """
     # These modules import chapters.

@@ -116,5 +116,8 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round ``value`` to five digits, which are plenty for a picture and keep messages short."""
+    """Round ``value`` to five significant digits, to keep messages short.
+
+    A picture does not need more digits.
+    """
     return float(f"{value:.5g}")

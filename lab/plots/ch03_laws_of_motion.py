@@ -39,7 +39,7 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Plot how much velocity a falling body loses to damping within 1 s (exercise 3.5).
+    """Plot what fraction of its velocity a falling body loses to damping in 1 s (exercise 3.5).
 
     The plot compares three formulas for damping over a range of frame rates. With damping per
     frame, the loss depends on the frame rate.

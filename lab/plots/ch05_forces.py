@@ -186,7 +186,7 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Let a particle with drag fall from rest, in frames of ``frame`` s.
+    """Simulate a particle with drag that falls from rest, in frames that last ``frame`` s.
 
     Return the distance in m and the speed in m/s, at the start and after each frame.
     """

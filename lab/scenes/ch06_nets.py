@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 6 with many springs: a bridge and a cloth, which may explode."""
+"""Interactive scenes of chapter 6 with many springs: a bridge and a cloth that may explode."""
 
 from __future__ import annotations
 

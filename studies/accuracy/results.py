@@ -113,11 +113,11 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Check whether the error of a model has stopped shrinking, so that more steps are useless.
+    """Check whether the error of a model has stopped shrinking, so that more steps would not help.
 
-    That is the case if eight times as many steps do not even halve the error. A method of order 1
-    would reduce it to an eighth. The answer is False while the error is a tenth of the scene's size
-    or more, because it may still start to shrink.
+    It has if eight times as many steps do not even halve the error. A method of order 1 would
+    reduce it to an eighth. The answer is False while the error is a tenth of the scene's size or
+    more, because it may still start to shrink.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -147,7 +147,7 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Estimate how long a model would take, in s, to meet a tolerance that its runs missed.
+    """Estimate how long a model would take, in s, to meet a tolerance that none of its runs met.
 
     The number of steps follows from the model's order of convergence. Each step is assumed to take
     as long as in the run with the most steps. Return None if the model has no steady order, or if

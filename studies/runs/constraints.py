@@ -173,10 +173,10 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Drop a ball, and record its height over time with time_division_step.
+    """Drop a ball, and record its height over time with the function time_division_step.
 
-    That function stops a step at each impact. When the ball comes to rest it raises TooManyImpacts.
-    The recording ends at the time that the exception reports.
+    This function stops a step at each impact. When the ball comes to rest, it raises
+    TooManyImpacts, and the recording ends at the time that the exception reports.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)

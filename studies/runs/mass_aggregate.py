@@ -134,9 +134,9 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Make up frame times for a game that does not run smoothly.
+    """Create random frame times, as in a game that does not run smoothly.
 
-    They are random times of 5 to 30 ms. At each time in ``spikes``, the computer is busy with
+    Most frames take between 5 and 30 ms. At each time in ``spikes``, the computer is busy with
     something else, and one frame takes SPIKE.
     """
     rng = random.Random(seed)

@@ -88,7 +88,7 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return an integrator that raises an error when a particle is faster than ``limit`` in m/s.
+    """Return an integrator that raises an error if a particle moves faster than ``limit`` in m/s.
 
     If the student has not written ``watched`` yet, return the integrator itself. A simulation that
     explodes then still ends, because particles reject forces that are not finite.
@@ -108,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release a body of 1 kg at x = 1 m, and let it swing until it exceeds ``limit`` in m/s."""
+    """Release a body of 1 kg at x = 1 m. It swings until its speed exceeds ``limit`` in m/s."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]

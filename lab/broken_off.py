@@ -15,8 +15,8 @@ FIRST_LIMIT = 8.0  # s
 def why_it_broke_off(stack: str, engine: list[Path], limit: float = TIME_LIMIT) -> str:
     """Explain to a student why the process that runs their engine stopped during a scene.
 
-    A process that takes longer than ``limit`` s writes a stack trace, which shows where the endless
-    loop is. Pass it as ``stack``. An empty ``stack`` means that the process ended on its own.
+    If the process took longer than ``limit`` s, it wrote a stack trace that shows where the code
+    got stuck. Pass that text as ``stack``. If the process ended on its own, pass an empty string.
     """
     if stack:
         return str(explain_hang(stack, limit, engine))

@@ -22,7 +22,7 @@ from studies.reason import reason
 
 
 def main() -> None:
-    """Answer the server's messages from standard input until the server closes it."""
+    """Read the server's messages from standard input and answer them, until the input ends."""
     parser = argparse.ArgumentParser(prog="python -m lab.child", description=__doc__)
     add_engine_options(parser)
     parser.add_argument("--stack", type=Path, required=True)

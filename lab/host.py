@@ -22,7 +22,7 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """Runs one scene and answers messages about it, such as a key that the reader has pressed.
+    """Runs one scene and answers messages about it, for example that a key has been pressed.
 
     ``explain`` turns an exception raised by the student's code into an explanation.
     """
@@ -181,7 +181,10 @@ class Host:
 
 
 def _numbers(items: list[list[Any]]) -> list[float]:
-    """Collect all drawn coordinates and sizes, which show whether the scene has exploded."""
+    """Collect all numbers in a drawing, such as coordinates and sizes.
+
+    If one of them is far too large or not finite, the scene has exploded.
+    """
     found: list[float] = []
     for item in items:
         for value in item:

@@ -115,7 +115,10 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the recording's table: the time, the charted values and any known error."""
+    """Return a row of the recording's table: the time, the charted values and the scene's error.
+
+    The error is left out if the scene has no exact solution.
+    """
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}

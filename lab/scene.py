@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A question that asks the reader to predict what a scene will do before it runs.
 
-    ``answer`` takes the scene and returns the index of the correct option. Once the scene has run
-    for ``seconds``, ``why`` explains what happened.
+    ``answer`` is a function that takes the scene and returns the index of the correct option. The
+    text ``why`` explains what happened once the scene has run for ``seconds``.
     """
 
     words: str
@@ -83,7 +83,7 @@ class Scene:
         return {}
 
     def state(self) -> list[float]:
-        """Return the simulated coordinates, which ``error`` compares with the exact ones."""
+        """Return the simulated coordinates, for ``error`` to compare with the exact ones."""
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
@@ -108,7 +108,7 @@ class Scene:
         """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Do what a scripted player does at ``time``, in s, such as aiming or firing.
+        """Do what a player would do at ``time``, in s, such as aiming or firing.
 
         Recordings and tests call this before each frame, because they have no human player.
         """

@@ -24,7 +24,10 @@ class WorldScene(Scene):
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Use ``step`` to advance ``world`` from now on, and record its contacts for drawing."""
+        """From now on, advance ``world`` with the function ``step``, and record its contacts.
+
+        The contacts are recorded so that the scene can draw them.
+        """
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)

@@ -88,9 +88,10 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List features that falling particles do not need, such as gravity as a force generator.
+    """List the features whose cost is measured, although falling particles do not need them.
 
-    Each feature is a tuple of its name and two functions, which simulate the same frame with it and
+    An example is gravity as a force generator. Each feature is a tuple of its name and two
+    functions. One simulates a frame with the feature, and the other simulates the same frame
     without it.
     """
     # These modules import chapters.
@@ -180,10 +181,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that moves two hundred falling particles by a frame, in plain numbers.
+    """Return a function that moves two hundred falling particles by a frame with plain arithmetic.
 
-    ``dimensions`` is the number of coordinates, 2 or 3. The difference between the two is the cost
-    of a third dimension.
+    ``dimensions`` is the number of coordinates, 2 or 3. The difference between the two times is the
+    cost of a third dimension.
     """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 

@@ -52,10 +52,10 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Write down in a text file which engine drew the plots in ``folder``.
+    """Record in a text file which engine drew the plots in ``folder``.
 
-    When students finish a chapter, a message points them to its plot, but only if their own engine
-    drew it.
+    Students who finish a chapter get a message about its plot, but only if their own engine drew
+    it.
     """
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")

@@ -42,7 +42,7 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Check whether a benchmark's result meets the bound. A result equal to it does."""
+        """Check whether a benchmark's result meets the bound, which may also be equal to it."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 

@@ -75,7 +75,10 @@ class Pen:
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
-        """Fill an area with a color, which is translucent like water unless ``solid`` is true."""
+        """Fill a polygon with a color.
+
+        The color is translucent, as for water, unless ``solid`` is true.
+        """
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
@@ -113,5 +116,8 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round ``value`` to five digits, which are plenty for a picture and keep messages short."""
+    """Round ``value`` to five significant digits, to keep messages short.
+
+    A picture does not need more digits.
+    """
     return float(f"{value:.5g}")

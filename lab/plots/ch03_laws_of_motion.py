@@ -1,7 +1,7 @@
-"""Plots of chapter 3, drawn with the particle of the student's engine: make plot CH=3.
+"""Plots of chapter 3, drawn with the particle of a student's engine.
 
 The title of each plot reports a measured result, such as the largest error, so a bug in the engine
-shows up there.
+shows up there. The command is `make plot CH=3`.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Plot how much velocity a falling body loses to damping within 1 s (exercise 3.5).
+    """Plot what fraction of its velocity a falling body loses to damping in 1 s (exercise 3.5).
 
     The plot compares three formulas for damping over a range of frame rates. With damping per
     frame, the loss depends on the frame rate.

@@ -29,9 +29,9 @@ DOWN = (0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
-    """Plot how much longer a frame takes to compute with each force generator.
+    """Plot how much longer a frame takes to compute when a force generator acts on a particle.
 
-    The baseline is a particle of chapter 3, with gravity as its acceleration.
+    Each time is divided by that of a particle of chapter 3, whose acceleration is gravity.
     """
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = Airbrake(0.5)

@@ -186,7 +186,7 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Let a particle with drag fall from rest, in frames of ``frame`` s.
+    """Simulate a particle with drag that falls from rest, in frames that last ``frame`` s.
 
     Return the distance in m and the speed in m/s, at the start and after each frame.
     """
@@ -203,8 +203,8 @@ def _fall(
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
     """Simulate an orbit that starts at the point farthest from the center.
 
-    The gravitational parameter mu is 1. Return the position and the velocity at the start, and then
-    once every ``every`` frames.
+    The gravitational parameter mu is 1. Return the position and velocity at the start, and then
+    after each interval of ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)

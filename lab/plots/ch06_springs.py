@@ -186,7 +186,8 @@ def energy_over_time() -> Picture:
 def error_against_work() -> Picture:
     """Plot how accurately each integration method simulates a spring, and how much work it takes.
 
-    The accuracy is the largest error within 1 s, and the work is the number of force evaluations.
+    The plot shows the largest error within 1 s against the work, which is the number of force
+    evaluations.
     """
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
@@ -251,10 +252,10 @@ PLOTS = (
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Compute the force that a force generator exerts on a particle at ``place`` on an axis.
+    """Compute one component of the force that a force generator exerts on a particle.
 
-    ``axis`` is 0 for x, 1 for y or 2 for z. The result is the component of the force along that
-    axis.
+    The particle lies on a coordinate axis, at ``place``. ``axis`` is 0 for x, 1 for y or 2 for z.
+    It selects both this axis and the component of the force.
     """
     particle = Particle(Vector3(*(place if i == axis else 0.0 for i in range(3))))
     generator.update_force(particle, FRAME)

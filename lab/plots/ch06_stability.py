@@ -89,9 +89,10 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Plot the motion of the faked stiff spring next to that of a true spring.
+    """Plot the motion of a faked stiff spring next to that of a true spring.
 
-    A second plot shows for which time steps the oscillations of the faked spring grow.
+    The fake computes where a true spring would move the particle, and adds a constant force that
+    takes it there. A second plot shows for which time steps the fake's oscillations grow.
     """
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90

@@ -229,7 +229,7 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that fit in a picture. With a faulty engine, a ball may fly away."""
+    """Keep only the heights that fit in a picture, since a faulty engine may lose a ball."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 

@@ -137,7 +137,8 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
     """Plot the energy of several runs of a scene, and how constant it is once the scene rests.
 
-    A second panel shows the late energy in percent, as the deviation from the middle of its range.
+    A second panel shows only the time at rest. There, the energy is plotted as its difference in
+    percent from the middle of its range.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(

@@ -1,4 +1,4 @@
-"""Plots of chapter 8: how well ropes and the cables of the rope bridge hold, and at what cost.
+"""Plots of chapter 8: how accurate simulated ropes and bridge cables are, and at what cost.
 
 The title of each plot reports a measured result, such as the largest error, so a bug in the
 student's engine shows up there.
@@ -91,8 +91,8 @@ def mass_ratios() -> Picture:
 def hanging_rope() -> Picture:
     """Plot how accurately each method simulates the sag of a rope between two nails.
 
-    The error of the sag is plotted against the work, which is the number of contacts resolved or
-    rods solved.
+    The error of the sag is plotted against the work of the simulation. Work does not depend on the
+    computer, because it is a count of the contacts resolved or the rods solved.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So

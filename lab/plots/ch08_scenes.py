@@ -246,10 +246,10 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Find the throw that a trebuchet makes if it is set to release at ``angle``.
+    """Find the throw that a trebuchet makes if its release angle is set to ``angle``.
 
-    ``found`` lists the possible throws of one swing. If the swing never reaches the angle, return
-    None.
+    ``found`` lists the possible throws of one swing. Return None if the swing never reaches the
+    angle.
     """
     return next((release for release in found if release.angle <= angle), None)
 

@@ -1,4 +1,4 @@
-"""Plots of chapter 9: the errors of Eq. 9.5, and the rates of Euler angles near gimbal lock."""
+"""Plots of chapter 9: the errors of the book's rotation step, and Euler angles near gimbal lock."""
 
 from __future__ import annotations
 
@@ -52,9 +52,10 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """Plot how Eq. 9.5 lengthens a quaternion and rotates it by a wrong angle.
+    """Plot the two errors of Eq. 9.5, the book's formula for rotating a quaternion by one step.
 
-    Better integration methods are shown for comparison.
+    Each step makes the quaternion longer, and rotates it by a wrong angle. Better integration
+    methods are shown for comparison.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
@@ -188,9 +189,10 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return the length and the angle in degrees that the student's first_order_drift predicts.
+    """Return the errors of Eq. 9.5 that the student's function first_order_drift predicts.
 
-    If the student has not written that function yet, both are NaN.
+    They are the final length of a quaternion, which should be 1, and the missing angle in degrees.
+    If the student has not written the function yet, both are NaN.
     """
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
@@ -200,9 +202,10 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Write the part of a title that says how far first_order_drift is from the measured error.
+    """Write the part of a plot's title that judges the student's function first_order_drift.
 
-    If the student has not written that function yet, the text is empty.
+    It says by how much the errors that the function predicts differ from the measured ones. The
+    text is empty if the student has not written the function yet.
     """
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
@@ -243,6 +246,6 @@ def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
 
 
 def _refuses(x: float, z: float) -> bool:
-    """Return whether euler_rates rejects a rotation about the axis that is lost in gimbal lock."""
+    """Return True if euler_rates raises an error for the axis that is lost in gimbal lock."""
     lost = worst_axis(0.0, z)
     return bool(stopped(lambda: euler_rates(x, 0.5 * math.pi, z, Vector3(*lost))))

@@ -174,9 +174,10 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Rotate the vectors X, Y and Z by a quaternion with the student's engine.
+    """Let the student's engine rotate the vectors X, Y and Z by a quaternion.
 
-    If the engine raises an exception, add its text to ``notes`` and return NOWHERE.
+    If the engine raises an exception, add its text to ``notes``, and return NOWHERE, which consists
+    of NaNs.
     """
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):

@@ -107,10 +107,11 @@ class FrameRates(Scene):
 
 
 class DampingForms(Scene):
-    """A scene of three sliding pucks, which shows how exact two forms of damping are.
+    """A scene of three sliding pucks that compares two forms of damping with the exact motion.
 
-    The first puck is damped once per step by Eq. 3.5, and the second per second by Eq. 3.6. The
-    third follows the exact solution.
+    The first puck loses the same fraction of its speed in every step (Eq. 3.5). The second one
+    loses a fraction that depends on the length of the step (Eq. 3.6). The third follows the exact
+    solution.
     """
 
     chapter = 3
@@ -149,7 +150,7 @@ class DampingForms(Scene):
             self.speeds[1] = damp_per_second(self.speeds[1], Vector3(), self.kept, h)
 
     def slid(self) -> float:
-        """Compute how far the third puck has slid by the exact solution, in m."""
+        """Compute the exact distance in m that the third puck has slid so far."""
         k = -math.log(self.kept)
         return self.SPEED * -math.expm1(-k * self.steps / self.rate) / k
 

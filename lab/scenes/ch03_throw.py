@@ -130,7 +130,7 @@ class Throw(Scene):
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Measure how far beyond the center of the hoop's rim a path comes down, in m.
+        """Measure how far past the center of the hoop's rim a path comes down, in m.
 
         The distance is measured at the height of the rim. It is negative if the path falls short of
         the center, and None if the path never comes down through that height.
@@ -227,10 +227,10 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """Make the scripted player throw five times.
+        """In recordings and tests, throw the ball five times in place of a human player.
 
-        The first throw uses 60 steps per second, the next two use 10, and the last two use 60 again
-        with damping.
+        The first throw uses 60 steps per second, and the next two use 10. The last two use 60
+        again, with damping.
         """
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)

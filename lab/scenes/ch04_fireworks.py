@@ -99,9 +99,9 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Make the scripted player click on each rocket just before it bursts.
+        """In recordings and tests, click on each rocket just before it bursts.
 
-        The player stops clicking in the last 3 s, so that the display dies out.
+        There are no clicks in the last 3 s, so that the display dies out.
         """
         if time > self.seconds - 3.0:
             return

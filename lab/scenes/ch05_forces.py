@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 5: two balls falling in air, and an orbit that should close."""
+"""Interactive scenes of chapter 5: two balls that fall in air, and a planet's orbit."""
 
 from __future__ import annotations
 

@@ -123,7 +123,7 @@ class Sniper(Scene):
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
-        """Make the scripted player shoot at each target in turn.
+        """In recordings and tests, shoot at each target in turn.
 
         The aim takes gravity and the wind into account.
         """

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 6 with many springs: a bridge and a cloth, which may explode."""
+"""Interactive scenes of chapter 6 with many springs: a bridge and a cloth that may explode."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ class SpringBridge(Stepped):
             self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
-        """Make the scripted player walk to the right end of the bridge and back."""
+        """In recordings and tests, walk to the right end of the bridge and back."""
         frame = round(60.0 * time)
         if frame % 6 == 0:
             self.press("right" if frame < 240 else "left")
@@ -152,7 +152,7 @@ class Cloth(Stepped):
         knot.position.x, knot.position.y = x, min(y, 0.8)
 
     def play(self, time: float) -> None:
-        """Make the scripted player pull a corner of the cloth aside and up, and move it back."""
+        """In recordings and tests, pull a corner of the cloth aside and up, then move it back."""
         if 3.0 < time < 5.0:
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:

@@ -208,7 +208,10 @@ class Stack(Scene):
         self.view_of_contacts.draw(pen, 1.0)
 
     def overlap(self) -> float:
-        """Find the largest overlap between spheres or with the ground, in % of a diameter."""
+        """Find the largest overlap of two spheres, or of a sphere and the ground.
+
+        The result is in % of a sphere's diameter.
+        """
         heights = [-self.RADIUS, *(sphere.position.y for sphere in self.spheres)]
         gaps = [(high - low) / (2.0 * self.RADIUS) for low, high in pairwise(heights)]
         return 100.0 * max(0.0, 1.0 - min(gaps))

@@ -78,7 +78,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Compute by how much rope ``i`` is too long, in m, as the sum over all of its rods."""
+        """Compute how much longer rope ``i`` is than it should be, in m, over all of its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Compute by how much the worst cable of the bridge is too long, in percent."""
+        """Compute by what percentage the worst cable of the bridge exceeds its length."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:
@@ -90,7 +90,7 @@ class Bridge(WorldScene):
         self.bridge.pace = paces.get(key, self.bridge.pace)
 
     def play(self, time: float) -> None:
-        """Make the scripted player walk the ball across the bridge, and finally off it.
+        """In recordings and tests, walk the ball across the bridge, and finally off it.
 
         From 4 s on, some of the frames are late.
         """
@@ -157,9 +157,9 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Make the scripted player win one game and lose the next.
+        """In recordings and tests, win one game and lose the next.
 
-        The player wins by always steering to the next unvisited row of planks.
+        To win, always steer the ball to the next row of planks that it has not visited.
         """
         frame = round(60.0 * time)
         if frame == 424:

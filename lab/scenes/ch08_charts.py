@@ -100,7 +100,7 @@ class Charts(Scene):
 def points(place: Place) -> list[tuple[float, float]]:
     """Split a flat tuple of coordinates into points (x, y).
 
-    If the tuple holds a single coordinate, it is a height.
+    A single coordinate is taken as a height, and becomes a point with x = 0.
     """
     numbers = [float(number) for number in place]
     if len(numbers) == 1:

@@ -83,7 +83,7 @@ class Wheel(WorldScene):
         return words + "."
 
     def play(self, time: float) -> None:
-        """Make the scripted player drive the rim of the wheel harder, and then brake it."""
+        """In recordings and tests, drive the rim of the wheel harder, and then brake it."""
         self.values["force"] = 1.0 if time < 1.0 else 5.0 if time < 4.0 else -3.0
 
 

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 9: three ways to store an orientation, and the error of Eq. 9.5."""
+"""Interactive scenes of chapter 9: three ways to store an orientation, and the book's Eq. 9.5."""
 
 from __future__ import annotations
 
@@ -156,7 +156,8 @@ class Orientations(Scene):
     def state(self) -> list[float]:
         """Return the error of the box that stores its orientation as a quaternion.
 
-        It is the distance from the tip of its worst axis to the exact one, if axes have length 1.
+        Each axis of the box has the length 1. The error is the largest distance between the tip of
+        an axis and the exact tip.
         """
         return [0.01 * self.errors()[1]]
 
@@ -179,7 +180,8 @@ class Orientations(Scene):
 class FirstOrder(Scene):
     """A scene of a clock hand that rotates by Eq. 9.5, next to one that rotates steadily.
 
-    Each step of Eq. 9.5 moves the quaternion in a straight line, so the hand falls behind.
+    Eq. 9.5 is the book's formula for rotating a quaternion by one time step. It moves the
+    quaternion in a straight line, so the hand falls behind.
     """
 
     chapter = 9
@@ -224,7 +226,7 @@ class FirstOrder(Scene):
         return math.atan2(self.q.k, self.q.r)
 
     def passed(self) -> float:
-        """Return how much time the steps so far have simulated, in s."""
+        """Return the time in s that has been simulated so far."""
         passed: float = self.steps / self.rate
         return passed
 

@@ -47,10 +47,10 @@ COLUMNS = (
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
     """Draw the chart of a scene, which shows how accurate and how fast each model is.
 
-    A model is one way to simulate the scene, such as an integrator. The left panel plots the error
-    of each model against its processor time, and the right panel plots it against its work.
-    ``counted`` is the label for work, such as "contacts resolved". The chart is saved as ``png``,
-    and a CSV file next to it contains the plotted points.
+    A model is one way to simulate the scene, for example with a certain integrator. The left panel
+    plots the error of each model against its processor time, and the right panel plots it against
+    its work. ``counted`` says what is counted as work, such as "contacts resolved". The chart is
+    saved as ``png``, and a CSV file next to it contains the plotted points.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
@@ -100,7 +100,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Extend pymunk's curve to smaller errors, with a dotted line to an estimated time.
+    """Extend pymunk's curve to smaller errors, with a dotted line based on extrapolated times.
 
     The line ends at the smallest error tolerance for which pymunk's time could be extrapolated.
     Nothing is drawn if no time was extrapolated.

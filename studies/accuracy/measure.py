@@ -1,9 +1,9 @@
 """Measure how accurate and how fast every model of every scene is.
 
-A model is one way to simulate a scene, such as an integrator. Its error and its amount of work are
-the same in every run, so they are measured only once. Its time varies, so it is measured in several
-rounds. Each round times all models in random order. If the computer is busy for a moment, it is
-then not always the same model that suffers.
+A model is one way to simulate a scene, for example with a certain integrator. Its error and its
+amount of work are the same in every run, so they are measured only once. Its time varies, so it is
+measured in several rounds. Each round times all models in random order. If the computer is busy for
+a moment, this does not always affect the same model.
 
 The results are saved after every round. An interrupted run can resume from them as long as the code
 and the versions have not changed.
@@ -39,9 +39,9 @@ LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW r
 class Point:
     """One point of a chart: the error, work and time of a model at one number of steps per frame.
 
-    A model is one way to simulate a scene, such as an integrator. If it chooses its own steps, it
-    takes a tolerance instead, and ``steps`` is 1 / tolerance. ``times`` holds the processor times
-    in s of all timing rounds.
+    A model is one way to simulate a scene, for example with a certain integrator. If it chooses its
+    own steps, it takes a tolerance instead, and ``steps`` is 1 / tolerance. ``times`` holds the
+    processor times in s of all timing rounds.
     """
 
     scene: str
@@ -81,8 +81,8 @@ def explore(
 
     Each model runs with more and more steps per frame until its error is down to rounding errors,
     or until a run takes too long. The time limit is ``theirs`` seconds for pymunk's models and
-    ``slowest`` seconds for ours. Before each model, ``hear`` is called with a line that shows the
-    progress.
+    ``slowest`` seconds for ours. To show the progress, ``hear`` is called with a line of text
+    before each model.
     """
     points = []
     for scene in scenes:

@@ -1,7 +1,8 @@
-"""Compare the fastest way to simulate a scene with our engine to the fastest one with pymunk.
+"""Compare the fastest simulation of a scene by our engine with the fastest one by pymunk.
 
-A way to simulate a scene, such as an integrator, is called a model. Both our engine and pymunk have
-several models of each scene. Only models that meet the same error tolerance are compared.
+A way to simulate a scene, for example with a certain integrator, is called a model. Both our engine
+and pymunk have several models of each scene. Only models that meet the same error tolerance are
+compared.
 """
 
 from __future__ import annotations
@@ -23,11 +24,11 @@ FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the sma
 class Side:
     """The fastest model, either of our engine or of pymunk, that meets a given error tolerance.
 
-    A model is one way to simulate a scene, such as an integrator. ``time`` is how long it takes, in
-    s. If no run met the tolerance, the time may be extrapolated, and ``order`` is the order of
-    convergence that was used. Otherwise ``model`` and ``time`` are None.
+    A model is one way to simulate a scene, for example with a certain integrator. ``time`` is how
+    long it takes, in s. If no run met the tolerance, the time may be extrapolated, and ``order`` is
+    the order of convergence that was used. Otherwise ``model`` and ``time`` are None.
 
-    ``never`` and ``longest`` say what is known in that last case. If ``never`` is true, no number
+    If they are None, two other fields show how far the search went. If ``never`` is true, no number
     of steps would be enough. Otherwise every model that might still meet the tolerance has been run
     for at least ``longest`` seconds.
     """
@@ -43,8 +44,8 @@ class Side:
 class Row:
     """A comparison of our fastest model with pymunk's in one scene, at one error tolerance.
 
-    A model is one way to simulate the scene, such as an integrator. The tolerance is a fraction of
-    the scene's size.
+    A model is one way to simulate the scene, for example with a certain integrator. The tolerance
+    is a fraction of the scene's size.
     """
 
     scene: str
@@ -66,11 +67,11 @@ class Row:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The smallest and the largest value that the ratio of pymunk's time to ours can have.
+        """The smallest and the largest possible ratio of pymunk's time to ours.
 
-        They are for a comparison in which one side missed the tolerance. All that we know then is
-        that this side needs more time than its longest run took. The ratio is therefore bounded on
-        one side only, and the other bound is 0 or infinity.
+        They are useful if one side missed the tolerance. All we know then is that this side needs
+        more time than its longest run took. The ratio is therefore bounded on one side only, and
+        the other bound is 0 or infinity.
         """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
@@ -112,11 +113,11 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Check whether the error of a model has stopped shrinking, so that more steps are useless.
+    """Check whether the error of a model has stopped shrinking, so that more steps would not help.
 
-    That is the case if eight times as many steps do not even halve the error. A method of order 1
-    would reduce it to an eighth. The answer is False while the error is a tenth of the scene's size
-    or more, because it may still start to shrink.
+    It has if eight times as many steps do not even halve the error. A method of order 1 would
+    reduce it to an eighth. The answer is False while the error is a tenth of the scene's size or
+    more, because it may still start to shrink.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -146,7 +147,7 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Estimate how long a model would take, in s, to meet a tolerance that its runs missed.
+    """Estimate how long a model would take, in s, to meet a tolerance that none of its runs met.
 
     The number of steps follows from the model's order of convergence. Each step is assumed to take
     as long as in the run with the most steps. Return None if the model has no steady order, or if
@@ -184,13 +185,13 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Find the fastest run that is accurate enough, and for comparison the next faster run.
+    """Find the fastest run that is accurate enough, and the next faster run for comparison.
 
-    A run counts only if all runs of its model with more steps are accurate enough, too, since one
-    small error may be a coincidence.
+    A run counts as accurate only if all runs of its model with more steps are accurate enough, too.
+    One small error may be a coincidence.
 
     Returns:
-        The fastest of these runs, and the slowest of the runs that take less time. Each of them is
+        The fastest accurate run, and the slowest of all runs that take less time. Each of them is
         None if there is no such run.
     """
     within = []

@@ -39,8 +39,8 @@ Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x,
 class Outcome:
     """The result of a simulation: the positions at the end of every frame, and the work it took.
 
-    The work is a number of force evaluations, unless ``Scene.counted`` names something else, such
-    as "contacts resolved".
+    The work is a count, so it does not depend on the computer's speed. It is the number of force
+    evaluations, unless ``Scene.counted`` names something else, such as "contacts resolved".
     """
 
     places: list[Place]
@@ -72,11 +72,11 @@ class Scene:
 
     ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m,
     and errors are given as fractions of it. ``models`` are the ways to simulate the scene.
-    ``counted`` says what they count as work, such as "contacts resolved".
+    ``counted`` says what is counted as their work, such as "contacts resolved".
 
     The exact solution is usually a closed form, or SciPy's solution of a single equation. Any other
-    solution needs a check. ``differs`` then solves the scene in two independent ways, and returns
-    the difference as a fraction of the scale.
+    solution needs a check, for which the scene has a function ``differs``. It solves the scene in
+    two independent ways, and returns the difference as a fraction of the scale.
     """
 
     name: str
@@ -143,7 +143,7 @@ def in_frames(
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
-    """Create a model of a one-particle scene for each integrator of chapter 6.
+    """Create the models of a scene with one particle, one for each integrator of chapter 6.
 
     ``make`` creates the particle and its force generators. The last model uses the adaptive
     integrator, which chooses its own steps.

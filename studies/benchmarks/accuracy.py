@@ -1,8 +1,9 @@
 """Compare how long our engine and pymunk take to simulate a scene with the same accuracy.
 
-Each result is pymunk's time divided by the time of one of our models. The positions must be
-accurate in every frame, to within a fraction of the scene's size. Both run with the fewest steps
-per frame that are accurate enough, as a power of two.
+Each result is pymunk's time divided by the time of one of our models. A model is one way to
+simulate the scene, for example with a certain integrator. The positions must be accurate in every
+frame, to within a fraction of the scene's size. To achieve this, both sides use the fewest steps
+per frame that are enough, out of 1, 2, 4 and so on.
 
 If even MOST steps are too few for pymunk, its time is extrapolated from its order of convergence,
 and the report says so. If its error does not fall steadily, the result is only a lower bound.
@@ -58,7 +59,8 @@ def lines_of_adaptive() -> list[Measurement]:
 
     One compares the number of force evaluations, and the other compares the times. The error must
     be at most 1e-6 of the semi-major axis in every frame. Runge-Kutta 4 uses the fewest steps per
-    frame that achieve this, and `adaptive` uses the loosest tolerance, out of four per decade.
+    frame that achieve this. The integrator `adaptive` uses the loosest tolerance that does, chosen
+    from four per power of ten.
     """
     (scene,) = scenes_with("orbit of eccentricity 0.9")
     fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
@@ -128,7 +130,10 @@ def line(
 
 
 def model_of(scene: Scene, name: str) -> Model:
-    """Find a model of ``scene``, which is one way to simulate it, by a name such as "leapfrog"."""
+    """Find one of the models of ``scene`` by its name, such as "leapfrog".
+
+    A model is one way to simulate the scene.
+    """
     return next(model for model in scene.models if model.name == name)
 
 

@@ -23,6 +23,9 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a function that measures how long Python runs with these arguments, in s."""
+    """Return a function that measures how long Python takes, in s, with these arguments.
+
+    For example, ``running("-c", "import pytest")`` measures how long it takes to import pytest.
+    """
     call = [sys.executable, *command]
     return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

@@ -1,7 +1,7 @@
-"""Measure how long it takes to find contacts, to resolve them, and to simulate a chain of rods.
+"""Measure how long it takes to find contacts, resolve them, and simulate a chain of rods.
 
-One resolver keeps the contacts in a heap, and another one scans all of them each time. Two solvers
-for chains are compared with each other, and one of them is compared with pymunk.
+Two resolvers are compared: one keeps the contacts in a heap, and the other scans all of them each
+time. Two solvers for chains are compared with each other, and one of them with pymunk.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def spread(count: int) -> ParticlePairs:
 
 
 def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with DirectChain.
+    """Simulate a swinging chain of rods for 1 s with the solver DirectChain.
 
     ``rate`` is the number of time steps per second. Return x and y of the chain's tip at the end.
     """
@@ -118,7 +118,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Simulate a swinging chain of rods for 1 s with DirectNet.
+    """Simulate a swinging chain of rods for 1 s with the solver DirectNet.
 
     ``rate`` is the number of time steps per second. Return x and y of the chain's tip at the end.
     """

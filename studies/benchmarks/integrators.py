@@ -81,8 +81,8 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
 def arithmetic() -> tuple[float, float, float]:
     """Compute STEPS steps of semi-implicit Euler with plain arithmetic in local variables.
 
-    The difference between this time and that of the integrator is the cost of objects and calls.
-    Return the final position.
+    The integrator computes the same steps but takes longer. The difference is the cost of its
+    objects and calls. Return the final position.
     """
     x, y, z = 1.0, 2.0, 3.0
     u, v, w = 1.0, 2.0, 3.0

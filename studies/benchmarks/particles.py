@@ -58,7 +58,7 @@ def lines() -> list[Measurement]:
 
 
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
-    """Set up a benchmark of pymunk against our engine, with bodies that fall with damping.
+    """Set up a benchmark that compares pymunk and our engine on bodies that fall with damping.
 
     If ``read`` is true, the x and y of every body are read after each step. Our engine stores
     positions as Python objects, so reading them is cheap. Pymunk has to get each position from its
@@ -125,9 +125,9 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 def arithmetic(frames: list[float]) -> Numbers:
     """Compute the motion of Particle.integrate with plain arithmetic in local variables.
 
-    The time shows how fast a step could be without any objects. The comparison is not quite fair.
-    This function computes damping**frame in every step, while Particle.integrate reuses the last
-    power if the duration is the same. Return the final position.
+    The time that this takes shows how fast a step could be without any objects. The comparison is
+    not quite fair. This function computes damping**frame in every step, while Particle.integrate
+    reuses the last power if the duration is the same. Return the final position.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

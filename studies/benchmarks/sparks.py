@@ -73,7 +73,7 @@ def burst() -> FireworksShow:
 def speeds_of(show: FireworksShow) -> list[list[float]]:
     """List the velocities of all sparks as three lists, one each for x, y and z.
 
-    The function ``positions`` takes them in this form.
+    This is the form in which the function ``positions`` takes them.
     """
     velocities = [firework.particle.velocity for firework in show.fireworks]
     return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]

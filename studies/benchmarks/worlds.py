@@ -1,4 +1,4 @@
-"""Measure what a ParticleWorld costs, and how much time a world saves by putting balls to sleep.
+"""Measure how much time a ParticleWorld takes, and how much it saves to put balls to sleep.
 
 Two ways to simulate a rope are also compared: as rods in a ParticleWorld, and as a DirectChain.
 """

@@ -39,8 +39,8 @@ FULL = (9, 0.6, 6.0)
 def main(arguments: list[str]) -> int:
     """Measure how accurate and how fast every model of every scene is, and draw the charts.
 
-    A model is one way to simulate a scene, such as an integrator. Return 0, or exit with a usage
-    error if no scene has the given name.
+    A model is one way to simulate a scene, for example with a certain integrator. Return 0, or exit
+    with a usage error if no scene has the given name.
     """
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(

@@ -1,8 +1,8 @@
-"""A scene file for `make choose` with links: a light ball and a heavy one on a rod each.
+"""A scene file for `make choose` in which two balls hang from rods.
 
-The light ball hangs from a fixed point, and the heavy one hangs from the light one. A world's
-`contact_generators` may also contain a `GroundPlane(particles, height, radius, restitution)` or
-`ParticlePairs(particles, radius, restitution)`, which detect collisions.
+The light ball hangs from a fixed point, and the heavy one hangs from the light one. A scene can
+also have collisions. To detect them, add a `GroundPlane(particles, height, radius, restitution)` or
+a `ParticlePairs(particles, radius, restitution)` to the `contact_generators` of its world.
 """
 
 from ch02_vectors.vector import Vector3

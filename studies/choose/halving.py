@@ -78,8 +78,8 @@ def halved(
 def _is_steady(orders: Sequence[float], order: float) -> bool:
     """Decide whether the observed orders of convergence are steady enough to estimate an error.
 
-    They are if the last two are close to the order known from theory, or if the last three are
-    close to each other.
+    They are steady if the last two are close to the order known from theory. They are also steady
+    if the last three are close to each other.
     """
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True

@@ -101,7 +101,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Turn an integrator into the ``step_of`` function of a model, for worlds without contacts."""
+    """Create a model's ``step_of`` function from an integrator, for worlds without contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

@@ -54,10 +54,10 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Check whether there is no need for further runs with shorter time steps.
+        """Check whether a model needs no further runs with shorter time steps.
 
-        There is none if the last runs are exact. Otherwise the estimates must be reliable, and the
-        errors of the last three runs must be within ``tolerance``.
+        That is the case if the last runs are exact. It is also the case if the estimates are
+        reliable and the errors of the last three runs are within ``tolerance``.
         """
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
@@ -68,7 +68,7 @@ class Tried:
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Convert the runs to points, with which the study of accuracy compares models.
+        """Convert the runs to the points that the study of accuracy uses to compare models.
 
         The work of a point is its number of time steps.
         """
@@ -154,11 +154,11 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Time again, in random order, all runs from which the report may choose.
+    """Measure further times of all runs from which the report may choose.
 
     For each model with reliable errors, these are the runs up to the first one that is accurate
-    enough. Because the order is random, a moment in which the computer is busy affects more than
-    one model.
+    enough. They are timed in several rounds, each in random order. A moment in which the computer
+    is busy then affects more than one model.
     """
     every = []
     for tried in found:

@@ -1,7 +1,7 @@
 """Draw the picture and build the table in which the contact solvers of chapter 7 are compared.
 
-Both are made from points. A point is the error and the computing time of one solver at one number
-of steps per frame.
+Both are based on measured points. A point consists of the error and the computing time of one
+solver at one number of steps per frame.
 """
 
 from __future__ import annotations

@@ -173,7 +173,7 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return 0, the error of an exact contact solver at any time.
+    """Return 0, which is the error that an exact contact solver has at any time.
 
     Simulations are compared with it, as other scenes are compared with an exact solution.
     """

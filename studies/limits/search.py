@@ -43,7 +43,7 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The stability limit of an integrator for a spring or a drag, as found and in theory.
+    """An integrator's stability limit for a spring or for drag, both as found and in theory.
 
     Infinity means that there is no limit. ``steps`` is how many time steps an oscillation takes to
     grow by the factor HUGE at slightly more than the limit. It is NaN if nothing grows.
@@ -176,7 +176,7 @@ def ground_limit() -> Bound:
 
 
 def thrown(kappa: float) -> int:
-    """Return in which time step a resting body leaves the penalty ground.
+    """Find the number of the time step in which a resting body leaves the penalty ground.
 
     Return 0 if it does not leave the ground within 2000 steps. The body starts slightly too low, by
     1 / HUGE of the depth at which it would rest. It leaves the ground when this displacement has

@@ -1,4 +1,4 @@
-"""Find a line on which a box of stones balances, with a student's engine and exactly."""
+"""Find a line on which a box of stones balances, both with a student's engine and exactly."""
 
 from __future__ import annotations
 

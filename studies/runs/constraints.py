@@ -94,7 +94,7 @@ def resolving(
     """Build a function that advances particles by a frame and resolves their contacts.
 
     The frame is divided into ``substeps`` equal steps. In each of them, ``step`` moves the
-    particles, the ``generators`` find the contacts, and ``resolve`` resolves these.
+    particles, the ``generators`` find the contacts, and ``resolve`` resolves them.
     """
     every = [*generators]
 
@@ -135,7 +135,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Build a rule for contacts that is too strict on purpose: below ``speed``, nothing bounces."""
+    """Build a rule for contacts that is too strict on purpose: nothing below ``speed`` bounces."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -173,10 +173,10 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Drop a ball, and record its height over time with time_division_step.
+    """Drop a ball, and record its height over time with the function time_division_step.
 
-    That function stops a step at each impact. When the ball comes to rest it raises TooManyImpacts.
-    The recording ends at the time that the exception reports.
+    This function stops a step at each impact. When the ball comes to rest, it raises
+    TooManyImpacts, and the recording ends at the time that the exception reports.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)
@@ -215,7 +215,7 @@ def chain(
     angle: float = 0.0,
     substeps: int = 1,
 ) -> tuple[Track, Track]:
-    """Release a chain of links, and record over time by how much its links are too long.
+    """Release a chain of links, and record over time how much longer it is than it should be.
 
     Returns:
         Two values over time. The first one is the excess length of the whole chain. The second one
@@ -228,7 +228,7 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Release a DirectChain, and record the same two values over time as ``chain``."""
+    """Release a chain that DirectChain simulates, and record the same two values as ``chain``."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 

@@ -1,4 +1,4 @@
-"""Find the end points of the links of a rope or a rope bridge, and how far they overstretch."""
+"""Find the end points of cables and rods, and how far the worst cable is overstretched."""
 
 from __future__ import annotations
 

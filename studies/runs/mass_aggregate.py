@@ -35,7 +35,7 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """What the bridge, the platform, the blob and the wheel of chapter 8 have in common.
+    """The interface that the bridge, the platform, the blob and the wheel of chapter 8 share.
 
     Each of them has a world of particles, and a method that advances it by one time step.
     """
@@ -134,9 +134,9 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Make up frame times for a game that does not run smoothly.
+    """Create random frame times, as in a game that does not run smoothly.
 
-    They are random times of 5 to 30 ms. At each time in ``spikes``, the computer is busy with
+    Most frames take between 5 and 30 ms. At each time in ``spikes``, the computer is busy with
     something else, and one frame takes SPIKE.
     """
     rng = random.Random(seed)
@@ -154,7 +154,7 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 def places(world: ParticleWorld) -> list[Numbers]:
     """Return the positions of all particles of a world as plain numbers.
 
-    The numbers stay the same when the particles move on.
+    The result is a copy, which does not change when the particles move on.
     """
     return [numbers(particle.position) for particle in world.particles]
 
@@ -264,7 +264,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Compare two lists of positions, and return the largest distance between counterparts."""
+    """Return the largest distance between a position and its counterpart in the other list."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

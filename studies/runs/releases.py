@@ -75,9 +75,9 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Insert a NaN wherever the release angle jumps by more than ``degrees``.
+    """Insert a release of NaNs wherever the release angle drops by more than ``degrees``.
 
-    A plot of the result has a gap there.
+    A plot of the releases has a gap there.
     """
     shown = list(found[:1])
     for before, release in pairwise(found):

@@ -1,7 +1,8 @@
-"""Hang a rope between two nails, as rods, as a DirectChain, and in its exact shape.
+"""Simulate a rope that hangs between two nails, and compute its exact shape.
 
-The nails are at height 0, and the distance between them is SPAN. The rope has the length LENGTH,
-with a particle of 1 kg wherever two links meet.
+The rope is simulated as rods or as a DirectChain. The nails are at height 0, and the distance
+between them is SPAN. The rope has the length LENGTH, with a particle of 1 kg wherever two links
+meet.
 """
 
 from __future__ import annotations
@@ -78,9 +79,9 @@ def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the positions of a rope's particles after its middle is pulled down into a V.
+    """Return the positions of a rope's particles if its middle is pulled down into a V.
 
-    A rope that is released there has to find its position of rest by itself.
+    A rope released from this position has to find its position of rest by itself.
     """
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]

@@ -99,18 +99,18 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Measure how far from a right angle two rotated axes are, in degrees, for the worst pair."""
+    """Find the largest deviation of the angle between two rotated axes from 90 degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
 
 def off_unit_length(found: Arrows) -> float:
-    """Measure how far from 1 the lengths of the rotated axes are, and return the largest error."""
+    """Find the largest difference between the length of a rotated axis and 1."""
     return largest([abs(math.hypot(*v) - 1.0) for v in found])
 
 
 def off_directions(found: Arrows, wanted: Arrows) -> float:
-    """Return the largest angle in degrees between a rotated axis and its right direction."""
+    """Return the largest angle in degrees between a rotated axis and its correct direction."""
     return largest([angle_between(a, b) for a, b in zip(found, wanted, strict=True)])
 
 

@@ -1,4 +1,4 @@
-"""Measure how integrators handle a spring: its oscillations, their growth, and when it explodes.
+"""Measure how integrators simulate a spring: how it oscillates, and when it explodes.
 
 A spring pulls a particle of 1 kg toward 0 along X. Solvers for a single linear spring are wrapped
 as integrators of chapter 6, so that all methods run in the same way.
@@ -45,9 +45,9 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring toward 0 that uses plain numbers, so a bug in the engine's springs cannot affect it.
+    """A spring that pulls toward 0, and is not affected by bugs in the engine's springs.
 
-    ``count`` is the number of force evaluations so far.
+    It uses plain numbers. ``count`` is the number of force evaluations so far.
     """
 
     def __init__(self, stiffness: float) -> None:
@@ -88,7 +88,7 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return an integrator that raises an error when a particle is faster than ``limit`` in m/s.
+    """Return an integrator that raises an error if a particle moves faster than ``limit`` in m/s.
 
     If the student has not written ``watched`` yet, return the integrator itself. A simulation that
     explodes then still ends, because particles reject forces that are not finite.
@@ -108,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release a body of 1 kg at x = 1 m, and let it swing until it exceeds ``limit`` in m/s."""
+    """Release a body of 1 kg at x = 1 m. It swings until its speed exceeds ``limit`` in m/s."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
@@ -127,7 +127,7 @@ def swing(
 def growth(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> float:
-    """Compute by which factor an oscillation grows per time step in the long run.
+    """Compute the factor by which an oscillation grows per time step in the long run.
 
     It is the magnitude of the larger eigenvalue of a step, or NaN if the engine fails.
     """
@@ -153,7 +153,7 @@ def step_matrix(
 
 
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
-    """Compute by which factor an oscillation grows per time step at k h^2 / m = ``kappa``.
+    """Compute the factor by which oscillations grow per time step at k h^2 / m = ``kappa``.
 
     ``damping`` is c h / m of the spring for a solver, and d^h of the particle for an integrator.
     """
@@ -176,7 +176,7 @@ def true_place(k: float, c: float, time: float) -> float:
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Compute by which factor an oscillation of a faked stiff spring grows per time step.
+    """Compute the factor by which oscillations of a faked stiff spring grow per time step.
 
     ``angle`` is chi h, the phase per step, and ``share`` is a fraction of critical damping.
     """
@@ -186,7 +186,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Count the time steps until a knot of a cloth exceeds 1000 m/s, and return any error, too."""
+    """Count the steps until a cloth's knot exceeds 1000 m/s. Return that and any error message."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -218,7 +218,7 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Find the largest error of a simulated spring, compared with cos(chi t) 64 times a second."""
+    """Compare a simulated spring with cos(chi t) 64 times a second. Return the largest error."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
@@ -234,7 +234,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Bisect from low to high to find the stiffness k h^2 / m above which oscillations grow."""
+    """Bisect between low and high to find the k h^2 / m above which oscillations grow."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:
@@ -276,7 +276,7 @@ def theory(name: str, kept: float) -> float:
 
 
 def _runge_kutta(kappa: float, kept: float) -> tuple[float, float, float, float]:
-    """Return a step's matrix: the series of cos and sin of sqrt(kappa) up to the fourth power."""
+    """Return the matrix of one step of Runge-Kutta 4 on a spring with k h^2 / m = ``kappa``."""
     cosine, sine = 1.0 - kappa / 2.0 + kappa**2 / 24.0, 1.0 - kappa / 6.0
     return cosine, sine, -kept * kappa * sine, kept * cosine
 
@@ -288,13 +288,13 @@ def _step(
 
 
 def _state(particle: Particle) -> tuple[float, float]:
-    """Return the position and velocity along X, or NaN if the engine has spoiled the vectors."""
+    """Return the position and velocity along X. A number spoiled by the engine becomes NaN."""
     x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
     return number(x), number(v)
 
 
 def _pair(value: object) -> tuple[float, float]:
-    """Return the two numbers in the result of a solver, or two NaNs if it is anything else."""
+    """Return the two numbers in a solver's result, or two NaNs if it is not a tuple of two."""
     if not (isinstance(value, tuple) and len(value) == 2):
         return math.nan, math.nan
     return number(value[0]), number(value[1])

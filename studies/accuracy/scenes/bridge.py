@@ -1,8 +1,8 @@
 """Test how well our engine and pymunk keep the loaded rope bridge of chapter 8 at rest.
 
 Every simulation starts at rest, slightly below the position with the least potential energy. At
-exactly that position, rounding errors would decide which cables are taut. The work of a simulation
-is the number of contacts resolved. Pymunk resolves all of its joints in each iteration of a step.
+exactly that position, rounding errors would decide which cables are taut. As its work, each
+simulation counts the contacts that it resolves. In pymunk, every joint counts once per iteration.
 
 Pymunk is two-dimensional, so positions are compared as seen from the side. Its bridge is flattened:
 both sides lie in one plane, and the rods between them are left out. The cables are as long as they
@@ -125,10 +125,10 @@ def hanging(extra: float = 0.0) -> list[Place]:
     held = cables()
 
     def off(state: Any) -> Any:
-        """Return how far a state is from a bridge at rest, as a list of values that should be 0.
+        """Compute how far a state of the bridge is from rest, as a list of errors.
 
-        They are the net force on each plank's end in N, and each cable's excess length in m. SciPy
-        searches for the state in which all of them are 0.
+        The errors are the net force on each plank's end in N, and each cable's excess length in m.
+        SciPy searches for the state in which all of them are 0.
         """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
@@ -231,8 +231,8 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
     """Simulate the rope bridge with DirectNet, which solves for all of its tensions at once.
 
-    ``make`` builds the bridge. The tensions of one step are still right in the next, because the
-    bridge is at rest. The equations therefore need not be solved again.
+    ``make`` builds the bridge. Since the bridge is at rest, its tensions remain correct from step
+    to step, and the equations need not be solved again.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
@@ -242,7 +242,7 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
     """Compute the rest position of the rope bridge directly, and let the bridge sleep there.
 
-    The work counts each cable and rod only once, since later frames need no computation.
+    As work, each cable and rod counts only once, since later frames need no computation.
     """
     ends, links = whole()
     world = SleepingWorld(ends, links)

@@ -1,8 +1,8 @@
 """Simulate a swinging chain of rods with our engine and with pymunk, and compute its exact motion.
 
-The work of a simulation is the number of contacts that it resolves. Methods that solve for all rods
-at once count every rod once per evaluation. In pymunk, pin joints act as the rods, and each joint
-counts in every iteration.
+The work of a simulation is counted, so that it does not depend on the computer's speed. Each
+contact that is resolved counts once. If a method solves for all rods at once, every rod counts once
+per evaluation. In pymunk, pin joints act as the rods, and each joint counts once per iteration.
 """
 
 from __future__ import annotations
@@ -113,9 +113,10 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Create all models, or ways to simulate a chain of rods: first ours, and then pymunk's.
+    """Create all models of a chain of rods: first ours, and then pymunk's.
 
-    Most of our models run once for each number of steps per frame in ``steps``.
+    A model is one way to simulate the chain, for example with a certain integrator. Most of our
+    models run once for each number of steps per frame in ``steps``.
     """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
@@ -142,7 +143,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 def by_angles(chain: Chain, steps: int) -> Outcome:
     """Simulate a chain of rods with Runge-Kutta 4, using the angles of the rods as variables.
 
-    The work counts every rod in every evaluation, and there are four evaluations per step.
+    Each step makes four evaluations, and each evaluation counts every rod as one unit of work.
     """
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
@@ -152,8 +153,8 @@ def by_angles(chain: Chain, steps: int) -> Outcome:
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
     """Simulate a chain of rods by its angles, in time steps that are longer than a frame.
 
-    In every twelve frames, there are ``steps`` time steps. Cubics interpolate between them to get
-    the positions at the end of each frame.
+    Every twelve frames take ``steps`` time steps. Between these steps, the angles at the end of
+    each frame are interpolated with cubic polynomials.
     """
     angles = chain.by_its_angles()
     length, places, made = LONG / steps, [], 0  # frames of a step

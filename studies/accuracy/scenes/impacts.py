@@ -3,9 +3,10 @@
 In the first scene, a ball bounces without losing energy, and in the second one it loses energy. In
 the third one, a light ball is dropped on top of a heavy one.
 
-The work of a simulation is the number of searches for contacts. Most methods search once per step,
-but time division searches once per impact and once per frame. If the height of a ball is computed
-from its impacts alone, the computed heights are counted instead.
+The work of a simulation is counted, so that it does not depend on the computer's speed. It is the
+number of searches for contacts. Most methods search once per step, but time division searches once
+per impact and once per frame. If a method computes the heights of a ball from its impacts alone, it
+counts these heights instead.
 """
 
 from __future__ import annotations
@@ -110,7 +111,7 @@ def _fall(
 def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
     """Simulate bouncing balls with time division, which advances from one impact to the next.
 
-    The work counts the searches for the next impact.
+    The work is the number of searches for the next impact.
     """
     particles = balls.particles()
     detectors, work = balls.detectors(particles), 0
@@ -183,7 +184,7 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
-    """Create a scene in which ``balls`` fall and bounce, with every way to simulate it.
+    """Create a scene in which ``balls`` fall and bounce, with a model for each way to simulate it.
 
     ``scale`` is the size of the scene in m. Errors are given as fractions of it.
     """

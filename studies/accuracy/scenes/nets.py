@@ -38,10 +38,11 @@ FINE = 8  # steps per frame of our own run, with which the truth is compared
 
 
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
-    """Create the scene of a net of cables, with its exact solution and every way to simulate it.
+    """Create the scene of a net of cables, with its exact solution and a model for each solver.
 
-    The net is built by ``make``, but not before it is first needed. SciPy computes the exact
-    solution. As a check, ``Scene.differs`` compares it with our own simulation in short steps.
+    The function ``make`` builds the net, and is called when the net is first needed. SciPy computes
+    the exact solution. As a check, ``Scene.differs`` compares SciPy's solution with our own
+    simulation in short steps.
     """
     plane = cache(make)
 
@@ -69,9 +70,9 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """List the cables on one side of the rope bridge, flattened for pymunk.
+    """List the cables on one side of the rope bridge, with the lengths that they have in pymunk.
 
-    Pymunk is two-dimensional, so the cables are as long as they look from the side.
+    Pymunk is two-dimensional, so each cable is as long as it looks from the side.
     """
     return [(start, end, length, 1) for start, end, length in cables()]
 

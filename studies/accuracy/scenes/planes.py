@@ -1,11 +1,11 @@
 """Simulate a net of cables with our engine and with pymunk, and compute its exact motion.
 
-The net moves in a plane, because pymunk is two-dimensional. We have two solvers: DirectNet has
-order 2, and SmoothNet has order 4.
+The net moves in a plane, because pymunk is two-dimensional. Our engine has two solvers for nets.
+DirectNet has order 2, and SmoothNet has order 4.
 
-The work of a simulation is the number of links for which it solves. A SmoothNet solves for all of
-its links four times per step. In pymunk, slide joints act as the links, and the solver handles each
-joint in every iteration of a step.
+The work of a simulation is counted, so that it does not depend on the computer's speed. Each link
+counts once whenever the solver solves for all of them, which SmoothNet does four times per step. In
+pymunk, slide joints act as the links, and each joint counts once per iteration.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the force on each knot in N: its weight, and its part of the walker's weight."""
+        """Return the force on each knot in N: its weight, plus its part of the walker's weight."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -77,7 +77,10 @@ class Plane:
         ]
 
     def links(self, knots: Sequence[Particle]) -> list[Any]:
-        """Connect the particles ``knots`` with the cables and struts of chapter 7."""
+        """Create the cables and struts of chapter 7 that connect the knots of the net.
+
+        ``knots`` are the particles at the knots. A link to a fixed point is an AnchoredCable.
+        """
         found: list[Any] = []
         for start, end, length, kind in self.ties:
             if not isinstance(start, int):
@@ -157,10 +160,11 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
-    """Simulate a net in time steps longer than a frame, with cubics for the frames in between.
+    """Simulate a net in time steps longer than a frame, and interpolate the frames in between.
 
-    In every twelve frames, there are ``steps`` time steps. The cubics are accurate only while the
-    motion is smooth. At an impact the velocity jumps, and they cannot follow.
+    Every twelve frames take ``steps`` time steps. The interpolation uses cubic polynomials, which
+    are accurate only while the motion is smooth. They cannot follow the velocity when it jumps at
+    an impact.
     """
     knots, step = made(plane, SmoothNet)
 

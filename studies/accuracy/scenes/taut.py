@@ -62,9 +62,8 @@ class TautMotion:
         """Differentiate the lengths of the cables and struts, for the equations of motion.
 
         Returns:
-            The Jacobian matrix of the lengths, with one row per cable or strut, and one number for
-            each of them. That number is the part of the length's second derivative that comes from
-            rotation.
+            The Jacobian matrix of the lengths, with one row per cable or strut. With it comes an
+            array that holds the part of each length's second derivative that is due to rotation.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
@@ -78,8 +77,9 @@ class TautMotion:
     def least(self, matrix: Any, wanted: Any) -> Any:
         """Find the forces with which cables and struts keep the net within their limits.
 
-        With A = J M^-1 J^T, these forces p satisfy A p >= wanted, and none of them is negative. A
-        cable or strut exerts a force only where the two sides are equal, so p (A p - wanted) = 0.
+        ``matrix`` is the Jacobian J of the lengths, and M holds the masses. With A = J M^-1 J^T,
+        the forces p satisfy A p >= wanted, and none of them is negative. A cable or strut exerts a
+        force only where the two sides are equal, so p (A p - wanted) = 0.
         """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)

@@ -1,6 +1,7 @@
 """Find the interactive scenes of the lab.
 
-Each module in lab/scenes/ lists its scene classes in a tuple called SCENES.
+Each module in a chapter's folder, such as lab/scenes/ch06_springs/, lists its scene classes in a
+tuple called SCENES.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ class Entry:
 def entries() -> tuple[Entry, ...]:
     """List all scenes of the lab by chapter, in the order in which their modules list them."""
     found = []
-    for file in sorted(FOLDER.glob("ch??_*.py")):
+    for file in sorted(FOLDER.glob("ch??_*/*.py")):
         tree = ast.parse(file.read_text(encoding="utf-8"))
         titles = {node.name: _title(node) for node in tree.body if isinstance(node, ast.ClassDef)}
         for kind in _listed(tree):
@@ -43,8 +44,8 @@ def entries() -> tuple[Entry, ...]:
                 Entry(
                     name_of(type(kind, (), {})),
                     titles[kind],
-                    int(file.name[2:4]),
-                    f"lab.scenes.{file.stem}",
+                    int(file.parent.name[2:4]),
+                    f"lab.scenes.{file.parent.name}.{file.stem}",
                     kind,
                 )
             )

@@ -81,7 +81,7 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
         settings = (handout / "pyproject.toml").read_text(encoding="utf-8")
         table = settings[settings.index(PYTEST) :].split("\n\n")[0]
         (folder / "pyproject.toml").write_text(f"{table}\n", encoding="utf-8")
-        roots = [*handout.glob("web/python/**/*.py"), *handout.glob("lab/scenes/*.py")]
+        roots = [*handout.glob("web/python/**/*.py"), *handout.glob("lab/scenes/*/*.py")]
         roots += handout.glob("tests/**/*.py")
         for file in imported_by(roots, [handout], OURS):
             _copy(file, handout, folder)

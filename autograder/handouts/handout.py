@@ -56,7 +56,7 @@ into `answers.md`. When you are done, hand in the folders under `chapters/` that
 Only the files named in the table of exercises are graded, so put your helper functions there too.
 """
 PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.(?:md|py))(?:#[^)]*)?\)")
-CHARTS = "ch08_charts.py"  # these scenes draw charts of the reference, so students don't need them
+CHARTS = "charts.py"  # these scenes draw charts of the reference, so students don't need them
 KEPT_README = """\
 This folder has the original stubs, which `make reset` restores. Do not edit or hand in these files.
 """
@@ -173,7 +173,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
     """Copy the lab into a handout, without the scenes of chapters that students do not receive."""
     for file in (root / "lab").rglob("*"):
-        numbered = re.match(r"ch\d\d_", file.name)
+        numbered = re.search(r"ch\d\d_", str(file.relative_to(root)))
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)
         wanted = wanted and file.name != CHARTS
         if wanted and file.is_file() and "__pycache__" not in file.parts:

@@ -14,8 +14,8 @@ from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, 
 from ch04_particle_engine.closed_form import state_after
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworksShow
-from lab.scenes.ch04_ballistics import can_throw
-from lab.scenes.ch04_fireworks import WHEEL_SPARK, can_turn, make_wheel
+from lab.scenes.ch04_particle_engine.ballistics import can_throw
+from lab.scenes.ch04_particle_engine.fireworks import WHEEL_SPARK, can_turn, make_wheel
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, YELLOW, Picture, slope
 from studies.readings import Numbers, is_written, numbers
 from studies.runs.drag_flight import flight_of, make_particle

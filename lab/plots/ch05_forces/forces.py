@@ -1,7 +1,7 @@
 """Plots of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
 The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there. For the computing time of each force generator, see ch05_cost.
+student's engine shows up there. For the computing time of each force generator, see cost.py.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from ch05_forces.forces import Drag, InverseSquareGravity
 from ch05_forces.particle import Particle
-from lab.plots.ch05_cost import cost_of_a_generator
 from studies.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, slope
 from studies.readings import Numbers, cross, numbers
 
@@ -178,9 +177,6 @@ def orbit() -> Picture:
     energies.legend(fontsize=8)
     columns = ("frames per turn", "turns", "energy, J/kg", "angular momentum, m^2/s")
     return Picture(figure, columns, rows)
-
-
-PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 
 
 def _fall(

@@ -2,7 +2,7 @@
 
 The title of each plot reports a measured result, such as the largest error, so a bug in the
 student's engine shows up there. A curve is left out if the student has not yet written the function
-that it needs. For the stability limits, see ch06_stability.
+that it needs. For the stability limits, see stability.py.
 """
 
 from __future__ import annotations
@@ -26,12 +26,6 @@ from ch06_springs.springs import (
     ElasticLimitSpring,
     LighterThanAir,
     Spring,
-)
-from lab.plots.ch06_stability import (
-    cloth_frame_rates,
-    fake_spring,
-    penalty_bounces,
-    stability_map,
 )
 from studies.drawing import BLACK, BLUE, COLORS, GRAY, GREEN, ORANGE, RED, Picture, slope
 from studies.readings import is_written, numbers
@@ -237,18 +231,6 @@ def error_against_work() -> Picture:
         title = f"Orders measured at 100 N/m: {', '.join(words)}"
         figure.suptitle("\n".join(textwrap.wrap(title, 120)), fontsize=11)
     return Picture(figure, ("k, N/m", "method", "steps", "evaluations", "largest error, m"), rows)
-
-
-PLOTS = (
-    force_against_length,
-    three_regimes,
-    stability_map,
-    fake_spring,
-    energy_over_time,
-    error_against_work,
-    cloth_frame_rates,
-    penalty_bounces,
-)
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:

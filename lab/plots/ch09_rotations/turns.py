@@ -2,13 +2,13 @@
 
 The title of each plot reports errors that are computed without the student's engine, so a bug in
 the engine shows up there. A curve is left out if the student has not yet written the functions that
-it needs. For Eq. 9.5 and gimbal lock, see ch09_rates. For the box of stones, see ch09_stones.
+it needs. For Eq. 9.5 and gimbal lock, see rates.py. For the box of stones, see stones.py.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import product
 from typing import Any
 
@@ -18,8 +18,6 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
-from lab.plots.ch09_rates import drift_of_first_order, gimbal_lock
-from lab.plots.ch09_stones import balance_lines
 from studies.drawing import (
     BLACK,
     BLUE,
@@ -162,15 +160,6 @@ def order_of_turns() -> Picture:
     figure.suptitle("\n".join(lines), fontsize=12)
     tell(figure, notes)
     return Picture(figure, ("order", "state", "by", "axis", "x", "y", "z"), rows)
-
-
-PLOTS: tuple[Callable[[], Picture], ...] = (
-    turning_motion,
-    order_of_turns,
-    drift_of_first_order,
-    gimbal_lock,
-    balance_lines,
-)
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:

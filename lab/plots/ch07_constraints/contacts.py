@@ -10,12 +10,6 @@ from collections.abc import Callable, Sequence
 
 from matplotlib import pyplot
 
-from lab.plots.ch07_bounces import (
-    bounce_heights,
-    resting_jitter,
-    restitution_of_materials,
-)
-from lab.plots.ch07_rods import pendulum_energy, rods_hold, rope_by_method
 from studies.drawing import BLUE, GRAY, ORANGE, RED, Picture, tell
 from studies.readings import number, written
 from studies.runs.constraints import Track
@@ -112,18 +106,6 @@ def stack_height() -> Picture:
     tell(figure, [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message])
     columns = ("spheres", "iterations per contact", "time, s", "height, m", "overlap / diameter")
     return Picture(figure, columns, rows)
-
-
-PLOTS: tuple[Callable[[], Picture], ...] = (
-    bounce_heights,
-    resting_jitter,
-    resolver_convergence,
-    stack_height,
-    rope_by_method,
-    rods_hold,
-    pendulum_energy,
-    restitution_of_materials,
-)
 
 
 def _stacked(count: int, iterations: int | None) -> Callable[[], tuple[Track, Track]]:

@@ -2,7 +2,7 @@
 
 The title of each plot reports a measured result, such as the largest error, so a bug in the
 student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
-For cables and ropes, see ch08_ropes. For the projects, see ch08_scenes.
+For cables and ropes, see ropes.py. For the projects, see projects.py.
 """
 
 from __future__ import annotations
@@ -15,13 +15,6 @@ from matplotlib import pyplot
 
 from ch08_mass_aggregate.blob import Blob
 from ch08_mass_aggregate.bridge import Bridge
-from lab.plots.ch08_ropes import hanging_rope, mass_ratios
-from lab.plots.ch08_scenes import (
-    blob_bonds,
-    sleeping_balls,
-    trebuchet_range,
-    wheel_deformation,
-)
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture, tell
 from studies.readings import Numbers, numbers, written
 from studies.runs.constraints import Track
@@ -119,19 +112,6 @@ def variable_frames() -> Picture:
         axes.legend(fontsize=8)
     tell(figure, notes)
     return Picture(figure, ("scene", "frames", "time, s", "height, m"), rows)
-
-
-PLOTS: tuple[Callable[[], Picture], ...] = (
-    energy_of_bridge,
-    energy_of_platform,
-    mass_ratios,
-    hanging_rope,
-    variable_frames,
-    trebuchet_range,
-    wheel_deformation,
-    blob_bonds,
-    sleeping_balls,
-)
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:

@@ -1,6 +1,6 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-The conventions are the same as in matrix3.py: vectors are columns, a product applies its right
+The conventions are the same as in matrix3.py. Vectors are columns, a product applies its right
 factor first, and wrong arguments raise the same errors. You can also import Matrix3 from here.
 """
 

@@ -88,10 +88,10 @@ class AngleChain:
     def _rates(
         self, ahead: float, turning: Sequence[float], gaining: Sequence[float]
     ) -> tuple[list[float], list[float]]:
-        """Return the angular velocities and accelerations at ``ahead`` s after the current state.
+        """Return the angular velocities and accelerations for a state ``ahead`` s from now.
 
-        To get there, the angles change at the rates ``turning``, and the angular velocities change
-        at the rates ``gaining``.
+        Until then, the angles change at the rates ``turning``, and the angular velocities change at
+        the rates ``gaining``.
         """
         # Row i: (1/m0 + 1/m1) T[i] - cos/m0 T[i-1] - cos/m1 T[i+1] = L w^2, with the tensions T in
         # N, the masses m0 and m1 at the ends of the rod, and the cosines of the bends, which are

@@ -25,9 +25,9 @@ Impact = tuple[float, Contact]
 
 
 class Detector(Protocol):
-    """A detector, which is any object with the methods ``contacts`` and ``next_impact``.
+    """The interface of detectors, which have the methods ``contacts`` and ``next_impact``.
 
-    This class only describes the interface, so a detector does not have to inherit from it.
+    A detector does not have to inherit from this class.
     """
 
     def contacts(self) -> Iterable[Contact]:

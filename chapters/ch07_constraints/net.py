@@ -40,9 +40,10 @@ class Strut:
 
 
 def limits_of(link: Any) -> list[Limit]:
-    """Return a list of the limits of ``link``. Each contains the two ends, the length and the kind.
+    """List the limits of ``link`` as tuples of two ends, the length between them and the kind.
 
-    The length is in m. Limits have two entries: a cable and, unless ``min_length`` is 0, a strut.
+    The length is in m. A Limits object has two entries: a cable and, unless ``min_length`` is 0, a
+    strut.
 
     Raises:
         TypeError: for a link of any other kind.

@@ -110,7 +110,7 @@ class Balance:
         return found
 
     def is_balanced(self) -> bool:
-        """Return whether forces and pulls add up to zero, and all lengths are right."""
+        """Return True if all forces and pulls add up to zero, and all lengths are right."""
         left = [*self.forces]
         largest = max(map(abs, left), default=0.0)
         for hold in self.holds:
@@ -154,7 +154,7 @@ class Balance:
 
     @staticmethod
     def is_wrong(hold: Hold, moves: Mapping[Any, Triple]) -> bool:
-        """Return whether a taut hold would have to push, or a slack one would get too long."""
+        """Return True if a taut hold would have to push, or a slack one would get too long."""
         if hold.is_active:
             return hold.pull * hold.kind < 0.0
         return (hold.excess + hold.change(moves)) * hold.kind > EXACT * hold.length**2
@@ -219,7 +219,7 @@ class Balance:
         return {p: (found[i], found[i + 1], found[i + 2]) for p, i in self.number.items()}
 
     def equations(self, slopes: Mapping[tuple[int, int], float]) -> Elimination:
-        """Return the positions of the nonzero coefficients, which change only with the holds."""
+        """Return the positions of the nonzero coefficients. They change only if the holds do."""
         shape = [(h.a, h.b) for h in self.holds], [*slopes]
         if self.shape != shape:
             count = len(self.forces)

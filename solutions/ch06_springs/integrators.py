@@ -264,7 +264,7 @@ def _starts(
 ) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
     """Return the state of each particle at the start of the step, and the forces added by hand.
 
-    A state is (particle, inverse mass, a, p, v, the six components of p and v, an empty list).
+    A state is a tuple: particle, inverse mass, a, p, v, six components of p and v, empty list.
     """
     starts: list[tuple[Any, ...]] = []
     by_hand = []

@@ -49,8 +49,8 @@ class Buoyancy:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add an upward force that equals the weight of the displaced water.
 
-        The body displaces as much water as the volume of its part below the surface. So the force
-        is rho V g times the fraction of the body that is under water. Here rho is
+        The body displaces a volume of water equal to the volume of its part below the surface. So
+        the force is rho V g times the fraction of the body that is under water. Here rho is
         ``liquid_density``, V is ``volume`` and g is ``gravity``. The fraction is (y_w + s - y) / (2
         s), limited to the range from 0 to 1. In this formula s is ``max_depth``, y_w is the height
         of the water surface and y is the height of the particle.

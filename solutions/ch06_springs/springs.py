@@ -190,9 +190,8 @@ class FakeStiffSpring:
         """Add the force that moves the particle to where a real spring would take it in this step.
 
         On each axis it is m ((T - x) / h^2 - v / h). Here h is ``duration`` and v is the velocity.
-        Relative to the anchor, x is the position now, and T is the position after h on a real
-        spring. Raise ValueError unless the duration is positive and finite. Then skip an immovable
-        particle.
+        Relative to the anchor, x is the position now, and T the position after h on a real spring.
+        Raise ValueError unless the duration is positive and finite. Then skip immovable particles.
         """
         positive("duration", duration)
         if not particle.has_finite_mass:

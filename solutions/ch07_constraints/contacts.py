@@ -177,7 +177,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """A contact generator, which is any object with a method ``contacts``."""
+    """The interface of contact generators: any object with a method ``contacts`` is one."""
 
     def contacts(self) -> Iterable[Contact]:
         """Find all contacts at the current positions and return them."""

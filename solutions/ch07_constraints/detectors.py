@@ -38,9 +38,9 @@ _AFTER = [cell for cell in product((-1, 0, 1), repeat=3) if cell > (0, 0, 0)]
 
 
 class Detector(Protocol):
-    """A detector, which is any object with the methods ``contacts`` and ``next_impact``.
+    """The interface of detectors, which have the methods ``contacts`` and ``next_impact``.
 
-    This class only describes the interface, so a detector does not have to inherit from it.
+    A detector does not have to inherit from this class.
     """
 
     def contacts(self) -> Iterable[Contact]:

@@ -59,8 +59,8 @@ class Cube:
     """A cube of particles and rods that falls on one of its corners.
 
     ``world`` simulates the ``particles``, which are the corners. The cube starts at rest and
-    slightly rotated, with its lowest corner at ``height``, in m. ``rods`` is a list of pairs of
-    corner indices. If it is None, the cube uses ``cube_rods()``.
+    slightly rotated, with its lowest corner ``height`` m above the ground. ``rods`` is a list of
+    pairs of corner indices. If it is None, the cube uses ``cube_rods()``.
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.

@@ -252,8 +252,8 @@ def _is_pushed_otherwise(
 ) -> bool:
     """Test whether the acceleration a + f / m of a particle has changed since it fell asleep.
 
-    A change counts if it is larger than SAME allows. A world whose particles are asleep spends most
-    of its time here, so the sum uses plain numbers, which are three times as fast as vectors.
+    Relative changes of up to SAME are ignored. A world whose particles are asleep spends most of
+    its time here, so the sum uses plain numbers, which are three times as fast as vectors.
     """
     mass, own, old = sleep.inverse_mass, particle.acceleration, sleep.acceleration
     x, y, z = force[0] * mass, force[1] * mass, force[2] * mass

@@ -136,7 +136,7 @@ class TiltingPlatform:
     def tilt(self) -> float:
         """Measure how far the platform is tilted, as an angle in radians.
 
-        It is 0 at the start, and positive if the right end is higher.
+        The angle is 0 at the start, and positive when the right end is higher.
         """
         across = self.particles[4].position - self.particles[2].position
         return math.atan2(across.y, across.x)

@@ -43,11 +43,12 @@ Numbers = list[float]
 def adaptive(tolerance: float) -> AdaptiveStep:
     """Return an integrator that chooses its own steps, so that each step meets the tolerance.
 
-    ``tolerance`` is the largest estimated error that one step may make, in m for every coordinate
-    of a position and in m/s for every component of a velocity. It is an absolute error, so choose
-    it to suit the size of your scene. The errors of the steps add up, and an orbit or an
-    oscillation amplifies them, so the final error is often ten to a few hundred times as large as
-    the tolerance. If you make the tolerance smaller, the final error shrinks in proportion.
+    ``tolerance`` is the largest estimated error that one step may make. The limit holds for each
+    coordinate of a position in m, and for each component of a velocity in m/s. It is an absolute
+    error, so choose it to suit the size of your scene. The errors of the steps add up, and an orbit
+    or an oscillation amplifies them. The final error is therefore often ten to a few hundred times
+    as large as the tolerance. If you make the tolerance smaller, the final error shrinks in
+    proportion.
 
     Raises ValueError if the tolerance is not positive and finite, and TypeError if it is not a
     number.
@@ -59,7 +60,7 @@ class AdaptiveStep:
     """An integrator ``(particles, apply_forces, duration)``. Create it with `adaptive`.
 
     A call moves the particles by exactly ``duration``, in as many steps as necessary. Each step
-    evaluates the forces six times, and each call also evaluates them once at its start, so you may
+    evaluates the forces six times. Each call also evaluates them once at its start, so you may
     change particles and forces between calls. ``evaluations`` counts all evaluations, and you may
     reset it to 0.
 
@@ -71,10 +72,10 @@ class AdaptiveStep:
     ``apply_forces``.
 
     The method has order 5, even if forces depend on the velocity, and is not symplectic. A stiff
-    spring is stable because its steps become short, but it needs at least as many steps as with a
-    fixed integrator. Source: Dormand and Prince, Journal of Computational and Applied Mathematics 6
-    (1980), 19. The rule for the length of the next step comes from Hairer, Nørsett and Wanner,
-    Solving Ordinary Differential Equations I, II.4.
+    spring stays stable because the steps become short, but it then takes at least as many steps as
+    with an integrator of fixed steps. Source: Dormand and Prince, Journal of Computational and
+    Applied Mathematics 6 (1980), 19. The rule for the length of the next step comes from Hairer,
+    Nørsett and Wanner, Solving Ordinary Differential Equations I, II.4.
     """
 
     def __init__(self, tolerance: float) -> None:
@@ -92,9 +93,9 @@ class AdaptiveStep:
 
         A step that is too long can take particles to positions where a force cannot be computed. So
         if ``apply_forces`` raises ArithmeticError or ValueError, the step is repeated with a tenth
-        of its length. A shorter step does not help if already the first evaluation of the call
-        raises the error, so it is then passed on. All other errors are always passed on, and leave
-        the particles in the middle of the call.
+        of its length. If the first evaluation of the call raises the error, a shorter step cannot
+        help, so the error is passed on. All other errors are always passed on, and leave the
+        particles in the middle of the call.
 
         Raises ArithmeticError if a step becomes too short to continue, as at a singularity, or if a
         call needs more than ``MOST_STEPS`` steps. The particles then keep the state after the last
@@ -175,7 +176,7 @@ class _Moving:
         return [number for vector in vectors for number in vector]
 
     def put(self, state: Numbers) -> None:
-        """Set the particles to ``state``, with only the forces that were added by hand."""
+        """Set the particles to ``state``, and leave only the forces that were added by hand."""
         first = 0
         for _, _, _, p, v in self.bodies:
             p.x, p.y, p.z, v.x, v.y, v.z = state[first : first + 6]
@@ -193,9 +194,10 @@ class _Moving:
         return rates
 
     def finish(self, start: Numbers, duration: float) -> None:
-        """Kick the particles once from their initial velocities, with the mean force of the call.
+        """Compute the final velocities from the initial ones, in one kick with the mean force.
 
-        The velocity is then damped as in the other integrators, and last_acceleration is the mean
+        The mean force is the one that leads to the same velocities without damping. The kick also
+        damps the velocities, as in the other integrators, and last_acceleration becomes the mean
         acceleration of the call.
         """
         self._clear()

@@ -53,7 +53,7 @@ def largest_stable_stiffness(integrator: Integrator, damping: float, duration: f
 
     The result must be within 1 % of the true limit for a damping from 0.3 to 0.9 and a duration
     from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required. The oscillations
-    of the book's step then grow so slowly that you cannot notice it within ``FRAMES`` steps.
+    of the book's step then grow so slowly that the growth cannot be seen within ``FRAMES`` steps.
 
     Raises:
         ValueError: if the damping is negative, the duration is not positive, or one of them is not

@@ -46,8 +46,8 @@ class Buoyancy:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add an upward force that equals the weight of the displaced water.
 
-        The body displaces as much water as the volume of its part below the surface. So the force
-        is rho V g times the fraction of the body that is under water. Here rho is
+        The body displaces a volume of water equal to the volume of its part below the surface. So
+        the force is rho V g times the fraction of the body that is under water. Here rho is
         ``liquid_density``, V is ``volume`` and g is ``gravity``. The fraction is (y_w + s - y) / (2
         s), limited to the range from 0 to 1. In this formula s is ``max_depth``, y_w is the height
         of the water surface and y is the height of the particle.
@@ -61,9 +61,9 @@ class Buoyancy:
 class LighterThanAir:
     """Exercise 6.2: the lift of a balloon, which decreases with height as the air gets thinner.
 
-    At the height y the lift is F e^(-y / H). F is ``max_lift`` in N, which is the lift at the
-    ground, where y is 0. H is ``scale_height`` in m: each time the balloon rises by this height,
-    its lift is divided by e. Below the ground the lift is the same as at the ground.
+    At a height of y, the lift is F e^(-y / H). F is ``max_lift`` in N, which is the lift at ground
+    level, where y is 0. H is ``scale_height`` in m: each time the balloon rises by this height, its
+    lift is divided by e. Below the ground the lift stays at ``max_lift``.
 
     Raises:
         ValueError: if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them is
@@ -80,7 +80,7 @@ class LighterThanAir:
 
 
 class Overcrowding:
-    """Exercise 6.3: particles that are too close push each other apart, like a compressed spring.
+    """Exercise 6.3: a force that pushes crowded particles apart, like a compressed spring.
 
     ``particles`` is the list of all particles in the crowd, and may also contain the particle that
     is pushed. The generator does not copy this list, so particles that you add to it later also
@@ -100,9 +100,9 @@ class Overcrowding:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.3: push ``particle`` away from every other particle that is too close.
 
-        A particle at a distance l that is less than ``distance`` pushes with a force of k
-        (``distance`` - l), where k is ``stiffness``. If it is at exactly the same position, it
-        exerts no force, because the direction of the push would be undefined.
+        If another particle is at a distance l, and l is less than ``distance``, it pushes with a
+        force of k (``distance`` - l). Here k is ``stiffness``. A particle at exactly the same
+        position exerts no force, because the direction of the push would be undefined.
         """
         raise NotImplementedError("Exercise 6.3: Overcrowding")
 
@@ -122,10 +122,10 @@ class HomingBullet:
         self.look_ahead = not_negative("look_ahead", look_ahead)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.4: add the force k d to the bullet, where k is ``stiffness``.
+        """Exercise 6.4: add the force that steers the bullet toward its target.
 
-        The vector d points from the future position of the bullet, ``particle``, to the future
-        position of the target. Only the bullet feels this force, so the target is not pulled toward
-        it.
+        The bullet is ``particle``. The force is k d, where k is ``stiffness``, and d points from
+        the future position of the bullet to the future position of the target. Only the bullet
+        feels this force, so the target is not pulled toward it.
         """
         raise NotImplementedError("Exercise 6.4: A homing bullet")

@@ -18,8 +18,8 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
 
     ``duration`` is in s, and you may divide it into as many parts as you like. Each call of
     ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators. So clear the
-    accumulators before you call it again, and also at the end of the step. Do not forget a
-    particle's own acceleration, which acts in addition to the forces.
+    accumulators before you call it again, and also at the end of the step. Remember that a
+    particle's own acceleration acts in addition to the forces.
 
     Your method is graded on one revolution of an orbit with an eccentricity of 0.5. The revolution
     takes 60 frames, and your step is called once per frame. The grade depends on the number of
@@ -27,8 +27,8 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
     frame, in units of the semi-major axis. With at most 500 evaluations, an error of 1e-3 is good
     and 1e-4 is better. The run is stopped after 5000 evaluations.
 
-    The orbit is a simple scene: it has no damping, no forces that depend on a velocity, no forces
-    added by hand and no immovable particles. Its forces do not depend on the duration that you pass
-    to ``apply_forces``.
+    The orbit is a simple scene. It has no damping, no forces added by hand and no immovable
+    particles. Its forces do not depend on velocities, nor on the duration that you pass to
+    ``apply_forces``.
     """
     raise NotImplementedError("Exercise G6.3: Going further: a step of your own")

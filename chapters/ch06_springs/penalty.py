@@ -15,8 +15,8 @@ class PenaltyGround:
     ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m.
 
     No stiffness k works well. Soft ground is like a sponge, because a body of mass m at rest on it
-    sinks in by m g / k. Hard ground has a different problem. It begins to push only when a step has
-    ended below the ground, and then it pushes for the whole next step, which may be too long.
+    sinks in by m g / k. Hard ground has a different problem. It begins to push only after a step
+    has ended below the ground. It then pushes for the whole next step, which may be too long.
     Without damping, a body can therefore bounce higher than the height from which it fell. To avoid
     this, k h^2 / m must be far below 1, where h is the length of a step in s. If k h^2 / m is above
     4, the ground even throws bodies that rest on it.

@@ -18,11 +18,12 @@ def hang_bridge(
     stiffness: float,
     damping: float,
 ) -> None:
-    """Hang each plank of a bridge on a spring of its own, and join neighboring planks with springs.
+    """Hang each plank of a bridge from its own spring, and join neighboring planks with springs.
 
-    The anchor of each plank is ``height`` m straight above it. All springs have the same
-    ``stiffness`` in N/m and ``damping`` in N s/m. The rest length of each spring is its current
-    length, so the springs neither push nor pull at the start. Add all of them to ``registry``.
+    Each plank hangs from an anchor that is ``height`` m straight above it. All springs have the
+    same ``stiffness`` in N/m and ``damping`` in N s/m. The rest length of each spring is its
+    current length, so the springs neither push nor pull at the start. Add all of them to
+    ``registry``.
 
     Raises:
         ValueError: if the height is not positive, the stiffness or damping is negative, or one of

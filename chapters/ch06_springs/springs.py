@@ -25,12 +25,12 @@ def spring_force(
 ) -> Vector3:
     """Compute the force in N that a spring exerts on one of its ends, as a new vector.
 
-    ``offset`` is the position of this end relative to the other end in m, and ``velocity`` is its
-    velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^. Here l is the
-    length of ``offset``, d^ is its direction, k is ``stiffness``, l0 is ``rest_length`` and c is
-    ``damping``. The spring gets longer at the rate l', which is the component of ``velocity`` along
-    d^. A zero offset has no direction, so the force is then zero. The arguments are not checked,
-    because the constructors of the springs check them.
+    ``offset`` and ``velocity`` are the position in m and the velocity in m/s of this end, both
+    relative to the other end. The force is -(k (l - l0) + c l') d^. Here l is the length of
+    ``offset``, d^ is its direction, k is ``stiffness``, l0 is ``rest_length`` and c is ``damping``.
+    The spring gets longer at the rate l', which is the component of ``velocity`` along d^. A zero
+    offset has no direction, so the force is then zero. The arguments are not checked, because the
+    constructors of the springs check them.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls, because
     the listing takes the absolute value of the extension (erratum E-3). Book: Eq. 6.1, 6.2.
@@ -53,7 +53,7 @@ class Spring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring on ``particle``, as ``spring_force`` computes it."""
+        """Compute the spring force on ``particle``, and add it to the particle's other forces."""
         raise NotImplementedError("Exercise B6.1: Springs")
 
 
@@ -73,7 +73,7 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring on ``particle``. The anchor counts as an end at rest."""
+        """Compute the spring force on ``particle``, with an anchor at rest, and add it."""
         raise NotImplementedError("Exercise B6.1: Springs")
 
 
@@ -87,7 +87,7 @@ class Bungee(Spring):
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the spring force if the rope is stretched, and no force if it is slack.
 
-        While a stretched rope gets shorter, damping reduces the pull, but the rope never pushes.
+        While a stretched rope gets shorter, damping reduces its pull, but the rope must never push.
         """
         raise NotImplementedError("Exercise B6.2: Bungees")
 
@@ -113,10 +113,10 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring to ``a``, and exactly the opposite force to ``b``.
+        """Compute the spring force on ``a``. Add it to ``a``, and add the exact opposite to ``b``.
 
-        Opposite forces keep the total momentum of both particles constant. You may register the
-        connection with either particle.
+        Because the two forces are opposite, the total momentum of both particles stays constant.
+        You may register the connection for either particle.
         """
         raise NotImplementedError("Exercise B6.3: One spring for both ends")
 
@@ -150,7 +150,7 @@ class FakeStiffSpring:
     force. Its oscillations therefore grow (erratum E-22). The book's formulas fit no integrator
     (erratum E-6).
 
-    After the step, the particle has the mean velocity of the step instead of the velocity on a real
+    After the step, the particle has the mean velocity of the step, not the velocity on a real
     spring. With short steps the force is therefore half that of a real spring, and the oscillation
     is slower by a factor of 1.41. Even without damping, most oscillations die out. They grow, by up
     to 13 % per step, only if h sqrt(k / m) is slightly larger than an odd multiple of pi, for
@@ -163,11 +163,11 @@ class FakeStiffSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force m ((T - x) / h^2 - v / h) on each axis, where T is the position to reach.
+        """Add the force that moves the particle to where a real spring would take it in this step.
 
-        Here h is ``duration``, v is the velocity, x is the position relative to the anchor, and T
-        is the position on a real spring after h. If the duration is not positive and finite, raise
-        ValueError, even for an immovable particle. Otherwise skip an immovable particle.
+        On each axis it is m ((T - x) / h^2 - v / h). Here h is ``duration`` and v is the velocity.
+        Relative to the anchor, x is the position now, and T the position after h on a real spring.
+        Raise ValueError unless the duration is positive and finite. Then skip immovable particles.
         """
         raise NotImplementedError("Exercise B6.11: The faked stiff spring")
 
@@ -195,7 +195,7 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force of the spring, which does not jump at the elastic limit."""
+        """Exercise 6.1: add the spring force, which does not jump at the elastic limit."""
         raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 
@@ -204,8 +204,8 @@ def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> 
 
     If ``Particle.integrate`` makes steps of h s, the limit is m (d^-h - 1) / h^2. Here h is
     ``duration``, d is the particle's ``damping``, and m is ``mass`` in kg. The limit holds for an
-    AnchoredSpring without damping. The result is 0 if d is 1 or more, because no spring is stable
-    then, and ``math.inf`` if d is 0 or d^-h is too large for a float.
+    AnchoredSpring without damping. If d is 1 or more, no spring is stable, so the result is 0. If d
+    is 0, or d^-h is too large for a float, the result is ``math.inf``.
 
     Raises:
         ValueError: if the damping is negative, the duration or the mass is not positive, or one of

@@ -1,13 +1,13 @@
 """Going further, complete: a chain of rods in a plane, described by its angles.
 
-The outer end of each rod can only move along a circle around the inner end, so one angle per rod
-describes the whole chain, just as one angle describes a pendulum. No step can make a rod too long,
-and with Runge-Kutta 4 the angles have an error of order 4.
+One angle is enough to describe a pendulum. In a chain too, the outer end of each rod can only move
+along a circle around the inner end. One angle per rod therefore describes the whole chain. No step
+can make a rod too long, and with Runge-Kutta 4 the angles have an error of order 4.
 
 The equations of motion need the tensions of the rods. Each tension accelerates the two ends of its
-rod, so it appears in three equations: the equation of this rod, and the equations of the two
-neighboring rods. The equations are solved from the anchor to the tip and back, in a time
-proportional to the number of rods.
+rod. It therefore appears in the equation of this rod and in the equations of the two neighboring
+rods. The equations are solved from the anchor to the tip and back, in a time proportional to the
+number of rods.
 """
 
 from __future__ import annotations
@@ -88,10 +88,10 @@ class AngleChain:
     def _rates(
         self, ahead: float, turning: Sequence[float], gaining: Sequence[float]
     ) -> tuple[list[float], list[float]]:
-        """Return the angular velocities and accelerations at ``ahead`` s after the current state.
+        """Return the angular velocities and accelerations for a state ``ahead`` s from now.
 
-        To get there, the angles change at the rates ``turning``, and the angular velocities change
-        at the rates ``gaining``.
+        Until then, the angles change at the rates ``turning``, and the angular velocities change at
+        the rates ``gaining``.
         """
         # Row i: (1/m0 + 1/m1) T[i] - cos/m0 T[i-1] - cos/m1 T[i+1] = L w^2, with the tensions T in
         # N, the masses m0 and m1 at the ends of the rod, and the cosines of the bends, which are

@@ -37,8 +37,8 @@ class AngleRope(AngleChain):
     ) -> tuple[list[float], list[float]]:
         """Return the same rates as AngleChain._rates, from simpler equations.
 
-        The equal lengths and masses cancel. Row i is 2 t[i] - cos t[i-1] - cos t[i+1] = w^2, where
-        t is tension / (mass length).
+        The equal lengths and masses cancel. Equation i for the tensions is 2 t[i] - cos t[i-1] -
+        cos t[i+1] = w^2, where t is tension / (mass length).
         """
         angles, velocities = self.angles, self.angular_velocities
         gravity = self.gravity / self.lengths[0]

@@ -1,8 +1,8 @@
 """Going further, complete: a bouncing ball, computed from its impacts instead of time steps.
 
 Between two impacts the height of the ball is a parabola, so a formula gives the time of the next
-impact. The ball therefore needs no small time steps. The program computes only the impacts, and the
-heights that you ask for.
+impact. Small time steps are therefore unnecessary. The function computes only the impacts, and the
+height at the end of each frame.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def heights_in_frames(
     is in m/s^2.
 
     Raises:
-        ValueError: if ``height`` is negative, ``speed`` or the time of all frames is not finite,
+        ValueError: if ``height`` is negative, ``speed`` or the total time is not finite,
             ``restitution`` is not from 0 to 1, ``frame`` or ``gravity`` is not positive, or
             ``frames`` is less than 1.
         TypeError: if an argument is not a number, or ``frames`` is not a whole number.

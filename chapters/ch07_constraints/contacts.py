@@ -93,7 +93,7 @@ class Contact:
         up by then, so pass a duration of 0.
 
         Raises:
-            ValueError: if the duration is negative or not finite, in every case.
+            ValueError: if the duration is negative or not finite, even if nothing would change.
         """
         raise NotImplementedError("Exercise B7.2: Bounces and resting contacts")
 
@@ -106,7 +106,7 @@ class Contact:
         particle can move. Book: sections 7.1.4 and 7.2.1.
 
         Raises:
-            ValueError: if the duration is negative or not finite, in every case.
+            ValueError: if the duration is negative or not finite, even if nothing would change.
         """
         raise NotImplementedError("Exercise B7.3: Impulses")
 
@@ -120,9 +120,9 @@ class Contact:
         7.2.2.
 
         Returns:
-            The displacements of ``particle`` and ``other`` in m, as two new vectors. The
-            displacement of a particle that did not move is zero, so that an earlier displacement is
-            not applied again (erratum E-27).
+            The displacements of ``particle`` and ``other`` in m, as two new vectors. If a particle
+            did not move, its displacement is zero, so that no earlier displacement is used again
+            (erratum E-27).
         """
         raise NotImplementedError("Exercise B7.4: Pushing particles apart")
 
@@ -143,7 +143,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """A contact generator, which is any object with a method ``contacts``."""
+    """The interface of contact generators: any object with a method ``contacts`` is one."""
 
     def contacts(self) -> Iterable[Contact]:
         """Find all contacts at the current positions and return them."""
@@ -204,7 +204,7 @@ class ContactResolver:
         """Repeatedly resolve the penetration of the deepest contact.
 
         Every resolution moves particles, which changes the penetrations of all their contacts. So
-        update each of these contacts: subtract the distance that its ``particle`` moved along its
+        update each of these contacts. Subtract the distance that its ``particle`` moved along the
         normal, and add the distance that its ``other`` moved along it. The book's listing omits
         this update (erratum E-8).
 

@@ -25,9 +25,9 @@ Impact = tuple[float, Contact]
 
 
 class Detector(Protocol):
-    """A detector, which is any object with the methods ``contacts`` and ``next_impact``.
+    """The interface of detectors, which have the methods ``contacts`` and ``next_impact``.
 
-    This class only describes the interface, so a detector does not have to inherit from it.
+    A detector does not have to inherit from this class.
     """
 
     def contacts(self) -> Iterable[Contact]:
@@ -41,8 +41,8 @@ class GroundPlane:
     """Exercise 7.5: a detector for particles that touch level ground at ``height``.
 
     The particles are points, or spheres that all have the same ``radius``. Everything below the
-    height is ground, so a particle that is below it at the end of a step is in contact, however
-    deep it is. That is why even a very fast particle cannot pass through the ground.
+    height is ground. A particle that ends a step below it is in contact, however deep it is, so
+    even a very fast particle cannot pass through the ground.
     """
 
     def __init__(
@@ -114,9 +114,9 @@ class ParticlePairs:
         """Predict the first impact of two spheres within ``duration`` s.
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
-        Two particles with the same acceleration therefore move in a straight line relative to each
-        other, which makes the time of their impact easy to compute. Treat the velocity and the
-        acceleration of an immovable particle as zero.
+        Relative to each other, two particles with the same acceleration therefore move in a
+        straight line. This makes the time of their impact easy to compute. Treat the velocity and
+        the acceleration of an immovable particle as zero.
 
         Two spheres have an impact when they touch or overlap while they approach each other faster
         than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding
@@ -130,7 +130,8 @@ class ParticlePairs:
 
         Raises:
             ValueError: if the duration is negative or not finite, or if the accelerations of any
-                two particles differ by more than rounding, 1e-12 of their sizes.
+                two particles differ by more than a rounding error, which is 1e-12 of their
+                magnitudes.
         """
         raise NotImplementedError("Exercise B7.11: When do two spheres meet?")
 

@@ -5,7 +5,7 @@ long chain, a pull therefore needs many iterations to travel from link to link. 
 tensions together instead, so no rod is too long afterward.
 
 The tension of a rod changes only three lengths: the length of this rod, and the lengths of its two
-neighbors. Each equation for the tensions therefore has at most three unknowns, so the equations can
+neighbors. Each equation for the tensions therefore has at most three unknowns. Such equations can
 be solved from the anchor to the free end and back. This takes about as much work per rod as
 resolving it once.
 """
@@ -33,8 +33,8 @@ class DirectChain:
     one may be immovable, to hold the other end.
 
     Raises:
-        ValueError: if there are no particles, if a rod has no length, or if a particle other than
-            the last is immovable.
+        ValueError: if there are no particles, if the length of a rod is 0, or if a particle other
+            than the last is immovable.
     """
 
     def __init__(self, particles: Sequence[Particle], anchor: Vector3) -> None:
@@ -80,12 +80,12 @@ class DirectChain:
         self._pulls = self._pull_and_drift(self._kick_and_eliminate(duration, time), duration)
 
     def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
-        """Kick the particles for ``time`` s, and return the rods' equations with one unknown fewer.
+        """Kick the particles for ``time`` s, and simplify the equations for the tensions.
 
-        If the tensions stayed as in the last step, the kicked velocities would determine the
-        position of each rod at the end of this step. Equation i says how the tensions i - 1, i and
-        i + 1 must change so that rod i has the right length at that time. Change i - 1 is
-        eliminated from the equation at once (Thomas, 1949).
+        There is one equation for each rod. With the tensions of the last step, rod i would have a
+        wrong length at the end of this step. Equation i says how the tensions i - 1, i and i + 1
+        must change so that this length is right. The change of tension i - 1 is eliminated at once
+        (Thomas, 1949).
 
         All numbers are plain floats, because a step with vectors, or in separate passes, takes
         longer.
@@ -136,7 +136,7 @@ class DirectChain:
         return rows
 
     def _pull_and_drift(self, rows: list[Row], duration: float) -> list[float]:
-        """Find the tension of each rod, from the last to the first, and drift its far end.
+        """Find the tension of each rod, last rod first, and drift the far end of the rod.
 
         Each tension pulls on the far end before that end drifts. Return the tensions divided by the
         lengths, in N/m, in the order of the rods.

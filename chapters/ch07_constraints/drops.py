@@ -48,7 +48,7 @@ def read_drops(path: Path) -> list[tuple[str, float, float]]:
 
 
 def find_drops(name: str = "drops.csv") -> Path:
-    """Return the path of the student's version of the file, or of the chapter's if there is none.
+    """Return the path of the student's own file, or of the chapter's file if there is none.
 
     ``name`` is the name of the file.
 

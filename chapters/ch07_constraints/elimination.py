@@ -1,8 +1,8 @@
 """Going further, complete: sparse symmetric equations, solved by elimination (LDL^T).
 
-Most coefficients in the equations of a net are 0, because the pull of a link appears only in the
-equations of links that share a particle with it. Elimination turns some of these zeros into other
-numbers, which are called fill-in and cost time. How many there are depends on the order of
+The pull of a link appears only in the equations of links that share a particle with it. Most
+coefficients in the equations of a net are therefore 0. Elimination turns some of these zeros into
+other numbers, which are called fill-in and cost time. The amount of fill-in depends on the order of
 elimination. A good rule is minimum degree: always eliminate the unknown whose equation has the
 fewest other unknowns (Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801). The nonzero
 coefficients of a net are always in the same positions, so the order is found only once.
@@ -17,7 +17,7 @@ SINGULAR = "equation {} has no unique solution"
 
 
 class Elimination:
-    """Solves A x = b for symmetric matrices A that have zeros in the same positions.
+    """Solves A x = b for symmetric matrices A that all have their zeros in the same positions.
 
     ``count`` is the number of unknowns. ``pairs`` are the pairs (i, j) for which A[i][j] may differ
     from 0. The unknowns with numbers below ``first`` are eliminated before the others.
@@ -27,8 +27,8 @@ class Elimination:
     ``slot_of`` returns.
 
     This class does not search for pivots, so the order of elimination must suit A. Every order
-    works if A is positive definite. Every order also works if A consists of a positive definite
-    block, a negative definite block, and any numbers between these two (Vanderbei, SIAM Journal on
+    works if A is positive definite. It also works if A consists of a positive definite block, a
+    negative definite block, and any numbers that couple the two (Vanderbei, SIAM Journal on
     Optimization 5, 1995, 100).
     """
 

@@ -1,8 +1,8 @@
 """Functions that solve exercises 7.1, 7.3 and 7.4 of the book.
 
 You compute the restitution of real balls from measured bounces, and the speed of a ball that was
-dropped on top of another one. You also compute the force over a whole frame that replaces a shorter
-push.
+dropped on top of another one. You also replace a push that is shorter than a frame by a weaker
+force that acts for the whole frame.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def top_ball_speed(
 
 
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
-    """Exercise 7.4: compute the force over a whole frame that replaces a shorter, stronger push.
+    """Exercise 7.4: replace a short, strong push by a weaker force that acts for a whole frame.
 
     ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s, but the engine
     applies every force for the whole frame. So return a smaller force in N, as a new vector, which

@@ -7,8 +7,8 @@ resolve the same contacts in the same order and give the same results, apart fro
 contacts are equally bad, a rounding error may decide which of them is resolved first.
 
 For each resolution, ContactResolver compares all n contacts. The heap updates only the few contacts
-that changed, and visits about log n of its entries for each. For ten contacts, comparing all of
-them is fast enough. For 300 contacts the heap is many times faster (`make bench`).
+that changed, and each update visits only about log n of its entries. For ten contacts, comparing
+all of them is fast enough. For 300 contacts the heap is many times faster (`make bench`).
 
 To reach this speed, the resolver works in plain floats on the particles' own vectors. It computes
 everything that does not change during a step only once.

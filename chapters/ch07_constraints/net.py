@@ -40,9 +40,10 @@ class Strut:
 
 
 def limits_of(link: Any) -> list[Limit]:
-    """Return a list of the limits of ``link``. Each contains the two ends, the length and the kind.
+    """List the limits of ``link`` as tuples of two ends, the length between them and the kind.
 
-    The length is in m. Limits have two entries: a cable and, unless ``min_length`` is 0, a strut.
+    The length is in m. A Limits object has two entries: a cable and, unless ``min_length`` is 0, a
+    strut.
 
     Raises:
         TypeError: for a link of any other kind.
@@ -181,13 +182,13 @@ class Net:
         right: Sequence[float],
         near: Iterable[int],
     ) -> tuple[list[float], list[float]]:
-        """Return the pulls that change ``right`` to 0, and their factors. Cables may only pull.
+        """Return the pulls that bring ``right`` to 0, and the factors of the equations for them.
 
-        The search begins with the links that are active now, and with the links in ``near``, which
-        are close to their limit. If a link would have to push, it is released. If a released link
-        would then get too long, it is tried again. After several such changes, only one link
-        changes at a time, which guarantees that the search ends (Murty, Linear Algebra and its
-        Applications 7, 1974, 65).
+        Cables may only pull. The search for the active links begins with those that are active now,
+        and with the links in ``near``, which are close to their limit. If a link would have to
+        push, it is released. If a released link would then get too long, it is tried again. After
+        several such changes, only one link changes at a time, which guarantees that the search ends
+        (Murty, Linear Algebra and its Applications 7, 1974, 65).
         """
         tried = {*near, *(i for i, on in enumerate(self.is_active) if on)}
         for i in tried:
@@ -223,10 +224,11 @@ class Net:
     ) -> list[float]:
         """Return the factors of the equations for the pulls of the active links.
 
-        Row i describes how fast the pulls shorten link i: r_i . (the sum of the changes in the
-        velocities of its ends). ``directions`` are the vectors r along the links. ``gains`` are the
-        changes of velocity that one unit of pull causes at each end. They are 0 for an immovable
-        end. The row of an inactive link has a 1 on the diagonal and zeros elsewhere.
+        Row i describes how fast the pulls shorten link i. ``directions`` are the vectors r along
+        the links. Each pull changes the velocities of the ends of its link, and the row contains
+        the components of these changes along r_i. ``gains`` are the changes of velocity that one
+        unit of pull causes at each end. They are 0 for an immovable end. The row of an inactive
+        link has a 1 on the diagonal and zeros elsewhere.
         """
         if self._equations is None:
             self._analyze()
@@ -251,7 +253,7 @@ class Net:
         return self._equations.solve(factors, right)
 
     def _analyze(self) -> None:
-        """Find the pulls that appear in the same equation, because their links share a particle."""
+        """Find which links share a particle, because their pulls appear in the same equation."""
         at: list[list[tuple[int, float]]] = [[] for _ in self.particles]
         for i, (a, b, _, _) in enumerate(self.rows):
             at[a].append((i, 1.0))

@@ -6,9 +6,9 @@ then step the chain with its own order of accuracy. So Runge-Kutta 4 reaches ord
 resolver has order 1 and DirectChain has order 2.
 
 If a rod keeps its length, the relative acceleration of its ends along the rod is known. Each
-tension accelerates the two ends of its rod, so it appears in three equations: the equation of this
-rod, and the equations of the two neighboring rods. The equations are solved from the anchor to the
-tip and back.
+tension accelerates the two ends of its rod. It therefore appears in the equation of this rod and in
+the equations of the two neighboring rods. The equations are solved from the anchor to the tip and
+back.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ class RodTensions:
     Source: J. Baumgarte, Computer Methods in Applied Mechanics and Engineering 1 (1972), pp. 1-16.
 
     Raises:
-        ValueError: if a rod has no length, if a particle other than the last is immovable, or if
-            the correction is negative or not finite.
+        ValueError: if the length of a rod is 0, if a particle other than the last is immovable, or
+            if the correction is negative or not finite.
     """
 
     def __init__(

@@ -5,8 +5,8 @@ corrects the velocities first, so that the particles hardly overlap after they h
 all contacts in order, several times, and applies an impulse at each visit. Two ideas make this
 accurate (Catto, "Iterative Dynamics with Temporal Coherence", 2005):
 
-- Only the sum of a contact's impulses has to push. A single impulse may pull, so a later visit can
-  take back part of an earlier impulse that was too large.
+- A contact must never pull, but this applies only to the sum of its impulses. A single impulse may
+  pull, so a later visit can take back part of an earlier impulse that was too large.
 - Warm starting: the sums of the last step are the first guess for this step. In a stack at rest
   they are already right, no matter how tall the stack is, so a few visits per step are enough.
 """
@@ -52,7 +52,7 @@ class Row:
         return (v.x - w.x) * self.x + (v.y - w.y) * self.y + (v.z - w.z) * self.z
 
     def change(self, v: Vector3, w: Vector3, amount: float) -> None:
-        """Change two velocities by an impulse, or two positions by a mass times a displacement."""
+        """Apply ``amount`` to the vectors of the two particles, in opposite directions."""
         part = amount * self.inverse_a
         v.x += self.x * part
         v.y += self.y * part
@@ -69,7 +69,7 @@ class Row:
         self.change(self.v, self.w, impulse)
 
     def solve(self) -> None:
-        """Change the velocity along the normal to its target, unless the sum would then pull."""
+        """Bring the contact to its target velocity, unless the sum of impulses would then pull."""
         missing = self.target - self.along(self.v, self.w)
         self.push(max(missing * self.mass, -self.impulse))
 

@@ -7,9 +7,8 @@ and a compliance of 0 makes a constraint hard. The solver stays stable at any st
 corrections are those of an implicit step.
 
 Each constraint is corrected once per step. If that is not accurate enough, use shorter steps
-instead of more iterations, because for the same work they give a much smaller error (Macklin and
-others, "Small Steps in Physics Simulation", 2019). The solver remembers nothing from one step to
-the next.
+instead of more iterations. For the same work they give a much smaller error (Macklin and others,
+"Small Steps in Physics Simulation", 2019). The solver remembers nothing from one step to the next.
 """
 
 from __future__ import annotations
@@ -74,7 +73,7 @@ class SmallSteps:
 
 
 def correct(contact: Contact, softness: float) -> None:
-    """Move the two particles apart, by less than the depth if the contact is soft.
+    """Move the two particles apart, by the full depth or, if the contact is soft, by less.
 
     The depth is divided into three parts. The first two are the displacements of the particles, in
     proportion to their inverse masses. The third part is proportional to ``softness``, and remains

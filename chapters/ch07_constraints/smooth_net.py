@@ -147,7 +147,7 @@ class SmoothNet(Net):
         forces: Forces | None,
         duration: float,
     ) -> list[float]:
-        """Return the accelerations by all forces except the pulls. Immovable particles have 0."""
+        """Return the accelerations by all forces except the pulls. Immovable ends have none."""
         if forces:
             self.write(places, speeds)
             forces(duration)
@@ -266,7 +266,7 @@ def _moved(places: Sequence[float], speeds: Sequence[float], time: float) -> lis
 
 
 def _mean(start: Sequence[float], sixth: float, *rates: Sequence[float]) -> list[float]:
-    """Return ``start`` moved by the weighted mean of four ``rates`` over the duration.
+    """Return ``start`` changed by the weighted mean of four ``rates`` times the duration.
 
     ``sixth`` is a sixth of the duration in s.
     """

@@ -1,8 +1,9 @@
 """The plan of the rope bridge: the number, size and position of its planks. This file is complete.
 
 The bridge runs along X, and Y points up. Its dimensions are close to those in the book's demo. Each
-plank has a particle of 1 kg at both of its ends, which are 2 m apart. The cables between the rows
-are 10 cm shorter than the rows are apart at the start, so they pull at once (8.2).
+plank has a particle of 1 kg at both of its ends, which are 2 m apart. The cables between
+neighboring rows are 10 cm shorter than the initial distance between these rows, so they pull at
+once (8.2).
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ def make_rows() -> list[Row]:
 
 
 def support_length(row: int) -> float:
-    """Return the length in m of the cables from which the row with the index ``row`` hangs.
+    """Return the length in m of the two cables that hold the row with the index ``row``.
 
     The lengths are from 3 to 4 m, and the cables in the middle of the bridge are the longest.
     """

@@ -24,8 +24,9 @@ def fewest_rods(count: int) -> int:
     """Compute the smallest number of rods that can make ``count`` particles rigid in space.
 
     Each particle can move in three independent directions, and each rod prevents at most one
-    independent motion. You need enough rods to leave only the six motions of a rigid body, which
-    can move along three axes and rotate about each of them. There are two exceptions:
+    independent motion. A rigid body still has six motions, because it can move along three axes and
+    rotate about each of them. So you need enough rods to prevent all other motions. There are two
+    exceptions:
 
     - Two particles joined by a rod have only five motions left, because a rotation about the rod
       itself changes nothing.
@@ -54,8 +55,8 @@ class Cube:
     """A cube of particles and rods that falls on one of its corners.
 
     ``world`` simulates the ``particles``, which are the corners. The cube starts at rest and
-    slightly rotated, with its lowest corner at ``height``, in m. ``rods`` is a list of pairs of
-    corner indices. If it is None, the cube uses ``cube_rods()``.
+    slightly rotated, with its lowest corner ``height`` m above the ground. ``rods`` is a list of
+    pairs of corner indices. If it is None, the cube uses ``cube_rods()``.
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.

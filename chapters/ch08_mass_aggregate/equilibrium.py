@@ -1,13 +1,13 @@
 """Going further, complete: find the positions at which a world is at rest, without stepping it.
 
-At rest, all forces on a particle add up to zero: its weight, the forces of the registry, and the
-pulls of the rods and cables that hold it. In addition, the links must have the right lengths.
-Newton's method solves all of these equations together. The search also finds out which cables are
-taut, with an active set. A cable that would have to push becomes slack, and a cable that would get
-too long becomes taut.
+At rest, all forces on a particle add up to zero. They are its weight, the forces of the registry,
+and the pulls of the rods and cables that hold it. In addition, these rods and cables must have the
+right lengths. Newton's method solves all of these equations together. The search also finds out
+which cables are taut, with an active set. A cable that would have to push becomes slack, and a
+cable that would get too long becomes taut.
 
 Far from rest, a step of Newton's method can be much too large. So the particles get some inertia,
-as in a step of backward Euler, and resist each move with a force of m / t^2 N per m. The time t
+as in a step of backward Euler. They resist each move with a force of m / t^2 N per m. The time t
 doubles from step to step, until the inertia has no effect any more.
 """
 
@@ -99,7 +99,7 @@ class Balance:
         self.holds = [*self.links, *found.values()]
 
     def find_forces(self) -> list[float]:
-        """Return the forces on the particles in one list. Exclude those of links and contacts."""
+        """Return the forces on the particles in one list, without those of links and contacts."""
         if self.has_forces:
             self.world.registry.update_forces(FIRST_TIME)
         found: list[float] = []
@@ -110,7 +110,7 @@ class Balance:
         return found
 
     def is_balanced(self) -> bool:
-        """Return whether forces and pulls add up to zero, and all lengths are right."""
+        """Return True if all forces and pulls add up to zero, and all lengths are right."""
         left = [*self.forces]
         largest = max(map(abs, left), default=0.0)
         for hold in self.holds:
@@ -154,13 +154,13 @@ class Balance:
 
     @staticmethod
     def is_wrong(hold: Hold, moves: Mapping[Any, Triple]) -> bool:
-        """Return whether a taut hold would have to push, or a slack one would get too long."""
+        """Return True if a taut hold would have to push, or a slack one would get too long."""
         if hold.is_active:
             return hold.pull * hold.kind < 0.0
         return (hold.excess + hold.change(moves)) * hold.kind > EXACT * hold.length**2
 
     def find_slopes(self) -> dict[tuple[int, int], float]:
-        """Return the change of each force of the registry per m, for each pair of coordinates."""
+        """Return how much each component of a force changes per m of each coordinate."""
         slopes: dict[tuple[int, int], float] = {}
         if not self.has_forces:
             return slopes
@@ -219,7 +219,7 @@ class Balance:
         return {p: (found[i], found[i + 1], found[i + 2]) for p, i in self.number.items()}
 
     def equations(self, slopes: Mapping[tuple[int, int], float]) -> Elimination:
-        """Return the positions of the nonzero coefficients, which change only with the holds."""
+        """Return the positions of the nonzero coefficients. They change only if the holds do."""
         shape = [(h.a, h.b) for h in self.holds], [*slopes]
         if self.shape != shape:
             count = len(self.forces)
@@ -242,8 +242,8 @@ def equilibrium(world: ParticleWorld) -> list[float]:
     several equilibria, the result is usually one near the start.
 
     The velocities of all particles become 0. Forces in the accumulators act on the particles, and
-    they also stay in the accumulators. Contacts with the ground or with other particles hold the
-    particles too, if the search finds these contacts, but without friction.
+    they also stay in the accumulators. Contacts with the ground or with other particles support the
+    particles too, if the search finds these contacts. They have no friction.
 
     In a SleepingWorld all particles fall asleep at once, and sleep until something touches them.
 

@@ -1,10 +1,10 @@
 """Find out which particles of a world are connected to each other. This file is complete.
 
 Two particles are connected if they touch, or if the force on one of them depends on the other. To
-find such pairs, this file reads attributes. A contact stores its two particles in attributes, and a
-force generator must also store the particles on which its force depends in public attributes. The
-generators of chapters 6 and 8 already do so, because they store each of these particles under the
-name of its argument.
+find such pairs, this file reads the attributes of contacts and force generators. A contact stores
+its two particles in attributes. A force generator must likewise store the particles on which its
+force depends in public attributes. The generators of chapters 6 and 8 already do so, because they
+store each of these particles under the name of its argument.
 """
 
 from __future__ import annotations
@@ -54,9 +54,9 @@ def partners(generator: object) -> list[Particle]:
     is ignored.
 
     If you write a generator whose force depends on other particles, give it one of these
-    attributes, or a property called ``particles`` if it stores the particles in some other way. A
-    generator without such an attribute joins nothing, so a particle that it pushes sleeps
-    independently of other particles, and wakes when the push changes.
+    attributes. If it stores the particles in some other way, give it a property called
+    ``particles``. A generator without such an attribute joins nothing. A particle that it pushes
+    then sleeps independently of other particles, and wakes when the push changes.
     """
     found: list[Particle] = []
     for name in PARTNERS:

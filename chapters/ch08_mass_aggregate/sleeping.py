@@ -43,14 +43,15 @@ class Sleep:
 class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which groups of touching particles fall asleep when they are at rest.
 
-    A step counts as slow for a particle if its kinetic energy per kg of mass is at most
-    ``sleep_energy``, in J/kg, after the step. After ``sleep_frames`` slow steps in a row the
-    particle is tired, and when all particles of a group are tired, the group falls asleep. A
-    sleeping particle has no velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each
-    sleeping particle to its Sleep.
+    A step counts as slow for a particle if its kinetic energy per kg after the step is at most
+    ``sleep_energy``, in J/kg. After ``sleep_frames`` slow steps in a row the particle is tired, and
+    when all particles of a group are tired, the group falls asleep. A sleeping particle has no
+    velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each sleeping particle to its
+    Sleep.
 
     The world cannot notice every change. Call ``wake`` for a sleeping particle yourself before you
-    move the ground or an anchor under it, join something new to it, or make it immovable.
+    make it immovable, or join something new to it. Also do so before you move the ground or an
+    anchor that supports it.
 
     Raises:
         ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than

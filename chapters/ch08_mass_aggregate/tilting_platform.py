@@ -42,12 +42,12 @@ def rods_of(particles: Sequence[Particle]) -> list[Rod]:
 
 
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
-    """Compute the mass in kg that balances the platform when it is placed at ``x``.
+    """Compute the mass in kg that you must place at ``x`` to balance the platform.
 
     The platform already carries other masses: ``masses`` in kg, at the positions ``places`` in m.
     Positions are measured along the platform from the pivot, and are negative to the left of it.
-    Each mass exerts a torque that is proportional to its mass times its position, and the platform
-    is balanced if all torques add up to zero.
+    The torque of each mass is proportional to the mass times its position. The platform is balanced
+    if all torques add up to zero.
 
     Raises:
         ValueError: if a number is not finite, a mass is negative, ``places`` and ``masses`` differ
@@ -104,7 +104,7 @@ class TiltingPlatform:
     def tilt(self) -> float:
         """Measure how far the platform is tilted, as an angle in radians.
 
-        It is 0 at the start, and positive if the right end is higher.
+        The angle is 0 at the start, and positive when the right end is higher.
         """
         across = self.particles[4].position - self.particles[2].position
         return math.atan2(across.y, across.x)

@@ -21,8 +21,8 @@ class ParticleWorld:
 
     ``particles`` and ``contact_generators`` are copied into new lists, to which you may add later.
     A particle may be listed only once. ``registry`` is a ForceRegistry that starts empty, and
-    ``integrator`` can be any integrator of chapter 6. ``iterations`` is the limit of the
-    ContactResolver in ``resolver``.
+    ``integrator`` can be any integrator of chapter 6. ``resolver`` is a ContactResolver that gets
+    the argument ``iterations``.
 
     A step can have any number of contacts. The book's world silently ignores all contacts beyond a
     fixed limit.
@@ -75,10 +75,10 @@ class ParticleWorld:
     def run_physics(self, duration: float) -> None:
         """Move the world forward by one time step of ``duration`` s.
 
-        First the integrator moves the particles. The forces on them come from the registry, and
+        First let the integrator move the particles. The forces on them come from the registry, and
         from calls of ``add_force`` since ``start_frame``. Then call ``contacts()`` of each
-        generator once, to find the contacts at the new positions. Finally the resolver resolves all
-        contacts in one call. If there are no contacts, do not call the resolver.
+        generator once, to find the contacts at the new positions. Finally resolve all contacts with
+        one call of the resolver. If there are no contacts, do not call it.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

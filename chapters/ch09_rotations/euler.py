@@ -30,8 +30,8 @@ def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
 def rate_map(x: float, y: float, z: float) -> Matrix3:
     """Return the matrix that converts the rates of the three Euler angles to an angular velocity.
 
-    The rates are the speeds in rad/s at which the three angles change, and the angular velocity is
-    a vector in rad/s, in world axes. Each column of the matrix is the axis about which the object
+    The rates are the speeds in rad/s at which the three angles change. The angular velocity is a
+    vector in rad/s, in world axes. Each column of the matrix is the axis about which the object
     rotates when only one of the angles changes. The axis for z is Z itself, because this rotation
     comes last. The axis for y is Y rotated by z, and the axis for x is X rotated by y and then by
     z. The matrix does not depend on x, but x must be finite too.
@@ -48,7 +48,8 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
 
     Raises:
         ValueError: in gimbal lock, which means that |cos y| is at most ``SINGULAR`` of matrix3.py.
-            Check this yourself, because ``Matrix3.inverse`` does not notice it in every case. The
-            determinant of the rate map is cos y, but at z = 0 one row of the map is just as small.
+            Check this yourself, because ``Matrix3.inverse`` does not notice it in every case. It
+            compares the determinant, which is cos y, with the lengths of the rows. At z = 0 one row
+            is just as short, so the ratio is not small.
     """
     raise NotImplementedError("Exercise B9.17: Euler angles, and where they fail")

@@ -17,12 +17,12 @@ Stone = tuple[str, float, float, float]  # what it is, its mass in kg, x and y i
 
 
 def two_other_turns() -> tuple[float, float]:
-    """Exercise 9.1: find two rotations that together have the same effect as two given ones.
+    """Exercise 9.1: find two rotations that have the same effect as two others.
 
     Rotate an object by 90 degrees about X and then by 90 degrees about Y. You get the same result
-    by rotating it by a about Z and then by b about X. Return a and b as a tuple, in degrees, both
-    from -180 to 180. The axes are those of the world, so they do not rotate with the object, and
-    rotations are right-handed.
+    if you rotate it by an angle ``a`` about Z and then by an angle ``b`` about X. Return the tuple
+    (``a``, ``b``), with both angles in degrees, from -180 to 180. The axes are those of the world,
+    so they do not rotate with the object, and rotations are right-handed.
     """
     raise NotImplementedError("Exercise 9.1: Two rotations, and two others")
 
@@ -46,7 +46,7 @@ def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
 
 
 def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
-    """Exercise 9.3a: multiply two quaternions whose j and k are zero, with four multiplications.
+    """Exercise 9.3a: multiply quaternions whose j and k are zero, with only four multiplications.
 
     The result is a * b, as a new quaternion. The general product needs sixteen multiplications.
 

@@ -43,7 +43,8 @@ class FreeBox:
     def own_velocity(self) -> Vector3:
         """Return the angular velocity in rad/s in the box's own axes.
 
-        Each component is the angular momentum divided by the moment of inertia.
+        Each component is the angular momentum about an axis, divided by the moment of inertia about
+        it.
         """
         own = self.orientation.conjugate().rotate(self.angular_momentum)
         moments = self.inertia

@@ -1,15 +1,15 @@
-"""Integrators: methods that move particles forward by a time step, with their order and limits.
+"""Integrators: methods that move particles forward by one time step.
 
 The first five integrators take ``(particles, apply_forces, duration)``. ``particles`` lists each
 particle once. ``apply_forces(duration)`` adds the current forces to the accumulators of these
 particles only, as ``ForceRegistry.update_forces`` does. It may be called several times. Before each
-call, the accumulators contain only the forces that were added by hand before the step. After the
-step they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
+call, the accumulators may contain only the forces added by hand before the step. After the step
+they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
 
 In the formulas, p is a position, v a velocity, a an acceleration and h the ``duration`` in s. A
-particle's own damping d multiplies its velocity by d^h once, at the end of a step. The given orders
-hold for d = 1, and for any other d the order is 1. A stability limit is the limit of k h^2 / m for
-a mass m on an undamped spring k, at d = 1 unless stated otherwise. Immovable particles stay put.
+particle's own damping d multiplies its velocity by d^h once, at the end of a step. Immovable
+particles stay put. Orders are given for d = 1, because for any other d the order is 1. Stability
+limits apply to k h^2 / m for a mass m on an undamped spring k, and to d = 1 if no other d is named.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
 not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
@@ -76,9 +76,9 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     force that does depend on it is evaluated with the old velocity, which reduces the order to 1.
 
     It is stable for k h^2 / m < 4. With damping d and a damper c in the spring, the condition is k
-    h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits, because
-    leapfrog also alternates kicks and drifts after its first half drift. Source: Hairer, Lubich and
-    Wanner, Acta Numerica 12 (2003), 399.
+    h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits, because after
+    its first half drift leapfrog alternates kicks and drifts in the same way. Source: Hairer,
+    Lubich and Wanner, Acta Numerica 12 (2003), 399.
     """
     positive("duration", duration)
     half = 0.5 * duration
@@ -133,9 +133,9 @@ def runge_kutta_4(
     """Step with the weighted mean of four rates: at the start, twice in the middle, and at the end.
 
     A rate is the velocity and the acceleration of a particle in some state. The first one belongs
-    to the state at the start. For each later rate, go back to the start, move at the previous rate
-    for a part of the step, and evaluate the state that you reach. The parts are half the step, half
-    the step again, and the whole step. In the mean, the second and third rates count double.
+    to the state at the start. For each later rate, go back to the start, move at the previous rate,
+    and use the state that you reach. Move for half the step for the second and third rates, and for
+    the whole step for the fourth. In the mean, the second and third rates count double.
 
     The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
     drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, or more if d < 1.
@@ -183,8 +183,8 @@ def backward_euler(
     """Step a body on a spring with backward Euler, and return its new position and velocity.
 
     The new values x' and v' solve x' = x + v' h and v' = v + a' h, where m a' = -(k x' + c v'). The
-    spring is at rest at x = 0. Positions are in m, velocities in m/s, ``stiffness`` k in N/m,
-    ``damping`` c in N s/m, ``mass`` m in kg and ``duration`` h in s.
+    spring is at rest at x = 0. Positions are in m and velocities in m/s. In the equations, k is
+    ``stiffness`` in N/m, c is ``damping`` in N s/m, m is ``mass`` in kg and h is ``duration`` in s.
 
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
     stiffness, but the stiffer the spring, the more energy it loses. Source: Hairer and Wanner,
@@ -264,7 +264,7 @@ def _starts(
 ) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
     """Return the state of each particle at the start of the step, and the forces added by hand.
 
-    A state is (particle, inverse mass, a, p, v, the six components of p and v, an empty list).
+    A state is a tuple: particle, inverse mass, a, p, v, six components of p and v, empty list.
     """
     starts: list[tuple[Any, ...]] = []
     by_hand = []
@@ -281,7 +281,7 @@ def _starts(
 
 
 def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
-    """Add the forces of the caller again, because each evaluation empties the accumulators."""
+    """Restore the forces added by hand, because each evaluation empties the accumulators."""
     for particle, force in by_hand:
         particle.add_force(force)
 

@@ -97,7 +97,7 @@ class Contact:
         up by then, so pass a duration of 0.
 
         Raises:
-            ValueError: if the duration is negative or not finite, in every case.
+            ValueError: if the duration is negative or not finite, even if nothing would change.
         """
         if not (type(duration) is float and 0.0 <= duration < math.inf):
             not_negative("duration", duration)
@@ -121,7 +121,7 @@ class Contact:
         particle can move. Book: sections 7.1.4 and 7.2.1.
 
         Raises:
-            ValueError: if the duration is negative or not finite, in every case.
+            ValueError: if the duration is negative or not finite, even if nothing would change.
         """
         wanted = self.velocity_after(duration)
         closing = self.separating_velocity()
@@ -143,9 +143,9 @@ class Contact:
         7.2.2.
 
         Returns:
-            The displacements of ``particle`` and ``other`` in m, as two new vectors. The
-            displacement of a particle that did not move is zero, so that an earlier displacement is
-            not applied again (erratum E-27).
+            The displacements of ``particle`` and ``other`` in m, as two new vectors. If a particle
+            did not move, its displacement is zero, so that no earlier displacement is used again
+            (erratum E-27).
         """
         move, other_move = Vector3(), Vector3()
         total = self._total_inverse_mass()
@@ -177,7 +177,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """A contact generator, which is any object with a method ``contacts``."""
+    """The interface of contact generators: any object with a method ``contacts`` is one."""
 
     def contacts(self) -> Iterable[Contact]:
         """Find all contacts at the current positions and return them."""
@@ -253,7 +253,7 @@ class ContactResolver:
         """Repeatedly resolve the penetration of the deepest contact.
 
         Every resolution moves particles, which changes the penetrations of all their contacts. So
-        update each of these contacts: subtract the distance that its ``particle`` moved along its
+        update each of these contacts. Subtract the distance that its ``particle`` moved along the
         normal, and add the distance that its ``other`` moved along it. The book's listing omits
         this update (erratum E-8).
 

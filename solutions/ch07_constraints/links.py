@@ -35,9 +35,9 @@ class Cable:
     def contacts(self) -> list[Contact]:
         """Return a contact if the cable is taut, that is, at least ``max_length`` long.
 
-        In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b, because
-        a taut cable pulls its ends together. The penetration is the current length minus
-        ``max_length``. A slack cable has no contact, so the list is empty.
+        In the contact, ``particle`` is ``a`` and ``other`` is ``b``. The normal points from ``a``
+        to ``b``, because a taut cable pulls its ends together. The penetration is the current
+        length minus ``max_length``. A slack cable has no contact, so the list is empty.
         """
         return _of_cable(self, self.a, self.b, self.b.position)
 
@@ -79,12 +79,12 @@ class Rod:
     def contacts(self) -> list[Contact]:
         """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
 
-        In the contact, ``particle`` is a and ``other`` is b. If the rod is too long, it pulls, so
-        the normal points from a to b. If it is too short, it pushes, so the normal points away from
-        b. The penetration is the difference between the distance and ``length`` as a positive
-        number, and the restitution is 0. If both ends are at the same position, use +Y as the
-        direction from a to b. The book's text uses two contacts per rod, but its listing shows that
-        one contact is enough (erratum E-9).
+        In the contact, ``particle`` is ``a`` and ``other`` is ``b``. If the rod is too long, it
+        pulls, so the normal points from ``a`` to ``b``. If it is too short, it pushes, so the
+        normal points away from ``b``. The penetration is the difference between the distance and
+        ``length`` as a positive number, and the restitution is 0. If both ends are at the same
+        position, use +Y as the direction from ``a`` to ``b``. The book's text uses two contacts per
+        rod, but its listing shows that one contact is enough (erratum E-9).
         """
         return _of_rod(self, self.a, self.b, self.b.position)
 
@@ -137,10 +137,10 @@ class Limits:
         """Exercise 7.6: return a contact for each limit that is reached or passed.
 
         If the distance is ``max_length`` or more, the contact is like the contact of a Cable. If it
-        is ``min_length`` or less, the contact pushes: its normal points away from b, and its
+        is ``min_length`` or less, the contact pushes: its normal points away from ``b``, and its
         penetration is ``min_length`` minus the distance. If both limits are reached, return both
         contacts in this order. Each contact has the link's restitution. If both ends are at the
-        same position, use +Y as the direction from a to b.
+        same position, use +Y as the direction from ``a`` to ``b``.
         """
         offset = self.b.position - self.a.position
         length = offset.magnitude()
@@ -159,20 +159,20 @@ class TwoSidedRod(Rod):
     """Going further, G7.1: a rod that always has two contacts, one that pulls and one that pushes.
 
     A Rod that has the right length, or is a little too short, has no contact that pulls. If its
-    ends fly apart, nothing stops them until the next step. In a chain this delay adds up, because
-    correcting one rod stretches its neighbor, which also goes unnoticed until the next step. A pull
-    therefore travels only about one rod per step, however many iterations there are. Two contacts
-    per rod avoid the delay.
+    ends fly apart, nothing stops them until the next step. In a chain this delay adds up.
+    Correcting one rod stretches its neighbor, but the neighbor gets a contact only in the next
+    step. A pull therefore travels only about one rod per step, however many iterations there are.
+    Two contacts per rod avoid the delay.
     """
 
     def contacts(self) -> list[Contact]:
         """G7.1: always return two contacts: first one that pulls, then one that pushes.
 
-        The first contact is like the contact of a Cable. Its normal points from a to b, and its
-        penetration is the distance minus ``length``, which may be negative. The second contact has
-        the opposite normal and the opposite penetration. In the velocity phase, the first contact
-        stops ends that move apart, and the second stops ends that approach each other. If both ends
-        are at the same position, use +Y as the direction from a to b.
+        The first contact is like the contact of a Cable. Its normal points from ``a`` to ``b``, and
+        its penetration is the distance minus ``length``, which may be negative. The second contact
+        has the opposite normal and the opposite penetration. In the velocity phase, the first
+        contact stops ends that move apart, and the second stops ends that approach each other. If
+        both ends are at the same position, use +Y as the direction from ``a`` to ``b``.
         """
         offset = self.b.position - self.a.position
         excess = offset.magnitude() - self.length
@@ -186,9 +186,9 @@ class TwoSidedRod(Rod):
 def _of_cable(
     cable: Cable | AnchoredCable, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """List the contact of a cable if the cable is taut. If it is slack, the list is empty.
+    """Return a list with the contact of a taut cable, or an empty list if the cable is slack.
 
-    ``end`` is the position of the other end, a particle or an anchor.
+    ``end`` is the position of the particle or anchor at the other end.
     """
     offset = end - particle.position
     excess = offset.magnitude() - cable.max_length
@@ -200,9 +200,9 @@ def _of_cable(
 def _of_rod(
     rod: Rod | AnchoredRod, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """List the contact of a rod if the rod is too long or too short. Otherwise the list is empty.
+    """Return a list with the contact of a rod that is too long or too short, or an empty list.
 
-    ``end`` is the position of the other end, a particle or an anchor.
+    ``end`` is the position of the particle or anchor at the other end.
     """
     offset = end - particle.position
     excess = offset.magnitude() - rod.length

@@ -43,8 +43,8 @@ def time_division_step(
 
     The acceleration of a particle is constant during the step. It is the particle's own
     acceleration plus f / m, where f is the sum of the forces added before the step. The step uses
-    up these forces, as ``Particle.integrate`` does. It must do so before it looks for impacts,
-    because detectors read the acceleration from ``last_acceleration``.
+    up these forces, as ``Particle.integrate`` does. Do this before you look for impacts, because
+    detectors read the acceleration from ``last_acceleration``.
 
     Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
     in the rest of the step, resolve the velocity of its contact with a duration of 0. Do not
@@ -85,7 +85,7 @@ def time_division_step(
 
 
 def _fly(particles: Sequence[Particle], time: float) -> None:
-    """Move all particles forward by ``time`` s, in which none of them hits anything.
+    """Move all particles forward by ``time`` s, during which none of them hits anything.
 
     They drift for half of the time with the old velocity, and for the other half with the new one.
     On average they move with the mean of the two, which is exact for a constant acceleration.

@@ -1,7 +1,7 @@
 """A blob of particles, held together by bonds that can weaken, break and heal (book 8.2).
 
 A bond is a soft spring between two particles. It breaks when it is stretched too far, and heals
-when its ends come close again, so a blob can split in two and merge later.
+when its ends come close again. A blob can therefore split in two and merge later.
 """
 
 from __future__ import annotations
@@ -109,8 +109,8 @@ class Blob:
     """A blob of particles, joined by bonds, that falls to the ground.
 
     ``world`` simulates the blob, which consists of ``particles`` and ``bonds``. The blob is flat,
-    so all particles start at z = 0, and its middle starts at ``height``, in m. A bond joins every
-    two particles. If ``cables`` is True, a cable also joins them. It is as long as the bond's
+    so all particles start at z = 0. Its middle starts ``height`` m above the ground. A bond joins
+    every two particles. If ``cables`` is True, a cable also joins them. It is as long as the bond's
     ``break_length``, so it keeps the bond from breaking.
 
     Set ``push`` to a force in N to push the blob. It acts on each particle in every step.

@@ -44,14 +44,15 @@ class Sleep:
 class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which groups of touching particles fall asleep when they are at rest.
 
-    A step counts as slow for a particle if its kinetic energy per kg of mass is at most
-    ``sleep_energy``, in J/kg, after the step. After ``sleep_frames`` slow steps in a row the
-    particle is tired, and when all particles of a group are tired, the group falls asleep. A
-    sleeping particle has no velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each
-    sleeping particle to its Sleep.
+    A step counts as slow for a particle if its kinetic energy per kg after the step is at most
+    ``sleep_energy``, in J/kg. After ``sleep_frames`` slow steps in a row the particle is tired, and
+    when all particles of a group are tired, the group falls asleep. A sleeping particle has no
+    velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each sleeping particle to its
+    Sleep.
 
     The world cannot notice every change. Call ``wake`` for a sleeping particle yourself before you
-    move the ground or an anchor under it, join something new to it, or make it immovable.
+    make it immovable, or join something new to it. Also do so before you move the ground or an
+    anchor that supports it.
 
     Raises:
         ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than
@@ -225,7 +226,7 @@ class SleepingWorld(ParticleWorld):
         particle.inverse_mass = 0.0
 
     def _ask_for_sleepers(self, duration: float) -> None:
-        """Call the force generators of all sleeping particles, restoring each mass for the call."""
+        """Call the generators of each sleeping particle, which has its original mass meanwhile."""
         for particle, generator in self.registry.pairs():
             sleep = self.asleep.get(particle)
             if sleep is not None:
@@ -249,10 +250,10 @@ def _was_moved(particle: Particle, sleep: Sleep) -> bool:
 def _is_pushed_otherwise(
     particle: Particle, force: tuple[float, float, float], sleep: Sleep
 ) -> bool:
-    """Return True if the acceleration a + f / m has changed by more than SAME since falling asleep.
+    """Test whether the acceleration a + f / m of a particle has changed since it fell asleep.
 
-    The sum uses plain numbers because they are three times as fast as vectors, and a world whose
-    particles are asleep spends most of its time here.
+    Relative changes of up to SAME are ignored. A world whose particles are asleep spends most of
+    its time here, so the sum uses plain numbers, which are three times as fast as vectors.
     """
     mass, own, old = sleep.inverse_mass, particle.acceleration, sleep.acceleration
     x, y, z = force[0] * mass, force[1] * mass, force[2] * mass

@@ -60,7 +60,7 @@ class Design:
 
 @dataclass(frozen=True)
 class Throw:
-    """The result of a throw: its range, and the share of the energy that went into the projectile.
+    """The result of a throw: its range, and the fraction of the energy that reached the projectile.
 
     The range is in m, measured from the pivot. The share is a fraction, such as 0.4 for 40 %. It is
     the kinetic and potential energy that the projectile gained, divided by the potential energy

@@ -35,7 +35,7 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 class RimDrive:
     """A force generator that drives a wheel by pushing its rim around ``hub``.
 
-    The ``force`` in N is the same for every particle with which it is registered. Mini-project
+    Every particle for which the drive is registered gets the same ``force``, in N. Mini-project
     8.3b.
     """
 
@@ -61,9 +61,9 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
     """Measure how fast a wheel rotates about its hub, in rad/s.
 
     This angular velocity is the angular momentum of the rim divided by its moment of inertia. The
-    angular momentum is the sum of m (x v_y - y v_x) over all particles, and the moment of inertia
-    is the sum of m (x^2 + y^2). The hub may itself move, so use positions and velocities relative
-    to the hub. Return 0 if the moment of inertia is zero.
+    angular momentum is the sum of m (x v_y - y v_x) over all particles of the rim. The moment of
+    inertia is the sum of m (x^2 + y^2). The hub may itself move, so measure positions and
+    velocities relative to the hub. Return 0 if the moment of inertia is zero.
     """
     turning, inertia = 0.0, 0.0
     for particle in rim:

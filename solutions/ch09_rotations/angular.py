@@ -1,6 +1,6 @@
 """Angular velocity and acceleration, and a time step for an orientation (book 9.3, 9.4.11).
 
-An angular velocity is a vector in world axes: its direction is the axis of rotation, and its length
+An angular velocity is a vector in world axes. Its direction is the axis of rotation, and its length
 is the angular speed in rad/s. The functions raise TypeError for an argument of the wrong type.
 """
 
@@ -60,14 +60,15 @@ def integrate_rotation(
 
 
 def first_order_drift(angular_speed: float, duration: float, steps: int) -> tuple[float, float]:
-    """Measure the errors of Eq. 9.5 in a steady rotation: the final length and the missing angle.
+    """Measure how far off a steady rotation is when it is computed with Eq. 9.5.
 
-    A unit quaternion should rotate about one axis at ``angular_speed`` in rad/s for ``duration`` in
-    s. It makes ``steps`` equal steps of ``Quaternion.add_scaled``, and is never normalized, so that
-    the errors add up. The first result is the length of the quaternion at the end, which should be
-    1. The second result is how far the rotation lags behind, in radians. It is ``angular_speed``
-    times ``duration``, minus the angle by which the quaternion has really rotated. For a negative
-    speed, it is negative. Normalizing would correct the length (erratum E-31), but not the angle.
+    Rotate a unit quaternion about one axis at ``angular_speed`` in rad/s for ``duration`` in s.
+    Make ``steps`` equal steps of ``Quaternion.add_scaled``, and never normalize the quaternion, so
+    that the errors add up. The first result is the length of the quaternion at the end, which
+    should be 1. The second result is the angle in radians by which the rotation lags behind. It is
+    ``angular_speed`` times ``duration``, minus the angle by which the quaternion has really
+    rotated. For a negative speed, it is negative. Normalizing would correct the length (erratum
+    E-31), but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

@@ -21,12 +21,12 @@ _ON_THE_LINE = 1e-9
 
 
 def two_other_turns() -> tuple[float, float]:
-    """Exercise 9.1: find two rotations that together have the same effect as two given ones.
+    """Exercise 9.1: find two rotations that have the same effect as two others.
 
     Rotate an object by 90 degrees about X and then by 90 degrees about Y. You get the same result
-    by rotating it by a about Z and then by b about X. Return a and b as a tuple, in degrees, both
-    from -180 to 180. The axes are those of the world, so they do not rotate with the object, and
-    rotations are right-handed.
+    if you rotate it by an angle ``a`` about Z and then by an angle ``b`` about X. Return the tuple
+    (``a``, ``b``), with both angles in degrees, from -180 to 180. The axes are those of the world,
+    so they do not rotate with the object, and rotations are right-handed.
     """
     return -90.0, 90.0
 
@@ -51,7 +51,7 @@ def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
 
 
 def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
-    """Exercise 9.3a: multiply two quaternions whose j and k are zero, with four multiplications.
+    """Exercise 9.3a: multiply quaternions whose j and k are zero, with only four multiplications.
 
     The result is a * b, as a new quaternion. The general product needs sixteen multiplications.
 

@@ -1,6 +1,6 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-The conventions are the same as in matrix3.py: vectors are columns, a product applies its right
+The conventions are the same as in matrix3.py. Vectors are columns, a product applies its right
 factor first, and wrong arguments raise the same errors. You can also import Matrix3 from here.
 """
 
@@ -46,7 +46,7 @@ class Matrix4:
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and a column, as in ``m[0, 3]``."""
+        """Return the number at a given row and column, as in ``m[0, 3]``."""
         row, column = place
         if row not in range(3) or column not in range(4):
             raise IndexError(f"row must be from 0 to 2 and column from 0 to 3, got {place!r}")

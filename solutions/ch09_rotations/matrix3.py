@@ -50,7 +50,7 @@ class Matrix3:
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and a column, as in ``m[0, 2]``."""
+        """Return the number at a given row and column, as in ``m[0, 2]``."""
         row, column = place
         if row not in range(3) or column not in range(3):
             raise IndexError(f"row and column must be from 0 to 2, got {place!r}")

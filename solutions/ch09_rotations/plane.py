@@ -1,8 +1,8 @@
 """Angles, directions and points in the plane, and the center of mass (book 9.1).
 
 A point or direction is a tuple (x, y). Angles are in radians, counter-clockwise from the X axis
-toward the Y axis. The functions do not change their arguments, and they raise ValueError for a
-number that is not finite, and TypeError for anything that is not a number.
+toward the Y axis. The functions do not change their arguments. They raise ValueError for a number
+that is not finite, and TypeError for anything that is not a number.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ from impacts import expect_particles
 UP = (0.0, 1.0, 0.0)
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
 PAIRS = "the docstring of ParticlePairs.contacts"
-INDICES = "; the indices of the particles in all of these contacts"
+INDICES = "; the indices of the particles in the returned contacts"
 
 
 @pytest.mark.exercise("7.5")

@@ -139,8 +139,8 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
                                                         "0, so it keeps particle 0 awake too. "
                                                         "Neither of them should fall asleep."),
         ("0 and 1, 1 and 2, 2 and 3", [0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4],
-         "Fast particle 3 keeps only particle 2 awake, which it touches directly. Particles 0 and 1 "
-         "belong to the same group, so keep them awake too."),
+         "Fast particle 3 keeps only particle 2 awake, which it touches directly. Particles 0 and "
+         "1 belong to the same group, so keep them awake too."),
         ("3 and 2, 2 and 1, 1 and 0", [2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [],
          "Particle 0 is fast, and through the chain of contacts it keeps all the others awake. The "
          "order of the contacts should make no difference."),

@@ -352,7 +352,7 @@ def test_your_own_trebuchet(meters: int, percent: int) -> None:
     expect_between(design[0], 0.0, 400.0, then="; the counterweight", unit="kg")
     arms = design[1] + design[2]
     about.cause = "Your arms are too long. Together, they must be at most 5 m long."
-    expect_between(arms, 0.0, 5.0, then="; the length of both arms", unit="m", tolerance=1e-9)
+    expect_between(arms, 0.0, 5.0, then="; the total length of the arms", unit="m", tolerance=1e-9)
     distance, share = thrown(*design)
     more = ""
     if distance < meters or share < 0.01 * percent:

@@ -172,11 +172,11 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
         ),
         "transform_direction": (
             applied(m, a),
-            "A direction has no position, so only rotate it forward.",
+            "This method should only rotate it forward.",
         ),
         "transform_inverse_direction": (
             applied(transposed(m), a),
-            "A direction has no position, so only rotate it back.",
+            "This method should only rotate it back.",
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)

@@ -173,8 +173,8 @@ def test_a_separating_contact_does_not_bounce(rng: Random) -> None:
         got = Contact(a, None, Vector3(*n), 0.5).velocity_after(duration)
         scaled = "You multiplied the separating velocity by the restitution, but this contact is "
         scaled += "already separating and doesn't bounce. Return the separating velocity itself."
-        stopped = "You returned 0, but this contact is already separating, even if slowly. Return "
-        stopped += "its separating velocity unchanged."
+        stopped = f"You returned 0, but this contact is already separating at {parting:g} m/s. "
+        stopped += "Return its separating velocity unchanged."
         if parting > 1e-3:  # below, both of these are near 0
             blame(got, [(0.5 * parting, scaled), (0.0, stopped)])
         expect_close(got, dot(v, n), tolerance=1e-12, unit="m/s")
@@ -208,9 +208,8 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
         about.cause = cause
         size = math.hypot(*pull)
         mistakes = [
-            (c * closing, "You let the whole closing velocity bounce. Leave out the part that the "
-                          "acceleration has added in this time step, or a resting body will "
-                          "jitter."),
+            (c * closing, "Your bounce includes the speed that the acceleration has added in this "
+                          "time step. Leave it out, or a resting body will jitter."),
             (c * closing - G * h,
              "You multiplied by the restitution first and then subtracted the velocity that "
              "this time step has added. Subtract it before you multiply by the restitution."),
@@ -221,7 +220,7 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
              "You used the magnitude of the acceleration, |a|. Only its component along the normal "
              "n, which is a . n, closes the contact."),
             (0.0,
-             "You let nothing bounce, although this time step added only 0.1962 m/s of the 5 "
+             "You returned 0, but the acceleration added only 0.1962 m/s of the closing speed of 5 "
              "m/s. Multiply the acceleration along the normal by the duration first."),
         ]  # fmt: skip
         v = along(n, -closing, rng)

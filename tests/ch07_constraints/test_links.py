@@ -66,8 +66,8 @@ def expect_contacts(
     for i, (seen, right) in enumerate(zip(got, wanted, strict=True)):
         which = f"the {('first', 'second')[i]} contact" if len(wanted) > 1 else "the contact"
         a, b, normal, restitution, depth = seen
-        why = "The contact has the wrong ends. Create it with a as its particle and "
-        why += f"{'b' if right[1] == 1 else 'None'} as its other."
+        why = "The particles of the contact are wrong. Pass a as particle and "
+        why += f"{'b' if right[1] == 1 else 'None'} as other."
         expect_particles((a, b), right[:2], cause=why)
         back = tuple(-part for part in right[2])
         why = f"Your normal points the wrong way. {about.cause}"
@@ -77,9 +77,9 @@ def expect_contacts(
         why += "the restitution of the link." if right[3] else "a restitution of 0."
         expect_close(restitution, right[3], then=f"; the restitution of {which}", cause=why)
         depths = [
-            (-right[4], "The penetration has the wrong sign. The distance "
-                        + ("violates this limit, so it must be positive." if right[4] > 0.0 else
-                           "doesn't violate this limit, so it must be negative.")),
+            (-right[4], "Your penetration has the wrong sign. It must be "
+                        + ("positive, because the distance is beyond the limit." if right[4] > 0.0
+                           else "negative, because the distance is within this limit.")),
             (far, "You used the whole distance between the ends as the penetration. Use only its "
                   "difference from the limit."),
         ]  # fmt: skip
@@ -353,7 +353,7 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
         link = Limits(*same, low, 3.0)
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
         expect_contacts(about.call, link, same, wanted)
-    about.call += "; l.min_length = 0; l.contacts()"
+    about.call += "; then l.min_length = 0; l.contacts() again"
     about.cause = "You returned a contact for a min_length of 0, which means that there is no "
     about.cause += "lower limit. Return none, even if the distance is 0."
     link.min_length = 0.0

@@ -192,8 +192,8 @@ def test_only_closing_contacts_are_resolved(rng: Random) -> None:
     n = direction(rng)
     noise = "You resolved a contact that closes at only 1e-13 m/s. This is below "
     noise += "VELOCITY_TOLERANCE, so treat it as a rounding error and skip the contact."
-    slow = "You skipped a contact that closes at 1e-11 m/s. This is slow but faster than "
-    slow += "VELOCITY_TOLERANCE, so resolve the contact."
+    slow = "You skipped a contact that closes at 1e-11 m/s, which is faster than "
+    slow += "VELOCITY_TOLERANCE (1e-12 m/s). Don't use a larger tolerance."
     for closing, depth, wanted, cause in (
         (1e-13, 0.0, 0, noise),
         (1e-11, 0.0, 1, slow),

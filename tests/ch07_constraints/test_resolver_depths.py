@@ -64,8 +64,8 @@ def test_the_deepest_contact_is_resolved_first() -> None:
              "You didn't update the depth of the left contact, although the middle ball moved. "
              "After each move, update the other contacts, which the book's listing omits (E-8)."),
             ((0.125, 0.0),
-             "You made the left contact shallower, but it gets deeper, because the middle ball "
-             "moved toward the left ball. Reverse the sign of your update."),
+             "You made the left contact shallower, but it should get deeper, because the middle "
+             "ball moved toward the left ball. Reverse the sign of the change in its depth."),
             ((0.875, -0.75),
              "You updated the resolved contact twice. resolve_penetration has already set its "
              "depth to 0, so skip this contact in your loop."),

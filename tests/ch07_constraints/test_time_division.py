@@ -289,8 +289,8 @@ def test_forces_and_damping_act_for_one_step(rng: Random) -> None:
     wanted = (3.0 * h, height, 0.0)
     blame(bouncing[0], [
         ((3.0 * h, bounced(high, own[1], h)[0], 0.0),
-         "You used only the constant acceleration and left out the force. Use "
-         "last_acceleration, which includes force / mass, for the whole step."),
+         "You used p.acceleration, which doesn't include the force. Use last_acceleration "
+         "instead, which includes force / mass."),
     ])  # fmt: skip
     expect_close(bouncing[0], wanted, then="p.position", tolerance=1e-13, unit="m")
     about.cause = "Apply the damping once for the whole step: multiply the velocity by damping ** "

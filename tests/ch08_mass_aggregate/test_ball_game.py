@@ -102,9 +102,9 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     about.call = f"rules = Rules({rows}); {called(events[: rows + falls - 1])}"
     expect_exactly(before[0], points - 10, then="; rules.score", unit="points")
     about.call = f"rules = Rules({rows}); {called(events)}"
-    about.cause = "A landing still scores after the game is over. Check self.over first in landed."
+    about.cause = "A landing still scores after the game is over. Return if self.over is true."
     expect_exactly(seen[-1][0], score, then="; rules.score", unit="points")
-    about.cause = "A fall still costs a life after the game is over. Check self.over first in fell."
+    about.cause = "A fall still costs a life after the game is over. Return if self.over is true."
     expect_exactly(seen[-1][1], 3 - falls, then="; rules.lives")
 
 
@@ -126,7 +126,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
         expect_that(
             overs[3], f"{overs}", f"{wanted}", then="; rules.over after each call", cause=seen
         )
-        about.cause = "A fall costs a life although none is left. Check self.over first in fell."
+        about.cause = "A fall costs a life although none is left. Return if self.over is true."
     expect_exactly(got, [2, 2, 1, 0, 0, 0], then="; the lives after each call")
     about.cause = "over should be True from the moment when no lives are left."
     expect_exactly(overs, wanted, then="; rules.over after each call")

@@ -22,6 +22,10 @@ from expect import (
 BOND = "the docstring of Bond, and of Bond.update_force"
 SPREAD = "the docstring of spread"
 ZERO = (0.0, 0.0, 0.0)
+CALLS = (
+    "the ends a and b are moved to distances of {} m; at each distance, bond.update_force({}, 0.1) "
+    "and then bond.update_force({}, 0.1)"
+)
 
 
 def draw_bond(rng: Random) -> tuple[float, float, float, float, float]:
@@ -31,13 +35,19 @@ def draw_bond(rng: Random) -> tuple[float, float, float, float, float]:
     return positive_number(rng), rest, limit, positive_number(rng, 0.1, 0.9), limit + 1.0
 
 
+def in_words(lengths: list[float]) -> str:
+    """Return these lengths in order, such as "2.5 and then 1.25"."""
+    *rest, last = (f"{length:.9g}" for length in lengths)
+    return f"{', '.join(rest)} and then {last}"
+
+
 def pull(length: float, k: float, rest: float, limit: float, share: float) -> float:
     """Return the force that pulls the ends together. It is negative if it pushes."""
     return k * (min(length, limit) - rest) + share * k * max(0.0, length - limit)
 
 
 @scoped
-def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None:
+def expect_forces(call: str, seen: tuple, force: float, way: Components, when: str = "") -> None:
     about.call = call
     on_a = tuple(force * w + 0.0 for w in way)  # which is 0.0 instead of -0.0
     on_b = tuple(-force * w + 0.0 for w in way)
@@ -61,8 +71,8 @@ def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None
         ]
         blame((*seen[0], *seen[1]), mistakes)
     # Rounding of forces of some tens of N.
-    expect_close(seen[0], on_a, then="; the force on a", unit="N", tolerance=1e-11)
-    expect_close(seen[1], on_b, then="; the force on b", unit="N", tolerance=1e-11)
+    expect_close(seen[0], on_a, then=f"; the force on a{when}", unit="N", tolerance=1e-11)
+    expect_close(seen[1], on_b, then=f"; the force on b{when}", unit="N", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B8.8")
@@ -72,7 +82,7 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
     lengths = [0.5 * rest, rest, 0.5 * (rest + limit), limit, 0.5 * (limit + most)]
     about(
         f"bond = Bond(a, b, stiffness={k}, rest_length={rest}, limit={limit}, share={share}, "
-        f"break_length={most}); bond.update_force for a and b, which are ",
+        f"break_length={most}); ",
         read=BOND,
     )
     about.cause = "If the bond holds, let the spring self._to_b act on a, and the spring "
@@ -81,10 +91,11 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
         lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
     ):
         force = pull(length, k, rest, limit, share)
-        expect_forces(f"{about.call}{length:.6g} m apart", seen, force, way)
+        name = f"{about.call}ends a and b are {length:.6g} m apart; bond.update_force(a, 0.1); "
+        name += "bond.update_force(b, 0.1)"
+        expect_forces(name, seen, force, way)
         about.cause = "This bond is not too long, so it must not break. Change holds only if the "
         about.cause += "bond breaks or heals."
-        name = f"{about.call}{length:.6g} m apart"
         expect_that(seen[2] is True, "the bond is broken", "the bond still holds", call=name)
 
 
@@ -109,8 +120,8 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         "break_length.",
     }
     late = {
-        "breaks": "You update holds too late, so the broken bond still pulls. Update it first in "
-        "every call of update_force, whichever end it is for.",
+        "breaks": "Your bond still pulls in the call in which it breaks. Update holds at the start "
+        "of every call of update_force, for a and for b, before you add a force.",
         "broken": "Your broken bond still pulls. Add a force only if the bond holds.",
         "heals": "Your bond heals, but it adds no force in the same call. Update holds before you "
         "add the force.",
@@ -132,14 +143,13 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
     for i, (length, holds, what) in enumerate(story):
         if what == "holds" and i == 0:
             continue  # rounding may have made it slightly longer
-        shown = ", ".join(f"{one:.6g}" for one in lengths[: i + 1])
-        name = f"{about.call}; bond.update_force for a and b at the lengths {shown} m, in order"
+        name = f"{about.call}; {CALLS.format(in_words(lengths[: i + 1]), *'ba' if swap else 'ab')}"
         about.cause = causes[what]
         words = {True: "the bond holds", False: "the bond is broken"}
         expect_that(seen[i][2] is holds, words[not holds], words[holds], call=name)
         about.cause = late[what]
         force = pull(length, k, rest, limit, share) if holds else 0.0
-        expect_forces(name, seen[i], force, way)
+        expect_forces(name, seen[i], force, way, " at the last distance")
 
 
 @pytest.mark.exercise("B8.8")
@@ -150,7 +160,8 @@ def test_a_bond_exactly_at_its_limits(rng: Random) -> None:
     lengths = [most, most + 1e-6, rest + 1e-6, rest]
     about.call = (
         f"bond = Bond(a, b, stiffness=30, rest_length={rest}, limit={rest}, share=0.5, "
-        f"break_length={most}); bond.update_force at the lengths {str(lengths)[1:-1]} m, in order"
+        f"break_length={most}); {CALLS.format(in_words(lengths), *'ab')}; whether the bond holds "
+        "at each distance"
     )
     about.cause = "Your bond breaks at exactly break_length. It should break only if it is longer "
     about.cause += "than that."

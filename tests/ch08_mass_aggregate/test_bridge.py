@@ -46,7 +46,7 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
     about.call = "links_of(make_rows()), where ends 0 and 1 belong to row 0, ends 2 and 3 to row "
-    about.call += "1, and so on; all ends are moved apart"
+    about.call += "1, and so on; all ends are moved apart, so that every link is too long"
     about.cause = {
         "rod": "Join the two ends of each row with one Rod of length WIDTH.",
         "cable": "Join each end to the end of the next row on the same side, with a Cable of "
@@ -78,10 +78,11 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
         i, j = extra[0]
         why = f"You join ends {i} and {j} with two links. {about.cause}"
         if extra[0] not in right:
-            why = f"You join ends {i} and {j}, which are on different sides of the bridge. Join "
-            why += "each row to the next one on the same side."
-    name = "; the ends of each " if "anchor" not in which else "; the end and anchor (-1) of each "
-    expect_exactly(ends, right, then=f"{name}{which}", cause=why)
+            why = f"You join ends {i} and {j}, which are in different rows and on different sides. "
+            why += f"Join ends on the same side, such as {i} and {i + 2}."
+    name = {"rod": "between ends i and i + 1", "cable": "between ends i and i + 2"}
+    name = f"; all links {name.get(which, 'to anchors, as (end, -1)')}"
+    expect_exactly(ends, right, then=name, cause=why)
     length = {"rod": "WIDTH", "cable": "CABLE_LENGTH"}.get(which, "support_length(row number)")
     about.cause = f"The length of your {which} is wrong. It should be {length}."
     first = "You use the length of row 0 for all anchored cables. Use support_length(row number)."
@@ -97,11 +98,8 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
 
 @pytest.mark.exercise("B8.4")
 def test_links_act_at_the_right_lengths() -> None:
-    about(
-        "links_of(make_rows()) with the planks where they start; the ends of all contacts, by "
-        "number",
-        read=LINKS,
-    )
+    about.read = LINKS
+    about.call = "links_of(make_rows()), with the planks where they start; the ends of all contacts"
     about.cause = "At the start only the cables from row to row should report a contact, because "
     about.cause += "they are stretched by 0.1 m. The rods have the right length, and the anchored "
     about.cause += "cables are slack."
@@ -201,8 +199,8 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
                 ((float(i + 1), height),
                  "The height is right, but you return the row after the ball. Return the row whose "
                  "midpoint is closer to the ball along X."),
-                ((row, near), "You interpolate between one end of each row. Use the midpoints of "
-                              "the rows, because the two ends can differ in height."),
+                ((row, near), "You use the height of only one end of each row. Interpolate between "
+                              "the midpoints, because the two ends can differ in height."),
             ]  # fmt: skip
             wanted = (row, height)
             blame(got, mistakes)
@@ -336,8 +334,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
         elif ends == [(3, 0), (4, 0)]:
             about.cause = (
-                "You swapped particle and other. Make the ball the particle, because the normal "
-                "points toward it, and the end of the row the other."
+                "You swapped particle and other. The normal points toward the ball, so pass the "
+                "ball as particle and the end of the row as other."
             )
         elif len(ends) > 2:
             about.cause = (

@@ -112,7 +112,7 @@ def test_the_cube_is_rigid() -> None:
     elif left:
         about.cause = "One of your rods is redundant. Move it"
         if len(set(faces)) < len(faces):
-            about.cause = "You put two diagonals in one face, where one is enough. Move the other"
+            about.cause = "Two of your diagonals are in the same face. Move one to another face,"
         about.cause += f" so that it stops this motion: {told(left[0], 'corner')}."
     expect_exactly(
         len(left),

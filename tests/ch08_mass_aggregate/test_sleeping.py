@@ -35,8 +35,8 @@ def test_slow_particles_fall_asleep(rng: Random) -> None:
         about.cause = "No particle ever falls asleep. Call fall_asleep at the end of run_physics, "
         about.cause += "and add each particle that falls asleep to self.asleep."
     elif seen[:frames] == wanted[:frames]:
-        why = "although nothing about them has changed. In wake_moved, wake only a particle that "
-        why += "differs from its Sleep"
+        why = "although nothing about them has changed. In wake_moved, wake a particle only if its "
+        why += "position, velocity, mass or force has changed since it fell asleep"
         if seen[frames]:
             why = "because they keep their velocity. Set it to 0 in fall_asleep"
         elif slept(1.0, 0.1)["inverse mass asleep"]:
@@ -81,9 +81,9 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
     about.cause += "steps. Store the last step in which they touched, and forget contacts that are "
     about.cause += "older than that."
     for last in (rng.randint(1, 4), rng.randint(6, 12)):
-        about.call = f"slow particle 0 touches fast particle 1 in each step up to step {last}; a "
-        about.call += "SleepingWorld with sleep_frames=5; which particles are asleep after each "
-        about.call += "step"
+        steps = f"steps 1 to {last}" if last > 1 else "step 1"
+        about.call = f"slow particle 0 touches fast particle 1 only in {steps}; a SleepingWorld "
+        about.call += "with sleep_frames=5; which particles are asleep after each step"
         wanted = [[]] * (last + 4) + [[0]] * 3
         seen, why = parted(last, last + 7), about.cause
         if not any(seen):
@@ -94,18 +94,20 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
             why += "particle 1 at once. Remember a contact for sleep_frames steps."
             if any(0 in one for one in left_alone([0.0, 2.0], 8, [(0, 1)])):
                 why = "Particle 0 falls asleep too early, because you ignore its contact with the "
-                why += "fast particle 1. Put a group to sleep only when all of it is tired."
+                why += "fast particle 1. Let a group fall asleep only when each of its particles "
+                why += "has been slow for sleep_frames steps."
         expect_sleepers_of_steps(seen, wanted, cause=why)
     last = rng.randint(1, 2)
     fast = last + rng.randint(1, 4)
-    about.call = f"particle 0 touches fast particle 1 in each step up to step {last}; particle 0 "
-    about.call += f"itself is fast only in step {fast}; a SleepingWorld with sleep_frames=5; which "
-    about.call += "particles are asleep after each step"
+    steps = f"steps 1 to {last}" if last > 1 else "step 1"
+    about.call = f"particle 0 touches fast particle 1 only in {steps}; particle 0 itself is fast "
+    about.call += f"only in step {fast}; a SleepingWorld with sleep_frames=5; which particles are "
+    about.call += "asleep after each step"
     wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
     if not any(seen):
-        about.cause = "Particle 0 never falls asleep, because you missed the step in which to "
-        about.cause += "forget an old contact. Forget it in every step in which it is sleep_frames "
-        about.cause += "steps old or older."
+        about.cause = "Particle 0 never falls asleep, because you forget an old contact only in "
+        about.cause += "one exact step. Forget it in every step in which it is sleep_frames steps "
+        about.cause += "old or older."
     elif any(seen[: fast + 4]):
         about.cause = f"Particle 0 falls asleep too early. It was fast itself in step {fast}, so "
         about.cause += "count its slow steps only from the step after that."
@@ -113,13 +115,13 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
     about.call = "particles 0 and 1 are slow and touch all the time, but particle 1 becomes "
     about.call += "immovable after 4 steps; a SleepingWorld with sleep_frames=5; which particles "
     about.call += "are asleep after 12 steps"
-    about.cause = "Your fall_asleep fails when particle 1 has become immovable. Skip every "
-    about.cause += "particle that is immovable at the time."
+    about.cause = "Your fall_asleep still uses the contacts of particle 1, which has become "
+    about.cause += "immovable. Skip every contact with a particle that is immovable now."
     seen = made_immovable(4, 12)
     if [0] in seen and seen[-1] == []:
         about.cause = "Particle 0 falls asleep, but its contact with the immovable particle 1 "
-        about.cause += "wakes it again. In wake_touched, let a particle wake another one only if "
-        about.cause += "it can move itself."
+        about.cause += "wakes it again. In wake_touched, wake a sleeping particle only if the "
+        about.cause += "other particle of the contact can move."
     elif not any(seen):
         about.cause = "Particle 0 stays awake because it touches particle 1, which is immovable. "
         about.cause += "An immovable particle doesn't keep others awake, so skip it in fall_asleep."
@@ -137,8 +139,8 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
                                                         "0, so it keeps particle 0 awake too. "
                                                         "Neither of them should fall asleep."),
         ("0 and 1, 1 and 2, 2 and 3", [0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4],
-         "You keep awake only particle 2, which touches the fast particle 3 itself. Go through the "
-         "pairs again until you find no more particles that have to stay awake."),
+         "Fast particle 3 keeps only particle 2 awake, which it touches directly. Particles 0 and "
+         "1 belong to the same group, so keep them awake too."),
         ("3 and 2, 2 and 1, 1 and 0", [2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [],
          "Particle 0 is fast, and through the chain of contacts it keeps all the others awake. The "
          "order of the contacts should make no difference."),
@@ -155,7 +157,7 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
          "a particle awake, so skip such contacts."),
     ):  # fmt: skip
         about.cause = cause
-        about.call = "particles 0, 1 and so on have speeds of "
+        about.call = "particles, numbered from 0, with speeds of "
         about.call += f"{', '.join(f'{one:g}' for one in speeds)} m/s; contacts between {what}; a "
         about.call += "SleepingWorld with sleep_frames=5; which particles are asleep after each of "
         about.call += "8 steps"
@@ -167,8 +169,8 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
 def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     about.read = f"{WAKE}wake, and the class"
     mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)
-    about.call = f"a particle of {mass} kg that moves at a slow {speed} m/s; a SleepingWorld with "
-    about.call += "sleep_frames=3; 3 steps"
+    about.call = f"a particle of {mass} kg with a speed of {speed} m/s, which counts as slow; a "
+    about.call += "SleepingWorld with sleep_frames=3; 3 steps"
     about.cause = "When a particle falls asleep, set its inverse_mass to 0 and clear its velocity, "
     about.cause += "so that nothing can move it."
     done = slept(mass, speed)

@@ -89,7 +89,7 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     angle = design[4]
     speed, height = positive_number(rng, 5.0, 30.0), positive_number(rng, 0.01, 3.0)
     about(
-        f"a trebuchet with a release angle of {angle} degrees; the projectile flies ",
+        f"a trebuchet with a release angle of {angle} degrees; the projectile is ",
         read=LETS_GO,
     )
 
@@ -119,13 +119,13 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         )
     elif seen == [True, False, False]:
         steep = (
-            "Your sling lets go above the release angle, so you compare the wrong way around. Let "
-            "go at the release angle or below it."
+            "Your sling lets go above the release angle instead of below it. Reverse the "
+            "comparison, so that it lets go at the release angle or below."
         )
     forward = "Your sling lets go of a projectile that doesn't fly forward. Let go only if v.x > 0."
     high = (
-        "Your sling lets go of a projectile that is not above the pivot. Compare its height with "
-        "that of the pivot."
+        "Your sling lets go of a projectile that is not above the pivot. Let go only if its y is "
+        "greater than that of the pivot."
     )
     words = {True: "the sling lets go", False: "the sling does not let go"}
     for what, how, wanted, cause in (
@@ -149,8 +149,10 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         vx, vy, _ = how[1]
         got = lets_go(design, [how])[0]
         seen = words[got] if type(got) is bool else repr(got)
-        name = f"{about.call}{what}, at ({vx:.6g}, {vy:.6g}, 0) m/s, {how[0]} m above the pivot"
-        expect_that(got is wanted, seen, words[wanted], call=f"{name}; trebuchet.lets_go()")
+        side = "below" if how[0] < 0.0 else "above"
+        name = f"{about.call}{abs(how[0]):g} m {side} the pivot; its velocity is ({vx:.6g}, "
+        name += f"{vy:.6g}, 0) m/s ({what}); trebuchet.lets_go()"
+        expect_that(got is wanted, seen, words[wanted], call=name)
     about.call = (
         f"a trebuchet with a release angle of 0; the projectile is {height} m above the pivot and "
         f"flies at ({speed}, 0, 0) m/s; trebuchet.lets_go()"
@@ -167,8 +169,9 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     weight = positive_number(rng, 100.0, 300.0)
     design = (weight, 1.5, 3.0, 1.0, 30.0)
     about.call = (
-        f"{called(design)}.throw(); in the first step, the sling lets go of the projectile at (2, "
-        "8, 0) m with velocity (30, 10, 0) m/s; the counterweight has sunk by 4 m"
+        f"design = {named_design(design)}; the sling lets go in the first step, when the "
+        "projectile is at (2, 8, 0) m with velocity (30, 10, 0) m/s; the counterweight has sunk by "
+        "4 m by then; Trebuchet(design).throw()"
     )
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
     about.cause = "A projectile that starts at height y with a vertical velocity of v_y flies for "
@@ -189,8 +192,8 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         ],
         seen,
     )
-    name = "; the simulated time in steps of 1/250 s"
-    expect_exactly(frames, 1, then=name, unit="steps", cause=seen)
+    name = "; the time simulated by calls of self.step"
+    expect_exactly(frames / 250.0, 0.004, then=name, unit="s", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
         (wanted - 2.0, "You measure the range from the point of release, but it should start at x "
@@ -273,7 +276,7 @@ def test_a_throw_agrees_with_lagrange(
 def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     about.read = THROW
     design = (100.0, 1.5, 3.0, 3.75, 30.0)  # the projectile starts 0.22 m up
-    about.call = f"{called(design)}.throw(), where nothing ever moves; (range, share)"
+    about.call = f"{called(design)}.throw() in a world where nothing moves; the range and the share"
     about.cause = "You compute a range although the sling never lets go. Return Throw(0.0, 0.0) "
     about.cause += "after TIME_LIMIT."
     got = throw(design, "nothing")
@@ -285,23 +288,25 @@ def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     # One more or less if the time is added up with rounding.
     expect_close(got[2], 1000.0, then="; the number of steps", unit="steps", tolerance=1.0)
     heavy = (1.0, 1.5, 3.0, 3.9, 30.0)  # the projectile starts 0.07 m up
-    about.call = f"{called(heavy)}.throw(), where the light counterweight lets the projectile sink"
+    about.call = f"{called(heavy)}.throw(), in which the projectile sinks to the ground, because "
+    about.call += "the counterweight is too light"
     about.cause = (
         "Your throw continues after the projectile hits the ground in the sling. Stop when its "
         "height is 0 or less, and return Throw(0.0, 0.0)."
     )
     got = throw(heavy)
-    expect_close(got[:2], (0.0, 0.0), then="; (range, share)", tolerance=0.0)
+    expect_close(got[:2], (0.0, 0.0), then="; the range and the share", tolerance=0.0)
     if got[2] >= 100 and throw(design, "ground")[2] == 1:
         about.cause = (
             "You stop only at a height of exactly 0, which the projectile skips. Stop when its "
             "height is 0 or less."
         )
     # It is there after 0.13 s.
-    expect_that(got[2] < 100, f"a throw of {got[2]} steps", "a throw of fewer than 100 steps")
+    name = "; the number of steps"
+    expect_that(got[2] < 100, f"{got[2]} steps", "fewer than 100 steps", then=name)
     about.call = (
-        f"{called(design)}.throw(); the projectile is on the ground after one step; (range, share, "
-        "number of steps)"
+        f"{called(design)}.throw(); the projectile is on the ground after one step; the range, the "
+        "share and the number of steps"
     )
     about.cause = (
         "The projectile hits the ground while it is still in the sling. Check its height after "
@@ -347,13 +352,14 @@ def test_your_own_trebuchet(meters: int, percent: int) -> None:
     expect_between(design[0], 0.0, 400.0, then="; the counterweight", unit="kg")
     arms = design[1] + design[2]
     about.cause = "Your arms are too long. Together, they must be at most 5 m long."
-    expect_between(arms, 0.0, 5.0, then="; both arms together", unit="m", tolerance=1e-9)
+    expect_between(arms, 0.0, 5.0, then="; the total length of the arms", unit="m", tolerance=1e-9)
     distance, share = thrown(*design)
     more = ""
     if distance < meters or share < 0.01 * percent:
         more = better(design, distance)
     about.cause = f"Your design throws only {distance:.1f} m.{more}"
-    expect_between(distance, meters, math.inf, then="; its range by Lagrange's equations", unit="m")
+    name = "; the range of its throw, computed with Lagrange's equations"
+    expect_between(distance, meters, math.inf, then=name, unit="m")
     about.cause = f"Only {share:.0%} of the energy reaches the projectile.{more}"
     expect_between(
         share,

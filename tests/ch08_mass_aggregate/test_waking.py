@@ -76,8 +76,8 @@ def test_a_changed_particle_wakes(
     about.cause = "Your particle has the wrong mass after it wakes. Give it back the mass that it "
     about.cause += "had before it fell asleep."
     if how == "mass":
-        about.cause = "Your wake replaces the new mass by the old one. Give the old mass back only "
-        about.cause += "if the particle still has an infinite mass."
+        about.cause = "Your wake method overwrites the new mass with the old one. Restore the old "
+        about.cause += "mass only if the particle still has an infinite mass."
     then = "; the inverse mass of the particle, in 1/kg"
     expect_close(1.0 / now, 1.0 / mass, then=then, tolerance=1e-12)
     about.cause = "Your particle wakes too late to move in this step. Call wake_moved before the "
@@ -100,8 +100,8 @@ def test_a_slightly_changed_particle_wakes(how: str) -> None:
         about.cause = f"You don't notice a change of the {new} along {axis}. Compare all three "
         about.cause += "components."
         if by < 0.0:
-            about.cause = f"You notice a new {new} only if a component grows. Test whether it is "
-            about.cause += "different, because a change can be negative."
+            about.cause = f"You notice a change of the {new} only if a component grows. Test for "
+            about.cause += "any difference, because a component can also shrink."
         expect_sleepers(after, [0], then="; which particles are asleep afterward")
 
 
@@ -116,14 +116,13 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
         ((-0.1, 0.0), (0.0, 0.0, 0.0)),
     ):
         about.call = "particle 0, of 2 kg, sleeps while two forces of 3 and 2 N/kg push it against "
-        about.call += f"a wall; the second force changes by {change} N/kg along X and Y; "
-        about.call += "10 steps, in one of which run_physics calls wake_pushed()"
-        about.cause = "Your generators get a particle of infinite mass. Evaluate the forces while "
-        about.cause += "the particle has its own mass."
+        about.call += "a wall; steps of 1/60 s, of which every tenth calls wake_pushed()"
+        about.cause = "You call the force generators while the particle's mass is infinite. Give "
+        about.cause += "it back its own mass during these calls."
         done = pushed(*change)
         about.cause = "Your particle wakes although the forces on it are still the same. Compare "
         about.cause += "the whole acceleration a + f / m with the one stored in its Sleep."
-        expect_sleepers(done["before"], [0], then="; which particles are asleep before that")
+        expect_sleepers(done["before"], [0], then="; which particles are asleep")
         about.cause = "The forces that you evaluated for the comparison are still in the "
         about.cause += "accumulator. If the particle stays asleep, clear the accumulator and set "
         about.cause += "inverse_mass back to 0."
@@ -132,6 +131,7 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
             [(0.0, 0.0, 0.0)],
             then="; all values of particle.force_accumulator while it slept",
         )
+        about.call += f"; the second force changes by {change} N/kg along X and Y; 10 more steps"
         about.cause = "Your particle stays asleep although the forces on it have changed by more "
         about.cause += "than SAME (1 %). Wake it in wake_pushed, which run_physics must call in "
         about.cause += "every LOOK_EVERY-th step."
@@ -142,8 +142,8 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
         about.cause += "the integrator."
         twice = tuple(2.0 * part for part in velocity)
         if any(velocity):
-            seen = "The forces act twice, because yours are still in the accumulator when the "
-            seen += "integrator adds them again. Clear the accumulator after the comparison."
+            seen = "The forces act twice: after your comparison they are still in the accumulator, "
+            seen += "and the integrator adds them again. Clear the accumulator after comparing."
             blame(got, [(twice, seen)])
         expect_close(
             got,
@@ -168,7 +168,7 @@ def test_a_changed_force_wakes_a_particle(old: float, new: float, late: bool) ->
     about.read = f"{WAKE}wake_pushed"
     how = "a generator that is added pushes it" if late else "it is pushed"
     about.call = f"particle 0, of 2 kg, sleeps while it is pushed against a wall by {old} N/kg; "
-    about.call += f"then {how} by {new} N/kg; steps that call wake_pushed()"
+    about.call += f"then {how} by {new} N/kg; steps, of which every tenth calls wake_pushed()"
     about.cause = "The wall holds the particle, so it is at rest. Let it fall asleep before the "
     about.cause += "force changes."
     seen = woken_by_force(old, new, 10, late)
@@ -182,17 +182,18 @@ def test_a_changed_force_wakes_a_particle(old: float, new: float, late: bool) ->
 def test_an_unchanged_force_wakes_no_particle(rng: Random) -> None:
     push = positive_number(rng, 2.0, 9.0)
     about(
-        f"particle 0 sleeps while it is pushed against a wall by {push} N/kg",
+        f"particle 0 sleeps while a force of {push} N/kg pushes it against a wall",
         read=f"{WAKE}wake_pushed",
     )
     for new in (push, 1.009 * push, 0.991 * push):
         about.cause = "Your particle wakes although the force has changed by less than SAME (1 %). "
         about.cause += "Wake it only if the change of its acceleration is larger than that."
         if new == push:
-            about.cause = "Your particle wakes although the force is the same as before. After you "
-            about.cause += "have called the generators, set its inverse_mass back to 0."
+            about.cause = "Your particle wakes although its force is unchanged. Set inverse_mass "
+            about.cause += "back to 0 after you have called the generators in wake_pushed."
         seen = woken_by_force(push, new, 25)
-        then = f"; then by {new:.6g} N/kg for 25 steps, which call wake_pushed(); whether it sleeps"
+        then = "; the force stays the same" if new == push else f"; a new force of {new:.6g} N/kg"
+        then += "; 25 steps, of which every tenth calls wake_pushed(); whether particle 0 sleeps"
         expect_asleep([i for i, one in enumerate(seen) if one != [0]], then=then)
 
 
@@ -202,7 +203,7 @@ def test_a_touched_group_wakes(rng: Random, first: bool) -> None:
     about.read = f"{WAKE}wake_touched, and run_physics"
     speed = positive_number(rng, 4.0, 9.0)
     about.call = "particles 0, 1 and 2 sleep side by side; particle 3 moves toward them at "
-    about.call += f"{speed} m/s; steps that call wake_touched()"
+    about.call += f"{speed} m/s; steps of 1/60 s, each of which calls wake_touched()"
     about.cause = "Particles 0, 1 and 2 are at rest and touch only each other, so they should fall "
     about.cause += "asleep. Check fall_asleep first."
     done = woken_by_contact(speed, 40, first)
@@ -221,8 +222,8 @@ def test_a_touched_group_wakes(rng: Random, first: bool) -> None:
             else "Wake the sleeping particle of a contact if the other one can move."
         )
     expect_sleepers(done["seen"][hit], [], then="; which particles are asleep after the hit")
-    about.cause = "Momentum is lost, because a sleeping particle acts like a wall. Wake all "
-    about.cause += "particles of the contacts before you resolve them."
+    about.cause = "Particle 3 bounces off a sleeping particle as if it were a wall, so momentum is "
+    about.cause += "lost. Call wake_touched before you resolve the contacts."
     expect_close(
         done["momenta"][hit],
         speed,
@@ -262,37 +263,36 @@ def test_a_woken_particle_stays_on_the_ground(rng: Random) -> None:
 @pytest.mark.exercise("G8.1")
 def test_a_group_wakes_together() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
-    about.call = "particle 1 sleeps on particle 0, which is moved away; 6 steps that call wake()"
+    about.call = "particle 1 sleeps on particle 0, which is moved away; 6 steps, which call wake()"
     about.cause = "Both particles are at rest, but not both have fallen asleep. Check fall_asleep "
     about.cause += "first."
     before, after, speed = support_gone(6)
     expect_sleepers(before, [0, 1], then="; which particles are asleep before that")
     about.cause = "Particle 1 stays asleep although its neighbor, particle 0, wakes. In "
-    about.cause += "fall_asleep, store a particle's neighbors in its Sleep, and let wake continue "
-    about.cause += "with them."
+    about.cause += "fall_asleep, store a particle's neighbors in its Sleep, and in wake, wake them."
     expect_that(1 not in after, "particle 1 still sleeps", "particle 1 is awake")
     expect_close(speed, -1.0, then="; its vertical velocity", unit="m/s", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
-            about.call = f"particles 0 to 4 sleep; the pairs {pairs} touched until the step before "
-            about.call += f"that; particle {first} gets a velocity; one step calls wake()"
+            about.call = f"particles 0 to 4 sleep; the pairs {pairs} touched before they fell "
+            about.call += f"asleep; particle {first} gets a velocity; one step, which calls wake()"
             was, now = group_woken(pairs, first)
             about.cause = "Not all five particles fall asleep, although all are at rest. Check "
             about.cause += "fall_asleep before you work on wake."
             expect_sleepers(was, [0, 1, 2, 3, 4], then="; which particles are asleep before that")
             about.cause = "You wake particle 4, which touches no other. Wake only neighbors."
             if 4 in now:
-                about.cause = "You wake only a part of the group. Wake the neighbors, their "
-                about.cause += "neighbors and so on."
+                about.cause = "You wake only part of the group. Wake the neighbors of every "
+                about.cause += "particle that wakes."
             expect_sleepers(now, [4], then="; which particles are asleep afterward")
     about.call = "particles 0, 1 and 2 sleep in a row, joined by two springs; particle 2 gets a "
-    about.call += "velocity of 6 m/s; steps that call wake()"
+    about.call += "velocity of 6 m/s; steps of 1/60 s, the first of which calls wake()"
     about.cause = "All three particles are at rest, but they have not all fallen asleep. Check "
     about.cause += "fall_asleep first."
     seen, places = on_a_spring(20)
     expect_sleepers(seen[0], [0, 1, 2], then="; which particles are asleep before that")
-    about.cause = "Particles stay asleep although springs join them to particle 2. The pairs of "
-    about.cause += "joined(self.registry) are neighbors too, so store them in each Sleep."
+    about.cause = "Particles stay asleep although springs join them to particle 2. In fall_asleep, "
+    about.cause += "count the pairs of joined(self.registry) as neighbors too."
     expect_sleepers(seen[1], [], then="; which particles are asleep after one step")
     about.cause = "Your center of mass doesn't move at 2 m/s, probably because one particle is "
     about.cause += "still asleep while the others move. Wake all three in the same step."
@@ -315,7 +315,8 @@ def awake_in(seen: list[list[int]]) -> list[int]:
 @pytest.mark.exercise("G8.1")
 def test_a_hanging_particle_stays_asleep() -> None:
     about.read = f"{WAKE}wake_pushed"
-    about.call = "particle 0 hangs from a spring and is almost at rest; 40 steps with wake_pushed()"
+    about.call = "particle 0 hangs from a spring and is almost at rest; 40 steps, of which every "
+    about.call += "tenth calls wake_pushed()"
     about.cause = "You compare the change with |a + f / m|, which is almost 0 because gravity and "
     about.cause += "the spring force cancel. Compare it with |a| + |f / m| instead."
     steps = "; whether particle 0 sleeps from step 5 on"

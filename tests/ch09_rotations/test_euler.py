@@ -109,8 +109,8 @@ def test_the_rate_map(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y:.6g}, {z}), row by row"
         about.cause = (
-            "Each column should be a rotation axis: X rotated by y and then z, Y rotated by z, and "
-            "Z itself."
+            "The columns should be the three rotation axes: X after the rotations by y and z, Y "
+            "after the rotation by z, and Z itself."
         )
         got = entries(rate_map(x, y, z))
         slips = {

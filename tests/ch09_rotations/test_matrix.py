@@ -200,8 +200,8 @@ def test_the_determinant(rng: Random) -> None:
         why = named(got, about.cause, determinant_slips(n))
         expect_close(got, determinant(n), cause=why, tolerance=1e-10)
     about.cause = (
-        "The zeros on the diagonal don't make the determinant 0. The products of other numbers "
-        "count too."
+        "Zeros on the diagonal don't make the determinant 0. Add all six products, including those "
+        "of numbers outside the diagonal."
     )
     for n in ring_and_swap():
         about.call = f"n = {written(n)}; n.determinant()"

@@ -168,15 +168,15 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     wanted, about.cause = {
         "transform_inverse": (
             applied(transposed(m), subtracted(a, p)),
-            "The way back is to subtract the translation and then rotate back.",
+            "To go back, subtract the translation first and then rotate back.",
         ),
         "transform_direction": (
             applied(m, a),
-            "This method rotates a direction forward, without a translation.",
+            "This method should only rotate it forward.",
         ),
         "transform_inverse_direction": (
             applied(transposed(m), a),
-            "This method rotates a direction back, without a translation.",
+            "This method should only rotate it back.",
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)

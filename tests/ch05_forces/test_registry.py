@@ -193,8 +193,8 @@ def test_removing_an_absent_pair_changes_nothing() -> None:
 @pytest.mark.exercise("B5.3")
 def test_clear_removes_all_pairs() -> None:
     about.read = "the docstring of clear"
-    about.cause = "A pair still acts after clear was called. clear must remove all pairs from the "
-    about.cause += "registry."
+    about.cause = "Your clear leaves a pair in the registry, so this pair still acts. Remove all "
+    about.cause += "pairs."
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
     expect_asked(acts, [(0, 0, 0.5), (1, 1, 0.5), (2, 1, 0.25)], cause=about.cause)

@@ -377,7 +377,8 @@ def test_damped_spring_state_rejects_invalid_numbers() -> None:
     about.read = READ
     good = (1, 2, 3, 4, 5, 6)
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
-    expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad)
+    call = "damped_spring_state(x0={}, v0={}, stiffness={}, damping={}, mass={}, time={})"
+    expect_finite_numbers(call, damped_spring_state, good, bad)
     about.cause = "The angle of the oscillation is about 1e350 here, which is too large for a "
     about.cause += "float. Raise ValueError instead of returning a number."
     expect_error(

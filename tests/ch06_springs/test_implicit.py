@@ -184,7 +184,8 @@ def test_an_implicit_step_rejects_invalid_arguments(method: str) -> None:
     about.read = f"the docstring of {method}"
     step = METHODS[method]
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0), (5, 0.0)]
-    expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad)
+    call = method + "(x={}, v={}, stiffness={}, damping={}, mass={}, duration={})"
+    expect_finite_numbers(call, step, (1, 2, 3, 4, 5, 6), bad)
     about(
         f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
         cause=(

@@ -32,13 +32,13 @@ def scaled(a: Components, scale: float) -> Components:
 def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = Vector3(*a)
-    about.cause = (
-        "Multiply each component by the number, which may be an int or a float. Return the "
-        "products as a new vector."
-    )
+    about.cause = "Your result is not the vector times the number. Multiply each component by the "
+    about.cause += "number, and return the products as a new vector."
     about.read = "book 2.1.3"
     for factor in (scale, 2):
         wanted = scaled(a, factor)
+        if factor == 2:
+            about.cause = "Your code fails for 2, which is an int. Accept both an int and a float."
         about.call = f"v = Vector3{a}; v * {factor}"
         expect_close(xyz(v * factor), wanted)
         reads = (

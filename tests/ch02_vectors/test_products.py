@@ -230,8 +230,8 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v @ w"
     about(
-        cause="The operator @ must return the scalar product, so that v @ w equals v.dot(w). In "
-        "__matmul__, return self.dot(v).",
+        cause="Your __matmul__ doesn't return the scalar product, so v @ w is not equal to "
+        "v.dot(w). Return self.dot(v) instead.",
         read="book 2.1.7, Eq. 2.4",
     )
     got = Vector3(*a) @ Vector3(*b)

@@ -344,8 +344,8 @@ def test_an_empty_list_of_runs_is_refused() -> None:
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_with_a_bad_duration_is_refused(bad: float) -> None:
     about.cause = (
-        f"The last duration is {bad}. It must be positive and finite, and damp_per_frame and "
-        "damp_per_second check it for you if you call them in every step."
+        f"The last duration is {bad}, but it must be positive and finite. If you call "
+        "damp_per_frame and damp_per_second in every step, they check it for you."
     )
     expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]))
 
@@ -355,7 +355,7 @@ def test_a_run_with_a_bad_duration_is_refused(bad: float) -> None:
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
     about.cause = (
-        f"The damping is {bad}. It must be at least 0 and finite, and damp_per_frame and "
-        "damp_per_second check it for you if you call them in every step."
+        f"The damping is {bad}, but it must be at least 0 and finite. If you call "
+        "damp_per_frame and damp_per_second in every step, they check it for you."
     )
     expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]))

@@ -64,11 +64,11 @@ def test_a_new_particle_has_a_mass_of_1_and_a_damping_of_1() -> None:
 def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
     first, second = draw_mass(rng), draw_mass(rng)
     about.read = "book 3.2"
-    getter = "Your getter of inverse_mass returns the mass. Return the stored inverse mass."
-    setter = "Your setter of mass stores the mass itself. Store its inverse, 1 / mass, instead."
+    getter = "Your inverse_mass getter returns the mass. Return the stored inverse mass."
+    setter = "Your mass setter stores the mass itself. Store its inverse, 1 / mass, instead."
     about(
         f"p = Particle(mass={first}); p.inverse_mass",
-        cause="The inverse mass must be 1 / mass. Store it in the setter of mass.",
+        cause="The inverse mass must be 1 / mass. Store it in the mass setter.",
     )
     p = Particle(mass=first)
     if p.inverse_mass == first:
@@ -90,10 +90,10 @@ def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
 def test_the_mass_is_returned(rng: Random) -> None:
     mass = draw_mass(rng)
     about.read = "book 3.2"
-    inverse = "Your getter of mass returns the stored inverse mass. Return 1 / inverse mass."
+    inverse = "Your mass getter returns the stored inverse mass. Return 1 / inverse mass."
     for value in (mass, 1e9):
         about.call = f"p = Particle(mass={value!r}); p.mass"
-        about.cause = "The getter of mass must return the mass, which is 1 / inverse mass."
+        about.cause = "The mass getter must return the mass, which is 1 / inverse mass."
         got = Particle(mass=value).mass
         blame(got, [(1.0 / value, inverse)])
         expect_close(got, value)

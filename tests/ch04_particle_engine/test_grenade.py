@@ -255,7 +255,9 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
     expect_exactly(
-        len(heights), frames, then="; the number of updates after which the grenade still flies"
+        len(heights),
+        frames,
+        then="; the number of updates after which the grenade is still in flight",
     )
     about.cause = "The grenade never returns to y = 0. Let bounce move it there when it lands."
     lowest = min(heights)

@@ -59,7 +59,7 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     places = probes.places_of_launches(simple(type), type, 80)
     if len(places) == 1:
         about.cause = (
-            "All fireworks start at the same position, because the random numbers begin anew in "
+            "All fireworks start at the same position, because the random numbers start over in "
             "every call. Pass self.random to make_firework, and don't seed it again."
         )
     wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]

@@ -46,7 +46,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (
             None,
             ZERO,
-            "A new brake is off, but it adds a force. Add the force only if self.on is True.",
+            "This new brake is off, but it still adds a force. Add it only if self.on is True.",
         ),
         (
             True,

@@ -44,8 +44,10 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         "4 k2 W)), where W is the weight.": 39.24 / (0.3 + without_4),
         "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by the "
         "square of the speed.": 39.24 / (0.05 + math.sqrt(0.0025 + 1.2 * 19.62)),
-        "You ignore k1: this is sqrt(weight / k2). Include the linear drag.": math.sqrt(392.4),
-        "You ignore k2: this is weight / k1. Include the quadratic drag.": 19.62 / 0.3,
+        "Your result is sqrt(weight / k2), without k1. Include the linear drag too.": math.sqrt(
+            392.4
+        ),
+        "Your result is weight / k1, without k2. Include the quadratic drag too.": 19.62 / 0.3,
     }
     blame(got, slips)
     # The reference value has seven decimals.
@@ -237,7 +239,7 @@ def test_a_fall_of_any_length_is_accurate() -> None:
     about.read = FALL
     about.cause = "Your result loses digits at this time. Use a formula for ln cosh x that is "
     about.cause += "accurate for this x = g t / u."
-    early = "You use x - ln 2 in place of ln cosh x too early. At this x = g t / u they still "
+    early = "You replace ln cosh x by x - ln 2 too early. At this x = g t / u the two still "
     early += "differ, so switch at a larger x."
     for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
         about.call = f"quadratic_fall(mass=2.0, gravity=8.0, k2=0.25, time={text})"

@@ -31,17 +31,17 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         got = coasting_speed(v, k1, k2, mass, time)
         s = k1 * time / mass
         slips = {
-            "You ignore k2: this is v e^-s with s = k1 t / m. Include the quadratic drag.": (
+            "Your result is v e^-s, where s = k1 t / m. Include the quadratic drag (k2) too.": (
                 v * math.exp(-s)
             ),
-            "You let the drag with k1 act first and the drag with k2 after it. Both act at the "
+            "You apply the drag with k1 first and the drag with k2 after it. Both act at the "
             "same time, so use (1 - e^-s) / k1 instead of t / m in the denominator.": (
                 v * math.exp(-s) / (1.0 + k2 * v * time / mass)
             ),
             "The mass is missing from the exponent s. It must be s = k1 t / m, where m is the "
             "mass.": (v * math.exp(-s * mass) / (1.0 - ratio * v * math.expm1(-s * mass))),
-            "Your denominator contains the mass as an extra factor. It must be 1 + k2 v (1 - "
-            "e^-s) / k1, where v is the speed at the start.": (
+            "Your denominator has an extra factor, the mass. It must be 1 + k2 v (1 - e^-s) / k1, "
+            "where v is the speed at the start.": (
                 v * math.exp(-s) / (1.0 - ratio * mass * v * math.expm1(-s))
             ),
             "A division by k1 is missing from the denominator. It must be 1 + k2 v (1 - e^-s) "

@@ -37,10 +37,10 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         "square of the speed.": along(-(k2 + k1 * speed)),
         "You multiply the size of the drag by the velocity v, so the force is |v| times too "
         "large. Multiply it by the unit vector v / |v| instead.": along(-speed * (k1 + k2 * speed)),
-        "Your drag lacks the part with k2. Multiply -v by k1 + k2 |v|, where |v| is the speed.": (
+        "Your drag lacks the term with k2. Multiply -v by k1 + k2 |v|, where |v| is the speed.": (
             along(-k1)
         ),
-        "Your drag lacks the part with k1. Multiply -v by k1 + k2 |v|, where |v| is the speed.": (
+        "Your drag lacks the term with k1. Multiply -v by k1 + k2 |v|, where |v| is the speed.": (
             along(-k2 * speed)
         ),
         "Your drag is -v (k1 + k2), so it lacks a factor |v|. Multiply k2 by the speed |v|.": along(

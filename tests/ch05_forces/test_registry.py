@@ -87,8 +87,8 @@ def expect_asked(
 @pytest.mark.exercise("B5.3")
 def test_every_pair_is_called_once_per_step(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
-    about.cause = "You don't call update_force in the right way. Call it once for every pair, with "
-    about.cause += "the particle first and the duration second."
+    about.cause = "Your calls of update_force are wrong. Call it once for every pair, and pass the "
+    about.cause += "particle first and the duration second."
     about.read = "book 5.2.2"
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
@@ -139,7 +139,7 @@ def test_a_pair_that_is_added_twice_acts_twice() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_undoes_one_call_of_add() -> None:
     about.read = "the docstring of remove"
-    about.cause = "remove took out the wrong pair. Look for the first pair with exactly this "
+    about.cause = "Your remove deleted the wrong pair. Look for the first pair with exactly this "
     about.cause += "particle and this generator, and remove only this pair."
     adds = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
     everyone = [(0, 0, 0.5), (1, 1, 0.5), (0, 0, 0.5), (0, 0, 0.5)]
@@ -156,11 +156,11 @@ def test_remove_undoes_one_call_of_add() -> None:
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
     why = about.cause
     if got == [(1, 1, 0.5)]:
-        why = "One call of remove took out all three pairs (p0, g0). Stop after the first pair "
+        why = "One call of remove deleted all three pairs (p0, g0). Stop after the first pair "
         why += "that matches."
     elif got == sorted(everyone):
-        why = "remove took out no pair. Find the first pair with this particle and this generator, "
-        why += "and remove it."
+        why = "Your remove deleted nothing. Find the first pair with this particle and this "
+        why += "generator, and delete it."
     expect_that(got == wanted, told(got), told(wanted), cause=why)
     acts = [*adds, *[("remove", 0, 0)] * 3, ("update", 0.5)]
     expect_asked(acts, [(1, 1, 0.5)], cause=about.cause)
@@ -169,14 +169,14 @@ def test_remove_undoes_one_call_of_add() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
-    about.cause = "remove took out the wrong pair. Compare both the particle and the generator "
+    about.cause = "Your remove deleted the wrong pair. Compare both the particle and the generator "
     about.cause += "with `is`."
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
     for i, (_, particle, generator) in enumerate(pairs):
         acts = [*pairs, ("remove", particle, generator), ("update", 0.5)]
-        slip = f"remove took out (p{particle}, g0) instead of (p{particle}, g{generator}), because "
-        slip += "you compare generators with ==. Different generators can be equal, so use `is`."
+        slip = f"Your remove deleted (p{particle}, g0) instead of (p{particle}, g{generator}), "
+        slip += "because you compare generators with ==. Different ones can be equal, so use `is`."
         slips = {slip: [one for one in everyone if one[:2] != (particle, 0)]}
         expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=about.cause, slips=slips)
 
@@ -193,8 +193,8 @@ def test_removing_an_absent_pair_changes_nothing() -> None:
 @pytest.mark.exercise("B5.3")
 def test_clear_removes_all_pairs() -> None:
     about.read = "the docstring of clear"
-    about.cause = "A pair still acts after clear was called. clear must remove all pairs from the "
-    about.cause += "registry."
+    about.cause = "Your clear leaves a pair in the registry, so this pair still acts. Remove all "
+    about.cause += "pairs."
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
     expect_asked(acts, [(0, 0, 0.5), (1, 1, 0.5), (2, 1, 0.25)], cause=about.cause)

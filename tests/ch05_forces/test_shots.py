@@ -141,7 +141,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     bullet: Any = at.bullet
     place = xyz(bullet.position)
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
-    blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call its integrate.")])
+    blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call bullet.integrate.")])
     if place[1] > wanted[1]:
         about.cause = "Your bullet moves too far in one step, as if integrate were called twice. "
         about.cause += "Call it once in update, and not in shoot."
@@ -296,8 +296,8 @@ def expect_hole(
     then = "; x, y, distance and factor of the target that is hit"
     expect_close(got[:4], TARGETS[distance], then=then, tolerance=1e-12)
     slips = {
-        "Your points are those of the ring, not multiplied by the target's factor. Multiply them "
-        "by this factor.": (x, y, points / factor),
+        "Your points are those of the ring alone. Multiply them by the target's factor, which is "
+        f"{factor} here.": (x, y, points / factor),
         "Your x and y are the position of the hole in the world. Subtract the target's center.": (
             x + middle,
             y + height,
@@ -327,8 +327,8 @@ def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
             end = (middle + x, height + y, distance + 1.0)
             expect_hole(start, end, (distance, x, y, 10 * factor))
         about.cause = "You check only the nearest target. Check every target along the path."
-    about.cause = "Your x and y are not those of the point where the path crosses the plane of "
-    about.cause += "the target. Interpolate them, a quarter of the way from start to end."
+    about.cause = "You use the wrong point of the path. It crosses the target's plane a quarter of "
+    about.cause += "the way from start to end, so interpolate x and y for this point."
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
@@ -342,7 +342,7 @@ def test_a_path_that_misses_the_target_makes_no_hole() -> None:
             (-2.1, 1.5, 49.0),
             (-2.1, 1.5, 51.0),
             "You count a path that passes outside the target's largest ring as a hit. Return None "
-            "there, because ring_points is 0.",
+            "if ring_points returns 0.",
         ),
         (
             (-1.5, 1.5, 40.0),

@@ -304,8 +304,8 @@ def test_a_whole_round_is_ten_shots() -> None:
         about.cause = "Your list starts with the newest hole. Append each new hole at the end."
     expect_exactly(points, wanted, then="; points of the holes in range.holes")
     about.cause = "The score must be the sum of the points of all holes."
-    last = "Your score is that of the last hit only. Add the points to the score, instead of "
-    blame(came["score"], [(30, f"{last}replacing it.")])
+    last = "Your score is that of the last hit, because you replace the score at each hit. Add "
+    blame(came["score"], [(30, f"{last}the points to it instead.")])
     expect_exactly(came["score"], 110, then="; range.score")
 
 

@@ -125,7 +125,7 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
 def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
-    about.call = f"range = SniperRange({seed}); 400 times: range.change_wind()"
+    about.call = f"range = SniperRange({seed}); range.change_wind(), called 400 times"
     about.cause = "Each call of change_wind must draw a new wind. Call self.random.uniform once "
     about.cause += "for x and once for z."
     (seen,) = winds([seed], 400)
@@ -209,17 +209,23 @@ def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"a = SniperRange({seed}); b = SniperRange({seed}); c = SniperRange({seed + 1}); "
-    about.call += "six times: a.change_wind(), b.change_wind() and c.change_wind()"
+    about.call += "a.change_wind(), b.change_wind() and c.change_wind(), each called six times"
     about.cause = "Two ranges with the same seed have different winds. Draw with self.random, "
     about.cause += "which was created from the seed."
     first, second, other = winds([seed, seed, seed + 1], 6)
     same = sum(a == b for a, b in zip(first, second, strict=True))
-    expect_exactly(same, 7, then="; number of winds that are equal in a and b", unit="winds")
+    expect_exactly(
+        same, 7, then="; number of equal winds in a and b, including the initial wind", unit="winds"
+    )
     about.cause = "Ranges with different seeds have the same winds. Draw with self.random, which "
     about.cause += "was created from the seed."
     same = sum(a == b for a, b in zip(first, other, strict=True))
-    expect_exactly(same, 0, then="; number of winds that are equal in a and c", unit="winds")
+    expect_exactly(
+        same, 0, then="; number of equal winds in a and c, including the initial wind", unit="winds"
+    )
     about.cause = "Some calls of change_wind gave an earlier wind again. Draw a new wind in every "
     about.cause += "call."
     kinds = len({tuple(w) for w in first})
-    expect_exactly(kinds, 7, then="; number of different winds in a", unit="winds")
+    expect_exactly(
+        kinds, 7, then="; number of different winds in a, including the initial wind", unit="winds"
+    )

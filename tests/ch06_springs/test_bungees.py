@@ -101,8 +101,8 @@ def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
             (
                 0.9,
                 5.0,
-                "Your slack rope damps the motion. A rope that is shorter than its rest length "
-                "exerts no force, so don't add damping either.",
+                "Your rope damps the motion although it is slack. A rope that is shorter than its "
+                "rest length exerts no force at all, so don't add damping either.",
             ),
             (
                 0.0,
@@ -180,8 +180,8 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "You left out the damping. To the pull, add the damping times the rate at which "
-                "the length grows.": [-k * extension * part for part in d],
+                "You left out the damping. Increase the pull by the damping times the rate at "
+                "which the length grows.": [-k * extension * part for part in d],
                 (
                     "The damping is so large here that your rope pushes. A rope can only pull, "
                     "so add no force in this case."

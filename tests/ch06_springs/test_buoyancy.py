@@ -31,7 +31,7 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
         y = surface + s - 2.0 * s * share
         about.call = f"p of 3 kg at (3, {y}, 5); b = Buoyancy(max_depth={s}, volume={volume}, "
         about.call += f"water_height={surface}, liquid_density={density}, gravity={g}); "
-        about.call += f"{100 * share:g} % of the body is under water; b.update_force(p, 0.5); "
+        about.call += f"{100 * share:g}% of the body is under water; b.update_force(p, 0.5); "
         about.call += "p.force_accumulator, in N"
         p = Particle(Vector3(3.0, y, 5.0), Vector3(2.0, 3.0, 4.0), mass=3.0)
         Buoyancy(s, volume, surface, density, g).update_force(p, 0.5)

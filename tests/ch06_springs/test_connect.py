@@ -138,8 +138,8 @@ def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.call = f"a and b at {place}, a with velocity {v}; c = Connection(a, b, stiffness=100.0, "
     about.call += "rest_length=2.0, damping=3.0); c.update_force(a, 0.5)"
     about.cause = (
-        "You divide by the length, which is 0 because both ends are at the same position. The "
-        "spring exerts no force here."
+        "You divide by the length, which is 0 because both ends are at the same position. Add "
+        "no force in this case."
     )
     a, b = Particle(Vector3(*place), Vector3(*v)), Particle(Vector3(*place))
     c = Connection(a, b, 100.0, 2.0, 3.0)

@@ -155,12 +155,12 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
             "m).": by_roots(x0, v0, k, c * m, m, t),
             "You didn't divide the stiffness by the mass. The square of the undamped frequency is "
             "k / m.": by_roots(x0, v0, k * m, c, m, t),
-            "Your position leaves out the initial velocity v0. Add the term with v0.": (
+            "Your position leaves out the initial velocity v0. Add the term that contains v0.": (
                 by_roots(x0, 0.0, k, c, m, t)[0],
                 v,
             ),
-            "Your velocity leaves out the initial position x0. Differentiate the terms with x0 in "
-            "the position too.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
+            "Your velocity leaves out the initial position x0. When you differentiate the "
+            "position, include its terms with x0.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
             "Your position is right, but in your velocity the sign of the term with half v0 is "
             "wrong. Differentiate the position again.": (
                 x,
@@ -231,8 +231,8 @@ def test_the_motion_is_smooth_at_critical_damping(rng: Random) -> None:
             about.call += "m, velocity in m/s)"
             got = damped_spring_state(x0, v0, k, c, m, t)
             if "nan" in f"{got}":
-                about.cause = "Your result is NaN very close to critical damping. Compute gamma in "
-                about.cause += "a way that is never NaN, even if it is almost 0."
+                about.cause = "Your result is NaN very close to critical damping, probably because "
+                about.cause += "gamma is NaN there. Compute gamma in a way that never gives NaN."
             expect_close(got, wanted, tolerance=tolerance)
     about.call = "damped_spring_state(x0=1.0, v0=0.0, stiffness=4.0, damping=4 - 4e-9, mass=1.0, "
     about.call += "time=0.75) minus the same with damping=4 + 4e-9"
@@ -377,7 +377,8 @@ def test_damped_spring_state_rejects_invalid_numbers() -> None:
     about.read = READ
     good = (1, 2, 3, 4, 5, 6)
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
-    expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad)
+    call = "damped_spring_state(x0={}, v0={}, stiffness={}, damping={}, mass={}, time={})"
+    expect_finite_numbers(call, damped_spring_state, good, bad)
     about.cause = "The angle of the oscillation is about 1e350 here, which is too large for a "
     about.cause += "float. Raise ValueError instead of returning a number."
     expect_error(

@@ -220,8 +220,8 @@ def test_a_faked_spring_rejects_an_invalid_duration() -> None:
             expect_error(
                 lambda p=p, bad=bad: s.update_force(p, bad),
                 ValueError,
-                call=f"p has a mass of {mass} kg; s = FakeStiffSpring(anchor=Vector3(), "
-                f"stiffness=400, damping=3); s.update_force(p, {bad})",
+                call=f"p = Particle(Vector3(1, 0, 0), mass={mass}); s = FakeStiffSpring(anchor="
+                f"Vector3(), stiffness=400, damping=3); s.update_force(p, {bad})",
                 cause=f"The duration is {bad}. It must be positive and finite, so raise ValueError"
                 + (", even if the particle is immovable." if mass == math.inf else "."),
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),

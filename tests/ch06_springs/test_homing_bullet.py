@@ -54,7 +54,7 @@ def test_it_aims_at_the_predicted_position(rng: Random) -> None:
         pulls = {
             "Your force pushes the bullet away from its target. Subtract the bullet's "
             "predicted position from the target's.": [-k * part for part in way],
-            "You left out the stiffness. Multiply the vector to the target by it.": (way),
+            "You left out the stiffness. Multiply the vector to the target by self.stiffness.": way,
             "You normalized the vector to the target, so the size of your force is always the "
             "stiffness. Multiply the stiffness by the whole vector.": [
                 k * part / math.hypot(*way) for part in way

@@ -66,10 +66,10 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
                 "-k x / m, so their mean contains it in full.": (rest - 0.5 * w * x)
                 / (1.0 + 0.5 * y + 0.25 * w * h),
                 "The stiffness is missing from your denominator. The force at the new position x' "
-                "also depends on v', so collect this term there too.": (rest - w * x)
+                "also depends on v', so it adds a term to the denominator too.": (rest - w * x)
                 / (1.0 + 0.5 * y),
-                "Your denominator contains h c / m. The term must be h c / (2 m), because only "
-                "half of the acceleration comes from the new velocity.": (rest - w * x)
+                "Your denominator contains h c / m. The term must be h c / (2 m), because the "
+                "mean (a + a') / 2 contains only half of a'.": (rest - w * x)
                 / (1.0 + y + 0.25 * w * h),
             }
             slips |= {
@@ -184,7 +184,8 @@ def test_an_implicit_step_rejects_invalid_arguments(method: str) -> None:
     about.read = f"the docstring of {method}"
     step = METHODS[method]
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0), (5, 0.0)]
-    expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad)
+    call = method + "(x={}, v={}, stiffness={}, damping={}, mass={}, duration={})"
+    expect_finite_numbers(call, step, (1, 2, 3, 4, 5, 6), bad)
     about(
         f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
         cause=(

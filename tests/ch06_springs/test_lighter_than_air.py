@@ -43,8 +43,8 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
             "and H is scale_height.": most * (1.0 - share),
             "Your lift is F e^-y, where F is max_lift. Divide the height y in the exponent by "
             "scale_height.": most * math.exp(-y),
-            "Your lift is F 2^(-y / H), where F is max_lift and H is scale_height. Use e "
-            "instead of 2, with math.exp.": most * 0.5**share,
+            "Your lift is F 2^(-y / H), where F is max_lift and H is scale_height. The base must "
+            "be e instead of 2, so use math.exp.": most * 0.5**share,
             "Your lift is F / (1 + y / H), which is too large high above the ground. Use F "
             "e^(-y / H), where F is max_lift and H is scale_height.": most / (1.0 + share),
             "Your lift is F e^(y / H), which grows with the height y. The exponent needs a "

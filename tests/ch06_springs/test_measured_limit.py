@@ -133,7 +133,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             1.02,
             True,
-            "You miss an oscillation that grows slowly, because the stiffness is only 2 % above "
+            "You miss an oscillation that grows slowly, because the stiffness is only 2% above "
             "the limit. Compare the largest distance in late swings with that in early ones.",
         ),
         (
@@ -172,13 +172,13 @@ def test_swings_of_constant_size_are_not_wider() -> None:
         expect_exactly(got, False)
     about.call = "the integrator is stable up to 14400 N/m; swings_wider(integrator, "
     about.call += "stiffness=14700, damping=1.0, duration=1/60)"
-    about.cause = "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows. "
+    about.cause = "The stiffness is 2% above the limit of 14400 N/m, so the oscillation grows. "
     about.cause += "The result must be True."
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
     about.call = "swings_wider(explicit_euler, stiffness=1.0, damping=1.0, duration=1/60)"
     about.cause = "Without damping, explicit Euler is unstable for every spring, but this "
-    about.cause += "oscillation grows by only 12 % in FRAMES steps. Make that many steps before "
+    about.cause += "oscillation grows by only 12% in FRAMES steps. Make that many steps before "
     about.cause += "you decide."
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)

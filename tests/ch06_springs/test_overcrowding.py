@@ -60,8 +60,8 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
             "Your force pulls p toward q. Reverse its direction, so that it pushes p away.": -push,
             "There is no push, because your loop ends when it reaches p itself in the list. Skip "
             "p, and continue with the next particle.": 0.0,
-            "The size of your push is the stiffness, at every distance. Multiply the stiffness by "
-            "(distance - l), where l is the distance between p and q.": k,
+            "Your push is equally strong at every distance l between p and q. Multiply the "
+            "stiffness by (distance - l), so that the push gets weaker as l grows.": k,
             "You multiply the push by the whole offset. Normalize the offset first, so that it is "
             "only a direction.": push * near,
             "You use the squared distance between the particles. Use the distance itself, "

@@ -217,9 +217,7 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     about.call += f"the check adds a force of {hand} N to particles[0]"
     about.cause = RULES[method]
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
-    about.cause = (
-        f"Your step calls apply_forces {len(asked) / frames:.3g} times, but it must do so "
-    )
+    about.cause = f"Your step calls apply_forces {len(asked) / frames:.3g} times, but must call it "
     about.cause += (
         f"{COUNTS[EVALUATIONS[method]]}. Each call evaluates the forces of all particles."
     )

@@ -127,8 +127,8 @@ def wrong_steps(
             "step. Use the mean of the accelerations a and b instead.": v + second * h,
             "You add up the forces of both evaluations, so the velocity changes by twice as much "
             "as it should. Use their mean instead.": v + (first + second - a) * h,
-            "You add the mean acceleration to v + a h, which is only the estimate for the second "
-            "evaluation. Add it to the old velocity v instead.": v
+            "Your new velocity starts from v + a h, which is only the estimate for the second "
+            "evaluation. Start from the old velocity v instead.": v
             + (1.5 * first + 0.5 * second) * h,
             "The forces of the first evaluation are still in the accumulators during the second "
             "one. Clear them in between, and add only the forces from before the step.": v
@@ -160,17 +160,17 @@ def wrong_steps(
             "in the state that the second rate leads to.": mean_of(weights, (0.0, 0.5, 1.0, 1.0)),
             "You evaluate the last rate in the middle of the step. Evaluate it at the end, "
             "in the state that the third rate leads to.": mean_of(weights, (0.0, 0.5, 0.5, 0.5)),
-            "You evaluate only three rates, but Runge-Kutta needs four. Evaluate a second one in "
-            "the middle of the step, in the state that the first one there leads to.": mean_of(
+            "You evaluate only three rates, but Runge-Kutta needs four. Two of them belong in the "
+            "middle of the step, the second in the state that the first leads to.": mean_of(
                 (1.0, 4.0, 1.0), (0.0, 0.5, 1.0)
             ),
             "You start each stage where the previous one ended. Go back to the start of the step "
             "before you move at the next rate.": mean_of(weights, parts, back=False),
-            "Before each evaluation you move p but keep its old velocity. Set the velocity too, to "
-            "v + a h / 2 or v + a h, where a is the previous acceleration.": mean_of(
+            "Before each evaluation, you move p but keep its old velocity. Also set the velocity "
+            "to v + a h / 2 or v + a h, where a is the previous acceleration.": mean_of(
                 weights, parts, turns=False
             ),
-            "Only your first evaluation contains the force that was added to p before the step. "
+            "Only your first evaluation includes the force that was added to p before the step. "
             "Store this force, and add it again before each of the others.": mean_of(
                 weights, parts, later=acceleration - a
             ),

@@ -11,6 +11,7 @@ import argparse
 import csv
 import faulthandler
 import importlib
+import importlib.util
 from collections.abc import Callable
 from pathlib import Path
 
@@ -66,7 +67,7 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 
     For each plot, print the names of its files, or the reason why it failed.
     """
-    if not (ROOT / "lab" / "plots" / f"{chapter.name}.py").exists():
+    if importlib.util.find_spec(f"lab.plots.{chapter.name}") is None:
         print(f"chapter {chapter.number} has no plots")
         return True
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is

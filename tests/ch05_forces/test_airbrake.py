@@ -189,8 +189,8 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
         about.call += f"; p.clear_forces(); p.add_force(Vector3{f}); brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
-    about.cause = "Your brake must do nothing to an immovable particle. Don't add a force, and "
-    about.cause += "don't raise an error."
+    about.cause = "Your brake changes the velocity of an immovable particle. Only add a force, "
+    about.cause += "which has no effect on it."
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)

@@ -1,4 +1,4 @@
-"""Write the measured figures into the pages: strength of the checks, sample class, speeds."""
+"""Write the measured figures into the pages: the strength of the checks, and the sample class."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from kept import kept
 from pages import with_text
 from sample import sample_table
-from studies.benchmarks.kept import write_quotations
 from wrong import read_wrong
 
 PAGE = ROOT / "tests" / "README.md"
@@ -46,7 +45,6 @@ def write_tables(console: Console) -> bool:
     ):
         page = path.read_text(encoding="utf-8")
         path.write_text(with_text(page, begin, end, text), encoding="utf-8", newline="\n")
-    write_quotations()
     console.print(f"the tables are in {PAGE} and {CLASS}", markup=False)
     missing = any("-" in cells for cells in rows)
     if missing:

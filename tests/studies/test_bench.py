@@ -28,7 +28,7 @@ from studies.benchmarks import (
     springs,
     vectors,
 )
-from studies.benchmarks.kept import kept, pages, with_quotations
+from studies.benchmarks.kept import kept
 from studies.runs.drag_flight import PROJECTILE, make_particle
 from studies.timing import Measurement, Target
 
@@ -149,22 +149,6 @@ def test_the_table_is_printed_and_written_and_a_miss_is_no_failure(
         {"ratio": 0.25, "quartiles": [0.25] * 2, "target": "", "verdict": ""},
     ]
     assert kept(out) == {"quick": 2500.0, "slow": 1.5, "told": 0.25}
-
-
-@pytest.mark.parametrize("path", pages(), ids=str)
-def test_a_page_quotes_the_figures_that_are_kept(path: Path) -> None:
-    page = path.read_text(encoding="utf-8")
-    assert with_quotations(page, kept()) == page
-
-
-def test_a_quotation_has_two_digits_of_the_one_line_that_it_begins() -> None:
-    ratios = {"a cloth / b": 1.846, "a clock": 4217.0, "a rope": 0.0512}
-    for begins, shown in (("a cloth", "1.8"), ("a clock", "4,200"), ("a rope", "0.051")):
-        page = f"takes <!-- bench: {begins} -->99<!-- end --> times"
-        assert with_quotations(page, ratios) == page.replace("99", shown)
-    for begins, count in (("a clo", 2), ("a chain", 0)):
-        with pytest.raises(ValueError, match=f"must begin with '{begins}', got {count}"):
-            with_quotations(f"<!-- bench: {begins} -->1<!-- end -->", ratios)
 
 
 def test_each_side_makes_the_fewest_steps_that_are_accurate_enough() -> None:

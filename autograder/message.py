@@ -11,7 +11,7 @@ from enum import Enum
 from typing import Any
 
 INDENT = 10  # width of the label column
-LONG_CALL = 100  # characters; if a call is longer, each of its statements gets its own line
+LONG_CALL = 100  # characters; if the statements before the last are longer, each gets a line
 Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
@@ -50,7 +50,7 @@ class Message:
 
     Attributes:
         title: A sentence that is shown without a label.
-        called: The call that the check made.
+        called: The statements that the check ran. The last one gave the result.
         got: What the student's code returned or raised.
         wanted: The value that ``got`` must match, to within ``tolerance``. A tolerance of 0
             requires the two to be equal.
@@ -103,8 +103,13 @@ class Message:
         One such row is ("got", "Vector3(1.0, 0.0, 0.0)").
         """
         rows = [("", self.blocked), ("", self.title)]
-        rows += [("called", one_per_line(self.called)), ("got", self.got)]
-        rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]
+        *called, tested = statements(self.called)
+        rows += [("called", _in_lines(called)), ("tested" if called else "called", tested)]
+        rows += [
+            ("got", self.got),
+            ("wanted", self.wanted + self._how_close),
+            ("where", str(self.where or "")),
+        ]
         rows += [("likely", self.likely), ("or", self.other), ("read", self.read)]
         rows += [("printed", self.printed)] if printed else []
         return [(label, words) for label, words in rows if words]
@@ -136,21 +141,25 @@ class Message:
         return laid_out(self.rows())
 
 
-def one_per_line(call: str) -> str:
-    """Put each statement of a long call on its own line, without splitting inside parentheses.
+def statements(call: str) -> list[str]:
+    """Split a call at the semicolons between its statements, but not inside parentheses.
 
-    A call that fits into 100 characters stays on one line.
+    The last statement is the one whose result the check tests.
     """
-    if len(call) <= LONG_CALL:
-        return call
-    lines, depth = [""], 0
+    found, depth = [""], 0
     for part in call.split("; "):
-        lines[-1] += f"; {part}" if depth else part
+        found[-1] += f"; {part}" if depth else part
         depth += sum(map(part.count, "([{")) - sum(map(part.count, ")]}"))
         if depth <= 0:
             depth = 0
-            lines.append("")
-    return "\n".join(line for line in lines if line)
+            found.append("")
+    return [statement for statement in found if statement] or [""]
+
+
+def _in_lines(statements: list[str]) -> str:
+    """Put each statement on its own line, or all of them on one line if they are short."""
+    together = "; ".join(statements)
+    return together if len(together) <= LONG_CALL else "\n".join(statements)
 
 
 def laid_out(rows: list[Row]) -> str:

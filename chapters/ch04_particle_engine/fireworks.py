@@ -85,10 +85,10 @@ class FireworkRule:
 
 
 class Firework:
-    """A firework that is burning at the moment.
+    """A burning firework.
 
-    ``type`` is the number of its type, and ``particle`` holds its position and velocity. ``age`` is
-    the time in s that is left on the fuse, so it counts down.
+    ``type`` is the number of its type, and ``particle`` moves it. ``age`` counts down: it is the
+    time in s until the firework burns out.
     """
 
     __slots__ = ("age", "particle", "type")

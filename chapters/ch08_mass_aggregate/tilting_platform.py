@@ -78,11 +78,10 @@ class TiltingPlatform:
     def free_pivot(self) -> None:
         """Make the pivot movable, so that it rests on the ground without being fixed to it.
 
-        Give each of its two particles the mass ``MASS``. While they were immovable, they needed no
-        rod between them, but now nothing else keeps them the same distance apart. So if no rod
-        joins them yet, add one to ``self.rods`` and to the generators of the world. It keeps the
-        platform rigid. The ground has no friction. This method is called only once. Mini-project
-        8.1.
+        Give each of the pivot's two particles the mass ``MASS``. A rod must now keep them the same
+        distance apart, because they are no longer immovable. If no rod joins them yet, add one to
+        ``self.rods`` and to the contact generators of the world. The ground has no friction. This
+        method is called only once. Mini-project 8.1.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 

@@ -156,13 +156,13 @@ class Limits:
 
 
 class TwoSidedRod(Rod):
-    """Going further, G7.1: a rod that always has two contacts, one that pulls and one that pushes.
+    """G7.1: a rod with two contacts in every step, one that pulls and one that pushes.
 
-    A Rod that has the right length, or is a little too short, has no contact that pulls. If its
-    ends fly apart, nothing stops them until the next step. In a chain this delay adds up.
-    Correcting one rod stretches its neighbor, but the neighbor gets a contact only in the next
-    step. A pull therefore travels only about one rod per step, however many iterations there are.
-    Two contacts per rod avoid the delay.
+    A ``Rod`` gets a contact only if its length is wrong at the start of a step. If its ends move
+    apart later in the step, nothing stops them until the next one. Such delays add up in a chain:
+    correcting one rod stretches the next, which gets its contact only in the next step. A pull
+    then travels about one rod per step, however many iterations there are. With two contacts per
+    rod, there is no delay.
     """
 
     def contacts(self) -> list[Contact]:

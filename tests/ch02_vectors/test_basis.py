@@ -64,8 +64,8 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
                 ),
                 (
                     1.0 - along**2,
-                    "You don't normalize vector 3, a x b. For unit vectors a and b, its length is "
-                    "only the sine of the angle between them, so divide it by its length.",
+                    "You don't normalize vector 3, a x b. Its length is 1 only if a and b are "
+                    "perpendicular, so divide a x b by its length.",
                 ),
             ]
             got = dot(basis[i], basis[j])

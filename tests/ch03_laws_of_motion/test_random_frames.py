@@ -102,7 +102,7 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     # Half of the draws lie in the middle half of the range, within 6 deviations.
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
-    name = f"{about.call}; the fraction of the durations that are from 0.015 to 0.025 s"
+    name = f"{about.call}; the fraction of the durations between 0.015 and 0.025 s"
     about.cause = (
         "Too many of your durations are close to the mean. Draw each of them with a single call of "
         "uniform instead of averaging several random numbers."

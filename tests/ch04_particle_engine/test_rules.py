@@ -77,8 +77,8 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
             {9: [1], 1: [2, 3], 2: [3], 3: [1], 4: [9], 5: []},
             [1, 2, 3],
             (
-                "You include types 4 and 9, which only lead into the cycle of types 1, 2 and 3. "
-                "Leave them out, because the cycle does not lead back to them."
+                "You include types 4 and 9. They light fireworks of the cycle 1, 2, 3, but no "
+                "firework of the cycle lights them, so leave them out."
             ),
         ),
         (

@@ -57,8 +57,8 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (
             None,
             pulled,
-            "The brake works only once after it was switched on. It must stay on, so don't change "
-            "self.on in update_force.",
+            "Your brake switches itself off after one call. Only the player switches it, so don't "
+            "change self.on in update_force.",
         ),
         (
             False,

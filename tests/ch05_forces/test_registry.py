@@ -76,7 +76,7 @@ def expect_asked(
             about.call += "registry.clear(); "
         else:
             about.call += f"registry.update_forces({numbers[0]}); "
-    about.call += "all calls of update_force"
+    about.call += "the calls of update_force"
     got = [*map(tuple, asked(immovable, acts))]
     for name, calls in (slips or {}).items():
         if got == calls:
@@ -151,7 +151,7 @@ def test_remove_undoes_one_call_of_add() -> None:
     )
     about.call = "particles p0, p1 and generators g0, g1; the pair (p0, g0) is added three times; "
     about.call += "the pair (p1, g1) is added; registry.remove(p0, g0); "
-    about.call += "registry.update_forces(0.5); all calls of update_force, sorted"
+    about.call += "registry.update_forces(0.5); the calls of update_force, sorted"
     got = [*map(tuple, sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)])))]
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
     why = about.cause

@@ -215,13 +215,13 @@ def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     first, second, other = winds([seed, seed, seed + 1], 6)
     same = sum(a == b for a, b in zip(first, second, strict=True))
     expect_exactly(
-        same, 7, then="; number of equal winds in a and b, including the initial wind", unit="winds"
+        same, 7, then="; how many of the seven winds are the same in a and b", unit="winds"
     )
     about.cause = "Ranges with different seeds have the same winds. Draw with self.random, which "
     about.cause += "was created from the seed."
     same = sum(a == b for a, b in zip(first, other, strict=True))
     expect_exactly(
-        same, 0, then="; number of equal winds in a and c, including the initial wind", unit="winds"
+        same, 0, then="; how many of the seven winds are the same in a and c", unit="winds"
     )
     about.cause = "Some calls of change_wind gave an earlier wind again. Draw a new wind in every "
     about.cause += "call."

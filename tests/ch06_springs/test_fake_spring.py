@@ -54,8 +54,8 @@ def test_the_force_by_its_formula() -> None:
         "h (E-6). Divide by h * h instead.": wanted[0] / 3600.0,
         "You use the force of a real spring, -k x. Compute the force that takes p to T, the "
         "position that a real spring would reach in h seconds.": -400.0,
-        "Your force is twice as large as it should be, as if a step moved p by a h^2 / 2. "
-        "Semi-implicit Euler moves it by a h^2, where a is the acceleration.": 2.0 * wanted[0],
+        "Your force is twice as large as it should be. With an acceleration of a, the step moves p "
+        "by a h^2 and not by half of that, so divide by h^2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.

@@ -260,8 +260,8 @@ def test_accelerations_by_forces_count_too(rng: Random) -> None:
     about.call = f"particle a of {mass} kg, initially at rest; a.add_force(Vector3(0, -{mass} * "
     about.call += f"{G}, 0)); a.integrate({h}); Contact(a, None, normal=Vector3(0, 1, 0), "
     about.call += f"restitution={c}).velocity_after({h})"
-    about.cause = "You used only a's constant acceleration, as the book does (E-26), and left out "
-    about.cause += "the force. Use last_acceleration, which includes the forces of the last step."
+    about.cause = "You used only the constant acceleration of particle a and left out the force, "
+    about.cause += "like the book (E-26). Use last_acceleration, which includes all forces."
     a = Particle(mass=mass)
     a.add_force(Vector3(0.0, -mass * G, 0.0))
     a.integrate(h)

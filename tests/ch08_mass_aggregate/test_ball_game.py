@@ -71,7 +71,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     won, before = seen[rows + falls - 1], seen[rows + falls - 2]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
-    missing = "You leave out the bonus. When a landing visits the last row, add BONUS for each "
+    missing = "You leave out the bonus. When the ball has visited all rows, add BONUS for each "
     missing += "life that is left."
     if won[0] == points and ruled(rows, order)[-1][0] != points:
         missing = "You remove rows from visited after a fall, so the game is never won. Don't "

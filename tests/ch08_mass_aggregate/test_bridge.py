@@ -140,7 +140,7 @@ def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
     about.cause += "AnchoredCable of length support_length(row number)."
     places = hung_bridge(90, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
-    expect_between(lowest, 0.01, math.inf, then=": the height of its lowest end", unit="m")
+    expect_between(lowest, 0.01, math.inf, then="; the height of its lowest end", unit="m")
     over = [math.dist(places[i], places[i + 2]) / 1.9 - 1.0 for i in range(10)]
     for i, (x, _, z) in enumerate(START):
         anchor = (1.1 * x, 6.0, 0.8 * z)
@@ -291,7 +291,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         about.cause = "There is no deck below the ball, so contacts() should return no contacts."
         about.call += "; deck.contacts()"
         count = len(got["contacts"])
-        expect_exactly(count, 0, then=": the number of contacts", unit="contacts")
+        expect_exactly(count, 0, then="; the number of contacts", unit="contacts")
 
 
 @pytest.mark.exercise("B8.5")
@@ -342,18 +342,17 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                 "You return contacts for other rows too. Return only those for the two ends of the "
                 "nearest row, on which the ball rests."
             )
-        expect_exactly(ends, [(0, 3), (0, 4)], then=": (particle, other) of each contact")
+        expect_exactly(ends, [(0, 3), (0, 4)], then="; (particle, other) of each contact")
         for _, _, normal, restitution, penetration in list(got):
             about.cause = (
                 "The normal of a contact is wrong. The deck pushes the ball up, so the normal is "
                 "+Y."
             )
-            expect_close(normal, UP, then=": the normal of a contact", tolerance=1e-15)
+            expect_close(normal, UP, then="; the normal of a contact", tolerance=1e-15)
             about.cause = (
-                "Your contact doesn't have the restitution of the deck. Pass self.restitution to "
-                "each contact."
+                "You leave out the restitution of the deck. Pass self.restitution to each Contact."
             )
-            expect_close(restitution, c, then=": the restitution of a contact", tolerance=1e-12)
+            expect_close(restitution, c, then="; the restitution of a contact", tolerance=1e-12)
             mistakes = [
                 (0.5 * depth, "You divide the penetration between the two contacts. Give each of "
                               "them the full penetration."),
@@ -376,8 +375,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         )
         about.call += "; deck.contacts()"
         got = [depth for *_, depth in deck((2.0, y, 0.0), level, 0.5, 0.0)["contacts"]]
-        expect_exactly(len(got), 2, then=": the number of contacts", unit="contacts")
-        expect_close(got, (4.5 - y,) * 2, then=": the penetration of each", unit="m")
+        expect_exactly(len(got), 2, then="; the number of contacts", unit="contacts")
+        expect_close(got, (4.5 - y,) * 2, then="; the penetration of each", unit="m")
     for where, lift, ends, cause in (
         ("just above", radius + 1e-6, 0, "The ball is above the deck and doesn't touch it, so "
                                             "there should be no contact."),
@@ -395,4 +394,4 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         )
         about.call += "deck.contacts()"
         count = len(deck((at, height + lift, 0.0), rows, radius, c)["contacts"])
-        expect_exactly(count, ends, then=": the number of contacts", unit="contacts")
+        expect_exactly(count, ends, then="; the number of contacts", unit="contacts")

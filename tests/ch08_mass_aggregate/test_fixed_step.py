@@ -49,11 +49,11 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
             row[0] is not None,
             "nothing (None)",
             f"{steps} steps",
-            then=": the number of steps that it returns",
+            then="; the number of steps that it returns",
             cause="advance returns nothing. Return the number of steps that it made.",
         )
         expect_exactly(
-            row[0], steps, then=": the number of steps that it returns", unit="steps", cause=seen
+            row[0], steps, then="; the number of steps that it returns", unit="steps", cause=seen
         )
         about.cause = "self.left is wrong. Add elapsed to it, and subtract the duration of each "
         about.cause += "step."
@@ -67,7 +67,7 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     about.cause = "Every step has the same duration, no matter how much time has passed. Pass "
     about.cause += "self.duration to self.step."
     wanted = [STEP] * (sum(quarters) // 4)
-    expect_exactly(done["made"], wanted, then=": the durations of all steps")
+    expect_exactly(done["made"], wanted, then="; the durations of all steps")
 
 
 @pytest.mark.exercise("B8.3")
@@ -85,16 +85,16 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
     expect_exactly(got, [1] * 100)
     about.call = (
         f"a FixedStep clock with steps of 1/{rate} s; clock.advance(0.5), clock.advance(0.5) and "
-        "clock.advance(1): the number of steps in each call"
+        "clock.advance(1); the number of steps in each call"
     )
     done = advanced(1.0 / rate, [0.5, 0.5, 1.0])
     got = [row[0] for row in done["rows"]]
     expect_exactly(got, [rate // 2, rate // 2, rate])
     done = advanced(1.0 / rate, [1.0])
-    about.call = f"a FixedStep clock with steps of 1/{rate} s; clock.advance(1): the number of "
+    about.call = f"a FixedStep clock with steps of 1/{rate} s; clock.advance(1); the number of "
     about.call += "steps"
     expect_exactly(done["rows"][0][0], rate)
-    about.call = f"a FixedStep clock with steps of 1/{rate} s; clock.advance(0.999/{rate}): the "
+    about.call = f"a FixedStep clock with steps of 1/{rate} s; clock.advance(0.999/{rate}); the "
     about.call += "number of steps"
     about.cause = "You make a step although a thousandth of its time is still missing. That is far "
     about.cause += "more than a rounding error, so the step is not due yet."
@@ -119,9 +119,9 @@ def test_share_is_a_fraction_of_a_step(duration: float) -> None:
             cause=cause,
         )
         row = advanced(duration, [elapsed])["rows"][0]
-        expect_exactly(row[0], steps, then=": the number of steps", unit="steps")
+        expect_exactly(row[0], steps, then="; the number of steps", unit="steps")
         left = elapsed - steps * duration
-        expect_close(row[1], left, then=": clock.left", unit="s", tolerance=1e-9 * duration)
+        expect_close(row[1], left, then="; clock.left", unit="s", tolerance=1e-9 * duration)
 
 
 @pytest.mark.exercise("B8.3")
@@ -153,7 +153,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
         expect_exactly(
-            row[0], steps, then=": the number of steps in this call", unit="steps", cause=seen
+            row[0], steps, then="; the number of steps in this call", unit="steps", cause=seen
         )
         mistakes = [
             ((0.0, left + dropped),
@@ -181,7 +181,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     count = sum(row[0] for row in wanted)
     about.call = start
     expect_exactly(
-        len(done["made"]), count, then=": the number of steps in all calls together", unit="steps"
+        len(done["made"]), count, then="; the number of steps in all calls together", unit="steps"
     )
     about.call = f"a FixedStep clock with steps of 0.1 s and max_steps={limit}; "
     about.call += f"clock.advance({0.1 * (limit + late):g})"
@@ -216,7 +216,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     about.cause = "You limit the number of steps although max_steps is None. Make every step that "
     about.cause += "is due, and drop nothing."
     row = advanced(STEP, [5000.0 * STEP])["rows"][0]
-    expect_exactly(row[0], 5000, then=": the number of steps", unit="steps")
+    expect_exactly(row[0], 5000, then="; the number of steps", unit="steps")
     expect_close(row[1:], (0.0, 0.0), then="; (clock.left, clock.dropped)", unit="s")
 
 
@@ -241,7 +241,7 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     )
     got = done["rows"][0][1]
     expect_close(got, (6 - good) * STEP, then="; clock.left", unit="s", tolerance=1e-12)
-    about.call += "; clock.advance(0): the number of steps"
+    about.call += "; clock.advance(0); the number of steps"
     about.cause = "Your clock loses steps after an error. Make all steps whose time is still left."
     expect_exactly(done["rows"][1][0], 6 - good, unit="steps")
 
@@ -264,8 +264,8 @@ def test_rejects_an_invalid_time() -> None:
         name, left, made = refused_time(STEP, time)
         expect_that(name == error, name, error)
         lost = "You change self.left before you raise the error. Check elapsed first."
-        expect_close(left, 0.25 * STEP, then=": clock.left", unit="s", cause=lost, tolerance=0.0)
-        expect_exactly(made, 0, then=": the number of steps that were made", unit="steps")
+        expect_close(left, 0.25 * STEP, then="; clock.left", unit="s", cause=lost, tolerance=0.0)
+        expect_exactly(made, 0, then="; the number of steps that were made", unit="steps")
     about(
         f"a FixedStep clock with steps of {STEP} s; clock.advance(0.0)",
         cause="You reject a time of 0, which is valid. Two frames can have the same timestamp.",

@@ -56,7 +56,7 @@ def test_a_platform_can_only_tilt() -> None:
             expect_exactly(len(left) - 1, 0, unit="motions")
     about.cause = "Your rods lock the platform. Remove those that keep it from tilting about its "
     about.cause += "pivot."
-    expect_exactly(len(left), 1, then=": the number of motions that the rods allow", unit="motions")
+    expect_exactly(len(left), 1, then="; the number of motions that the rods allow", unit="motions")
 
 
 @pytest.mark.exercise("B8.6")
@@ -313,7 +313,7 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
         "Your platform changes its length, because its rods have no effect. Add the rods to the "
         "world's contact generators."
     )
-    expect_close(length, 7.0, then=": its distance from the right end", unit="m", tolerance=0.01)
+    expect_close(length, 7.0, then="; its distance from the right end", unit="m", tolerance=0.01)
 
 
 @pytest.mark.exercise("8.1")
@@ -327,7 +327,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
     if done["masses"][:2].count(math.inf) == 1:
         about.cause = "You free only one particle of the pivot. Set the mass of both to MASS."
     expect_close(done["masses"], [1.0] * 6, unit="kg", tolerance=1e-12)
-    about.call = "platform.put_weight(mass=7, x=4), then free_pivot(): the masses of the six "
+    about.call = "platform.put_weight(mass=7, x=4), then free_pivot(); the masses of the six "
     about.call += "particles"
     about.cause = (
         "Your free_pivot() changes the load that the ends carry. Change only the masses of the two "
@@ -339,7 +339,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
     got = [coordinate for place in done["before"] for coordinate in place]
     wanted = [coordinate for place in PLACES for coordinate in place]
     about(
-        "platform.free_pivot(): the positions of its particles",
+        "platform.free_pivot(); the positions of its particles",
         cause="Your free_pivot() moves a particle. It should only change masses and add a rod, "
         "because the next step moves the platform.",
     )
@@ -381,7 +381,7 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         got = math.fsum(place[axis] for place in after) / 6.0
         wanted = math.fsum(place[axis] for place in before) / 6.0
         # The impulses of rods are equal and opposite, to rounding, however many there are.
-        expect_close(got, wanted, then=f": {name} of the center of mass", unit="m", tolerance=1e-9)
+        expect_close(got, wanted, then=f"; {name} of the center of mass", unit="m", tolerance=1e-9)
     about.cause = (
         "Your platform changes its shape, so a rod is missing or has the wrong length. Together "
         "the rods should keep every distance between two particles the same."
@@ -391,10 +391,10 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         for i, j in combinations(range(6), 2)
     )
     # A hundred iterations leave 0.4 mm with this time step.
-    expect_between(off, 0.0, 0.01, then=": the largest change of a distance", unit="m")
+    expect_between(off, 0.0, 0.01, then="; the largest change of a distance", unit="m")
     moved = after[0][0] - before[0][0]
     about.cause = (
         "The platform falls to the right, so its pivot should slide to the left along the ground. "
         "Check that both particles of the pivot can move."
     )
-    expect_between(moved, -math.inf, -0.01, then=": how far the pivot moves along X", unit="m")
+    expect_between(moved, -math.inf, -0.01, then="; how far the pivot moves along X", unit="m")

@@ -105,9 +105,8 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
     about.call += "asleep after each step"
     wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
     if not any(seen):
-        about.cause = "Particle 0 never falls asleep, because you forget an old contact only in "
-        about.cause += "one exact step. Forget it in every step in which it is sleep_frames steps "
-        about.cause += "old or older."
+        about.cause = "Particle 0 never falls asleep, because you compare the age of its last "
+        about.cause += "contact with == sleep_frames. Use >= instead."
     elif any(seen[: fast + 4]):
         about.cause = f"Particle 0 falls asleep too early. It was fast itself in step {fast}, so "
         about.cause += "count its slow steps only from the step after that."

@@ -120,8 +120,8 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
         about.cause += "every particle."
         if kept == [1]:
             about.cause = "You skip the immovable particle. Call clear_forces() for it too."
-    only = "start_frame changes more than the forces. It should only call clear_forces() for each "
-    only += "particle."
+    only = "Your start_frame also changes other attributes of a particle. It should only call "
+    only += "clear_forces() for each particle."
     for i, body in enumerate(bodies):
         name = f"{about.call}; particles[{i}].force_accumulator"
         expect_close(done["after"][i], ZERO, call=name, tolerance=0.0)
@@ -266,9 +266,9 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     about.cause = "The forces are evaluated at the wrong times. Only pass update_forces to the "
     about.cause += "integrator, which calls it as often as it needs the forces."
     count = sum(row[0] == "force" for row in done["diary"])
-    expect_exactly(count, 2 * evaluations, then=": the calls of update_force", unit="calls")
+    expect_exactly(count, 2 * evaluations, then="; the calls of update_force", unit="calls")
     asked = [row[1] for row in done["diary"] if row[0] == "force"]
-    expect_exactly(asked, [h] * count, then=": the durations passed to update_force")
+    expect_exactly(asked, [h] * count, then="; the durations passed to update_force")
 
 
 @pytest.mark.exercise("B8.2")
@@ -316,7 +316,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.cause += "them to it in a single call."
     done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
-    expect_exactly(len(calls), 1, then=": the number of calls of the resolver", unit="calls")
+    expect_exactly(len(calls), 1, then="; the number of calls of the resolver", unit="calls")
     depths = [low - 1.0] * 3 + [high - 1.0] * 3
     about.cause = (
         f"You pass {calls[0][1]} s to resolve_contacts, but the step takes {h} s. Pass the "
@@ -329,7 +329,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     expect_close(calls[0][2], depths, call=name, unit="m")
     asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
     expect_exactly(
-        asked, [low, high], then=": the heights of the floors whose contacts() was called"
+        asked, [low, high], then="; the heights of the floors whose contacts() was called"
     )
     about.call = "three particles at a height of 1 m, above a floor at 0.5 m; "
     about.call += f"world.run_physics({h})"
@@ -337,7 +337,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.cause += "of contacts is not empty."
     done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
-    expect_exactly(count, 0, then=": the number of calls of the resolver", unit="calls")
+    expect_exactly(count, 0, then="; the number of calls of the resolver", unit="calls")
 
 
 @pytest.mark.exercise("B8.2")

@@ -341,8 +341,8 @@ def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)
     about.call = f"turned_by_steps(Quaternion{short(q)}, rate=3, duration=2); the error in radians"
-    about.cause = "Your angle is greater than pi. The same rotation in the opposite direction has "
-    about.cause += "a smaller angle, so return that one."
+    about.cause = "Your error is an angle above pi. A rotation in the opposite direction corrects "
+    about.cause += "it with a smaller angle, so return that angle."
     # Of 6 rad it rotates by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 the other way round.
     wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
     got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]

@@ -339,6 +339,11 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
         "Your integrate changes the velocity itself. Call self.kick(duration) once instead, "
         "because the particle of chapter 5 overrides kick to add forces."
     )
+    if kicks:
+        about.cause = (
+            "Your integrate must call self.kick(duration) exactly once, with the whole duration of "
+            "the step."
+        )
     got = " and ".join(f"kick({duration})" for duration, _ in kicks) or "no call of kick"
     expect_that([duration for duration, _ in kicks] == [h], got, f"a single call, kick({h})")
     about.cause = (

@@ -82,11 +82,16 @@ def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
         "burning fireworks after each update"
     )
     about.cause = (
-        "You remove the firework when its age is exactly 0, after the fourth update. It still "
-        "burns then, so remove it only when its age is below 0."
+        "After the fourth update the age of the firework is exactly 0, and it still burns. Remove "
+        "it only when its age is below 0."
     )
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
+    if counts == [1, 1, 1, 0, 0]:
+        about.cause = (
+            "You remove the firework when its age is exactly 0, after the fourth update. It still "
+            "burns then, so remove it only when its age is below 0."
+        )
     expect_exactly(counts, [1, 1, 1, 1, 0])
 
 

@@ -46,7 +46,11 @@ CHANGES = {
 
 def told(calls: list[tuple[int, int, float]]) -> str:
     """Say which generator was called for which particle, and with which duration."""
-    return ", ".join(f"g{g} on p{p} for {h:.6g} s" for p, g, h in calls) or "no calls"
+    shown = [
+        f"g{g} on p{p} for {f'{h:.6g} s' if isinstance(h, (int, float)) else repr(h)}"
+        for p, g, h in calls
+    ]
+    return ", ".join(shown) or "no calls"
 
 
 @scoped

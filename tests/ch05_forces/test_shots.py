@@ -112,8 +112,8 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator, in N"
-    about.cause = "The wind doesn't act on your bullet. In shoot, add the pair of the "
-    about.cause += "new bullet and the wind to self.forces."
+    about.cause = "The wind must act on the bullet exactly once. In shoot, add the pair of the "
+    about.cause += "new bullet and the wind to self.forces once."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
     at.shoot(0.0, 0.0)
@@ -124,7 +124,9 @@ def test_the_wind_acts_on_the_bullet() -> None:
     wanted = (4.0 * drag, 0.0, -100.0 * drag)
     got = xyz(bullet.force_accumulator)
     twice = "You registered the wind for your bullet twice. Register it only once."
-    blame(got, [([2.0 * part for part in wanted], twice)])
+    never = "The wind doesn't act on your bullet. In shoot, add the pair of the new bullet and the "
+    never += "wind to self.forces."
+    blame(got, [([2.0 * part for part in wanted], twice), ((0.0, 0.0, 0.0), never)])
     expect_close(got, wanted)
 
 
@@ -286,10 +288,14 @@ def expect_hole(
     start: tuple[float, float, float],
     end: tuple[float, float, float],
     wanted: tuple[float, float, float, int],
+    *,
+    wrong: str | None = None,
 ) -> None:
+    """Expect this hole. ``wrong`` is the cause if there is a hole, but a different one."""
     about.read = WAY
     about.call, got = way_of(start, end)
     expect_that(got is not None, NO_HOLE, f"a hole in the target at {wanted[0]:g} m")
+    about.cause = wrong or about.cause
     distance, *hole = wanted
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
@@ -325,7 +331,14 @@ def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)
             end = (middle + x, height + y, distance + 1.0)
-            expect_hole(start, end, (distance, x, y, 10 * factor))
+            hole = (distance, x, y, 10 * factor)
+            expect_hole(
+                start,
+                end,
+                hole,
+                wrong="Your hole is wrong. Its x and y must be measured "
+                "from the center of the target that the path crosses.",
+            )
         about.cause = "You check only the nearest target. Check every target along the path."
     about.cause = "Your x and y are not those of the point where the path crosses the plane of "
     about.cause += "the target. Interpolate them, a quarter of the way from start to end."

@@ -61,7 +61,9 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         about.cause += "bullet.position in place, so copy the position before you call integrate."
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
-        if came["score"]:
+        if holes:
+            about.cause = "You append more than one hole. Append one hole when the bullet hits."
+        elif came["score"]:
             about.cause = "You added points to the score but no hole to the list. Append the hole "
             about.cause += "to self.holes."
         expect_exactly(len(holes), 1, then="; number of holes in range.holes")

@@ -366,8 +366,9 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
             "from arguments.py, which raises the ValueError for you."
         )
         if mass == math.inf:
+            shown = "NaN" if math.isnan(duration) else duration
             about.cause = (
-                f"You accept a duration of {duration} because the mass is infinite. Check the "
+                f"You accept a duration of {shown} because the mass is infinite. Check the "
                 "duration before you check the mass."
             )
         about.call = (

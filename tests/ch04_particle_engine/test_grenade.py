@@ -63,10 +63,9 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
         mirrored = (
             "You move the grenade as far above the ground as it was below. Set its y to 0 instead."
         )
-        about.cause = (
-            "You leave the grenade below the ground. Set its y to 0, and leave x and z unchanged."
-        )
-        blame(xyz(p.position), [((x, -y, 3.0), mirrored)])
+        about.cause = "Set the y of the grenade to 0, and leave x and z unchanged."
+        below = f"You leave the grenade below the ground. {about.cause}"
+        blame(xyz(p.position), [((x, -y, 3.0), mirrored), ((x, y, 3.0), below)])
         expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position", unit="m")
         about.cause = (
             "Reverse the Y component of the velocity and multiply it by BOUNCE, which is 0.5. "

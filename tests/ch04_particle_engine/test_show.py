@@ -215,14 +215,17 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
         "fireworks of types 1, 1, 2, 1, 1, 2 and 1; only type 2 has more than 0.25 s of fuse left; "
         "show.update(0.25)"
     )
-    about.cause = (
-        "You remove fireworks from the list while you loop over it, so the loop skips the firework "
-        "after each removed one. Build a new list of those that still burn."
-    )
+    about.cause = "Each update must remove all burned-out fireworks and keep the others. Build a "
+    about.cause += "new list of those that still burn."
     a_show = show_with(
         rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
     )
     a_show.update(0.25)
+    if 2 < len(types(a_show)) < 7:
+        about.cause = (
+            "You remove fireworks from the list while you loop over it, so the loop skips the "
+            "firework after each removed one. Build a new list of those that still burn."
+        )
     expect_exactly(types(a_show), [2, 2], then="; the types of the burning fireworks")
     ages = [firework.age for firework in a_show.fireworks]
     about.cause = (

@@ -203,7 +203,7 @@ def test_rejects_an_angle_beyond_swing(bad: float) -> None:
         expect_exactly(at.bullet is None, True, then="; range.bullet is None")
         at.shoot(0.0, 0.0)
         about.cause = "You check the angles too late. Check them before anything else, so that a "
-        about.cause += "bad angle is an error even while a bullet is in flight."
+        about.cause += "bad angle, such as NaN, is an error even while a bullet is in flight."
         expect_error(
             lambda at=at, angles=angles: at.shoot(*angles),
             ValueError,

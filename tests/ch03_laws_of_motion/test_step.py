@@ -336,8 +336,8 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     about.read = "the docstring of integrate"
     kicks = probes.kicks_of_a_step(x, v, h)
     about.cause = (
-        "Your integrate changes the velocity itself. Call self.kick(duration) once instead, "
-        "because the particle of chapter 5 overrides kick to add forces."
+        "Your integrate does not call self.kick. Call self.kick(duration) once, because the "
+        "particle of chapter 5 overrides kick to add forces."
     )
     if kicks:
         about.cause = (

@@ -124,13 +124,18 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
         "launched in this order"
     )
     about.cause = (
-        "You keep the oldest fireworks when all slots are taken. With drop_oldest, put out the "
-        "oldest firework to make room for a new one (E-20)."
+        "If all slots are taken, drop_oldest must put out the oldest firework to make room for a "
+        "new one, as in the book's listing (E-20)."
     )
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "drop_oldest")
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
+    if burning(a_show)[:3] == [1, 2, 3]:
+        about.cause = (
+            "You keep the oldest fireworks when all slots are taken. With drop_oldest, put out the "
+            "oldest firework to make room for a new one (E-20)."
+        )
     expect_exactly(burning(a_show), [3, 4, 1], then="; the types of show.fireworks")
     about.cause = (
         "You don't count the two oldest fireworks, which were put out to make room. Add them to "

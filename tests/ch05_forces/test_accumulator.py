@@ -109,15 +109,16 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
 def test_add_force_does_not_change_its_argument(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"f = Vector3{first}; p.add_force(f)"
-    about.cause = "You store the vector f itself, so the sum changes when the caller changes f. "
-    about.cause += "Store the three components instead."
+    about.cause = "Only one force has been added, so the sum must equal that force."
     about.read = "the docstring of add_force"
     p, f = Particle(), Vector3(*first)
     p.add_force(f)
     f.x = 99.0
-    expect_close(
-        xyz(p.force_accumulator), first, then="; f.x = 99.0; p.force_accumulator", unit="N"
-    )
+    got = xyz(p.force_accumulator)
+    itself = "You store the vector f itself, so the sum changes when the caller changes f. Store "
+    itself += "the three components instead."
+    blame(got, [((99.0, *first[1:]), itself)])
+    expect_close(got, first, then="; f.x = 99.0; p.force_accumulator", unit="N")
     about.call = f"p.add_force(Vector3{second}); f = Vector3{first}; p.add_force(f)"
     p, f = Particle(), Vector3(*first)
     p.add_force(Vector3(*second))

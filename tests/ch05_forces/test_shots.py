@@ -19,6 +19,7 @@ from expect import (
     expect_exactly,
     expect_that,
     expect_unchanged,
+    is_plain,
     named,
     scoped,
     xyz,
@@ -271,6 +272,7 @@ def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -
     about.cause = "Return a Hole with the target that was hit, x, y and points."
     if hole is None:
         return about.call, None
+    expect_that(not is_plain(hole), repr(hole), "a Hole, or None")
     target = hole.target
     return about.call, (
         target.x,
@@ -402,9 +404,11 @@ def test_a_path_that_misses_the_target_makes_no_hole() -> None:
 
 @pytest.mark.exercise("P4.2b")
 def test_a_long_path_hits_the_first_target_on_it() -> None:
-    about.cause = "You return the hole in the farther of two targets. The nearer one stops the "
-    about.cause += "bullet, so check it first."
-    expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10))
+    about.cause = "The path hits two targets, but you find no hole. Return the hole in the nearer "
+    about.cause += "target."
+    farther = "You return the hole in the farther of two targets. The nearer one stops the bullet, "
+    farther += "so check it first."
+    expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10), wrong=farther)
     about.cause = "You stop after the first target, which the path misses. Continue with the next "
     about.cause += "target after a miss."
     expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20))

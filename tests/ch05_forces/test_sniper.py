@@ -173,7 +173,8 @@ def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     ended = "the shot has ended (range.bullet is None)"
     expect_that(at.bullet is not None, ended, "the bullet is still in flight")
     got = xyz(bullet.position)
-    expect_close(got, (20, 0, 210), then="; range.bullet.position, in m")
+    moves = "The bullet must move by its velocity times the duration. Integrate it once per step."
+    expect_close(got, (20, 0, 210), then="; range.bullet.position, in m", cause=moves)
     about.call = "range.bullet at (5, 1.5, 190) with velocity (0, 0, 60), without forces; "
     about.call += "range.update(0.5), in which it hits the target at 200 m and leaves the range; "
     about.call += "number of holes in range.holes"

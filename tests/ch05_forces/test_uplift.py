@@ -52,6 +52,8 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     ]
     inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
     rules = {
+        "Your force does not act anywhere. Call particle.add_force if the particle is inside "
+        "the column, and measure the distance from self.origin.": [False for _ in ways],
         "You measure the distance from the point (0, 0, 0), which is not on the axis of the "
         "column. Measure it from self.origin.": [
             math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways
@@ -74,8 +76,6 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
         "Your force acts everywhere. Add it only if the distance is at most the radius.": [
             True for _ in ways
         ],
-        "Your force does not act anywhere. Call particle.add_force if the particle is inside "
-        "the column.": [False for _ in ways],
     }
     acted = [got != ZERO for _, got in came]
     if acted != inside:

@@ -52,8 +52,6 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     ]
     inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
     rules = {
-        "Your force does not act anywhere. Call particle.add_force if the particle is inside "
-        "the column, and measure the distance from self.origin.": [False for _ in ways],
         "You measure the distance from the point (0, 0, 0), which is not on the axis of the "
         "column. Measure it from self.origin.": [
             math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways
@@ -80,6 +78,9 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     acted = [got != ZERO for _, got in came]
     if acted != inside:
         about.cause = next((rule for rule in rules if rules[rule] == acted), about.cause)
+    if not any(acted) and lifted(origin, radius, force, ZERO)[1] == ZERO:
+        about.cause = "Your force does not act anywhere. Call particle.add_force if the particle "
+        about.cause += "is inside the column."
     for (call, got), acts in zip(came, inside, strict=True):
         about.call = call
         x, y, z = force

@@ -155,6 +155,8 @@ def test_both_equations_give_a_new_vector(rng: Random) -> None:
             expect_unchanged(vector, now, before)
         kept = {"damp_per_frame": 0.5, "damp_per_second": 0.25}[name]
         wanted = tuple(first[i] * kept + second[i] * 2.0 for i in range(3))
+        sums = {"damp_per_frame": "v d + a h", "damp_per_second": "v d^h + a h"}
+        about.cause = f"The result is wrong. Compute {sums[name]} in a new vector."
         expect_close(xyz(result), wanted, tolerance=1e-13)
 
 

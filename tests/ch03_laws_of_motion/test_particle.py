@@ -306,8 +306,9 @@ def test_momentum_is_a_new_vector(rng: Random) -> None:
     about.read = "the docstring of momentum"
     p = Particle(velocity=Vector3(*v))
     momentum = p.momentum()
-    expect_close(xyz(momentum), v)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
+    own = "The momentum must be m v, which equals v for a mass of 1 kg."
+    expect_close(xyz(momentum), v, cause=own)
     momentum.x = 99.0
     about.call = f"{about.call}.x = 99.0"
     about.cause = (

@@ -293,7 +293,7 @@ def expect_hole(
     *,
     wrong: str | None = None,
 ) -> None:
-    """Expect this hole. ``wrong`` is the cause if there is a hole, but a different one."""
+    """Expect this hole. ``wrong`` is the cause if there is a hole, but in a different target."""
     about.read = WAY
     about.call, got = way_of(start, end)
     expect_that(got is not None, NO_HOLE, f"a hole in the target at {wanted[0]:g} m")
@@ -303,6 +303,11 @@ def expect_hole(
     middle, height, _, factor = TARGETS[distance]
     then = "; x, y, distance and factor of the target that is hit"
     expect_close(got[:4], TARGETS[distance], then=then, tolerance=1e-12)
+    if wrong:
+        about.cause = (
+            "Your hole is wrong. Measure x and y from the center of the target, where the "
+        )
+        about.cause += "path crosses its plane, and get the points from ring_points."
     slips = {
         "Your points are those of the ring, not multiplied by the target's factor. Multiply them "
         "by this factor.": (x, y, points / factor),
@@ -338,8 +343,7 @@ def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
                 start,
                 end,
                 hole,
-                wrong="Your hole is wrong. Its x and y must be measured "
-                "from the center of the target that the path crosses.",
+                wrong="Your target is wrong. Return the one whose plane the path crosses.",
             )
         about.cause = "You check only the nearest target. Check every target along the path."
     about.cause = "Your x and y are not those of the point where the path crosses the plane of "

@@ -74,6 +74,8 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
             len(came["positions"]), frames, then="; number of steps in flight before the hit"
         )
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
+        about.cause = "The hole is wrong. Append the hole that hit_on_the_way returns for the path "
+        about.cause += "of this step."
         # A hundred roundings of positions up to 150 m.
         wanted = (distance, 0.0, y, points)
         expect_close(

@@ -63,9 +63,13 @@ def test_the_sign_of_the_scalar_product_gives_the_kind_of_angle(rng: Random, wor
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
         about.cause = (
-            "You swap acute and obtuse. The angle is acute if the scalar product is positive, and "
-            "obtuse if it is negative."
+            "Return exactly one of the words acute, right and obtuse as the second result."
         )
+        if got in ("acute", "obtuse"):
+            about.cause = (
+                "You swap acute and obtuse. The angle is acute if the scalar product is positive, "
+                "and obtuse if it is negative."
+            )
         if got == "right":
             about.cause = (
                 "You treat a small scalar product as 0, but only exactly 0 means a right angle. "
@@ -80,13 +84,18 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     x, y = rng.choice((1.0, 2.0, 4.0, 8.0)), rng.choice((1.0, 2.0, 4.0, 8.0))
     about.call = f"scalar_product_and_angle(Vector3({x}, {y}, 0), Vector3({-y}, {x}, 3))"
     about.cause = (
-        "Your comparison with 0 includes 0 itself. The angle is a right angle if the scalar "
-        "product is exactly 0, so return the word right."
+        "The scalar product is exactly 0 here, so the angle is a right angle. Return the word "
+        "right."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     a, b = Vector3(x, y, 0.0), Vector3(-y, x, 3.0)
     product, got = exercises.scalar_product_and_angle(a, b)
     expect_close(product, 0.0, then="; the first result, the scalar product")
+    if got in ("acute", "obtuse"):
+        about.cause = (
+            "Your comparison with 0 includes 0 itself. The angle is a right angle if the scalar "
+            "product is exactly 0, so return the word right."
+        )
     expect_exactly(got, "right", then="; the second result, the kind of angle")
 
 
@@ -236,6 +245,9 @@ def test_the_angles_of_parallel_and_perpendicular_vectors(rng: Random) -> None:
         "Rounding makes your {0} slightly {1} here, so {2} raises an error. Clamp the {0} to the "
         "range from -1 to 1 first."
     ).format
+    parallel = "These vectors are parallel, so the angle is 0, or pi if they point in opposite "
+    parallel += "directions. Keep the sign of the scalar product."
+    perpendicular = "These vectors are perpendicular, so the sine is 1 and both angles are pi / 2."
     about.read = "the hints of exercise 2.5"
     for _ in range(40):
         a, scale = components(rng), rng.uniform(0.1, 9.0)
@@ -247,7 +259,7 @@ def test_the_angles_of_parallel_and_perpendicular_vectors(rng: Random) -> None:
             )
             got = exercises.angle_by_scalar_product(Vector3(*a), Vector3(*b))
             # Near 0 and pi, acos turns a rounding error of 1e-16 into its square root, 1e-8.
-            expect_close(got, angle, tolerance=1e-7)
+            expect_close(got, angle, tolerance=1e-7, cause=parallel)
         c = (a[1], -a[0], 0.0)
         about(
             f"angles_by_vector_product(Vector3{a}, Vector3{c})",
@@ -255,7 +267,7 @@ def test_the_angles_of_parallel_and_perpendicular_vectors(rng: Random) -> None:
         )
         both = exercises.angles_by_vector_product(Vector3(*a), Vector3(*c))
         right = math.pi / 2.0
-        expect_close(both, (right, right), tolerance=1e-7)
+        expect_close(both, (right, right), tolerance=1e-7, cause=perpendicular)
 
 
 @pytest.mark.exercise("2.5")
@@ -270,8 +282,8 @@ def test_the_angle_of_a_zero_vector_is_refused(rng: Random, name: str) -> None:
         return function(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0))
 
     about.cause = (
-        "You accept a zero vector, which has no direction and so no angle to the other vector. "
-        "Raise ValueError."
+        "You don't check for a zero vector, which has no direction and so no angle to the other "
+        "vector. Raise ValueError."
     )
     about.read = f"the docstring of {name}"
     for call, attempt in (

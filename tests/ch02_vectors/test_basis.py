@@ -102,12 +102,17 @@ def test_the_basis_is_right_handed(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
     about.cause = (
-        "Your basis is left-handed, because you compute vector 3 as b x a. Compute it as c = a x "
-        "b, and vector 2 as c x a."
+        "Vector 3 must be the vector product of the other two. Compute it as c = a x b, and vector "
+        "2 as c x a."
     )
     about.read = "book 2.1.9"
     (ax, ay, az), (bx, by, bz), third = basis_of(a, b)
     wanted = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+    swapped = (
+        "Your basis is left-handed, because you swap the factors of a vector product. Compute "
+        "vector 3 as c = a x b, and vector 2 as c x a."
+    )
+    blame(third, [(tuple(-n for n in wanted), swapped)])
     expect_close(
         third,
         wanted,

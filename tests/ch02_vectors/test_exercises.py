@@ -156,8 +156,8 @@ def test_a_z_component_of_zero_is_refused(rng: Random) -> None:
     x, y, _ = components(rng)
     about.call = f"make_perpendicular(Vector3({x}, {y}, 0), x=1, y=2)"
     about.cause = (
-        "You divide by a.z, which is 0 here, so the equation has no solution. Check a.z first and "
-        "raise ValueError."
+        "You cannot divide by a.z, which is 0 here, so the equation has no solution. Check a.z "
+        "first and raise ValueError."
     )
     about.read = "the docstring of make_perpendicular"
     expect_error(

@@ -123,7 +123,7 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "You return a vector for a division by zero. Divide without testing for zero, so that "
+        "You treat a division by zero as a special case. Divide without testing for zero, so that "
         "Python raises the ZeroDivisionError for you."
     )
     about.read = "the docstring of Vector3.__truediv__"

@@ -100,5 +100,7 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
         f"Your error message doesn't {missing}. Write a message such as "
         'f"duration must be positive and finite, got {duration!r}".'
     )
+    if message == "no error":
+        about.cause = f"You accept {value!r}, so there is no error message. Raise an error."
     wanted = f"a message that contains 'duration' and {str(value)!r}"
     expect_that(not missing, repr(message), wanted)

@@ -155,6 +155,8 @@ def test_both_equations_give_a_new_vector(rng: Random) -> None:
             expect_unchanged(vector, now, before)
         kept = {"damp_per_frame": 0.5, "damp_per_second": 0.25}[name]
         wanted = tuple(first[i] * kept + second[i] * 2.0 for i in range(3))
+        sums = {"damp_per_frame": "v d + a h", "damp_per_second": "v d^h + a h"}
+        about.cause = f"The result is wrong. Compute {sums[name]} in a new vector."
         expect_close(xyz(result), wanted, tolerance=1e-13)
 
 
@@ -237,8 +239,8 @@ def test_the_difference_after_one_second_of_equal_frames(rng: Random) -> None:
         [
             (
                 0.0,
-                "Your two velocities are equal at the end, because both names refer to the same "
-                "vector. Start with two separate copies of the given velocity.",
+                "Your two velocities are equal at the end. Start with two separate copies of the "
+                "given velocity, and update one of them by Eq. 3.5 and the other by Eq. 3.6.",
             )
         ],
     )
@@ -254,13 +256,20 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
         f"damping={damping}, runs=runs)"
     )
     about.cause = (
-        "Your second run probably starts where the first one ended. Start every run from the given "
-        "velocity v."
+        "Take the length of the difference of the two velocities at the end of each run, and "
+        "return the mean of these lengths."
     )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
-    distances, speeds = [], []
+    distances, speeds, carried = [], [], []
+    states = [(n, n) for n in v]
     for run in runs:
+        for h in run:
+            states = [
+                (one * damping + a[i] * h, other * damping**h + a[i] * h)
+                for i, (one, other) in enumerate(states)
+            ]
+        carried.append(math.dist(*zip(*states, strict=True)))
         ends = []
         for i in range(3):
             by_frame = by_second = v[i]
@@ -286,6 +295,11 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
             distances[-1],
             "You return the difference after the last run alone. Return the mean of the "
             "differences of all runs.",
+        ),
+        (
+            math.fsum(carried) / len(carried),
+            "Your second run starts where the first one ended. Start every run from the given "
+            "velocity v.",
         ),
     ]
     blame(got, mistakes)
@@ -333,8 +347,8 @@ def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]
 @pytest.mark.robust
 def test_an_empty_list_of_runs_is_refused() -> None:
     about.cause = (
-        "You accept an empty list of runs, although an empty list has no mean. Raise ValueError if "
-        "there are no runs."
+        "You don't check for an empty list of runs, and an empty list has no mean. Raise "
+        "ValueError if there are no runs."
     )
     expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
 

@@ -253,7 +253,7 @@ def test_one_step_and_five_steps_of_a_second() -> None:
             "position to p' = p + v h, and then the velocity to v' = v + a h."
         )
         got: Any = exercises.state_by_steps(*vectors(START, VELOCITY, ACCELERATION), 1, steps)
-        alone = "You return only the position. Return the position and the velocity as a pair."
+        alone = "You return a single vector. Return the position and the velocity as a pair."
         expect_that(not hasattr(got, "x"), "a single vector", "a pair of vectors", cause=alone)
         position, velocity = got
         few = (

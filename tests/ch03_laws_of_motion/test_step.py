@@ -335,10 +335,11 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     about.call = f"a particle p whose class overrides kick; p.integrate({h})"
     about.read = "the docstring of integrate"
     kicks = probes.kicks_of_a_step(x, v, h)
-    about.cause = (
-        "Your integrate changes the velocity itself. Call self.kick(duration) once instead, "
-        "because the particle of chapter 5 overrides kick to add forces."
-    )
+    about.cause = "Your integrate does not call self.kick. Call self.kick(duration) once, because "
+    about.cause += "the particle of chapter 5 overrides kick to add forces."
+    if kicks:
+        about.cause = "Your integrate must call self.kick(duration) exactly once, with the whole "
+        about.cause += "duration of the step."
     got = " and ".join(f"kick({duration})" for duration, _ in kicks) or "no call of kick"
     expect_that([duration for duration, _ in kicks] == [h], got, f"a single call, kick({h})")
     about.cause = (
@@ -361,8 +362,9 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
             "from arguments.py, which raises the ValueError for you."
         )
         if mass == math.inf:
+            shown = "NaN" if math.isnan(duration) else duration
             about.cause = (
-                f"You accept a duration of {duration} because the mass is infinite. Check the "
+                f"You accept a duration of {shown} because the mass is infinite. Check the "
                 "duration before you check the mass."
             )
         about.call = (

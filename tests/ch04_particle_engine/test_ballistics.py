@@ -219,13 +219,16 @@ def test_shots_are_in_the_order_of_firing_and_share_nothing(
     calls = "; ".join(f'r.fire("{name}")' for name in names)
     about(
         f"r = BallisticRange(); {calls}",
-        cause="You put new shots at the front of self.shots. Append each new shot to the end, so "
-        "that the shots stay in the order in which they were fired.",
+        cause="Append each new shot to the end of self.shots, so that the shots stay in the order "
+        "in which they were fired.",
     )
     about.read = "the docstring of BallisticRange"
     at = BallisticRange()
     for name in names:
         at.fire(name)
+    if types_of(at) == tuple(names[::-1]):
+        about.cause = "You put new shots at the front of self.shots. Append each new shot to the "
+        about.cause += "end, so that the shots stay in the order in which they were fired."
     expect_exactly(types_of(at), tuple(names), then="; the types of the shots")
     about.cause = (
         "Two of your shots share a vector, or two ranges share a list. Create a new particle for "

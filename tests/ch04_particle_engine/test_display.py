@@ -39,8 +39,8 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.read = "the docstring of find_rocket"
     about.cause = (
-        "You return the first rocket within reach instead of the nearest one. Compare the "
-        "distances of all rockets to the click."
+        "You don't return the nearest of the three rockets within reach. Compare the distances of "
+        "all rockets to the click."
     )
     about.call = (
         "a rocket of type 1 at 2 m from the click, one of type 3 at 1 m and one of type 1 at 1.5 "
@@ -117,8 +117,12 @@ def test_sparks_are_not_rockets() -> None:
     about.read = "the docstring of find_rocket"
     found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
     what = found is not None and found.type
+    if found is None:
+        about.cause = "You return no rocket, although one is within reach. Skip every firework "
+        about.cause += "whose rule has no payloads before you look for the nearest one."
     expect_that(what == 1, "the spark" if what == 2 else "no rocket (None)", "the rocket")
     about.call = "a spark at (0, 20) and no rocket; find_rocket(display, 0, 20)"
+    about.cause = "You return a spark. Skip every firework whose rule has no payloads."
     found = display.find_rocket(game((2, 0.0, 20.0)), 0.0, 20.0)
     expect_that(found is None, "the spark", "no rocket (None)")
 
@@ -147,6 +151,9 @@ def test_a_rocket_without_a_fuse_is_skipped() -> None:
         a_game.show.fireworks[0].age = age
         found = display.find_rocket(a_game, 0.0, 20.0)
         what = found is not None and found.type
+        if found is None:
+            about.cause = "You return no rocket, although the second one has fuse left and is "
+            about.cause += "within reach. Skip only the rockets whose age is 0 or less."
         expect_exactly(what, 3, then="; the type of the rocket that it returns")
 
 
@@ -201,8 +208,8 @@ def test_a_late_click_scores_more() -> None:
         (
             1.5,
             1,
-            "You set the age of the rocket to 0 before you compare it with LATE, so every hit "
-            "counts as late. Compare it before you set it to 0.",
+            "A hit with 1.5 s of fuse left scores 1 point. Compare the age of the rocket with LATE "
+            "before you set it to 0.",
         ),
         (
             0.4,
@@ -224,6 +231,11 @@ def test_a_late_click_scores_more() -> None:
         a_game = game((1, 0.0, 20.0))
         a_game.show.fireworks[0].age = fuse
         display.click(a_game, 0.0, 20.0)
+        if fuse == 1.5 and a_game.score == 3:
+            about.cause = (
+                "You count this hit as late, although 1.5 s of fuse are left. Compare the age of "
+                "the rocket with LATE before you set it to 0."
+            )
         expect_exactly(a_game.score, score, unit="points")
         about.cause = (
             "You count a hit as a miss too. Change misses only if the click hits no rocket."
@@ -247,8 +259,8 @@ def test_a_late_click_scores_more() -> None:
 def test_a_click_far_from_every_rocket_is_a_miss() -> None:
     about.call = "a rocket at (0, 20), far away from the click; click(display, 30, 20)"
     about.cause = (
-        "You don't count the click as a miss, although no rocket is within reach. Add 1 to misses, "
-        "change nothing else, and return False."
+        "No rocket is within reach of the click, so it is a miss. Add 1 to misses, change nothing "
+        "else, and return False."
     )
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
@@ -358,7 +370,7 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
 def test_a_click_after_the_end_does_nothing() -> None:
     about("a rocket at (0, 20) and 6 misses so far, so the game is over; click(display, 0, 20)")
     about.cause = (
-        "Your click still hits a rocket after the game is over. Call is_over first, and return "
+        "Your click still has an effect after the game is over. Call is_over first, and return "
         "False at once if it returns True."
     )
     about.read = "the docstring of click"

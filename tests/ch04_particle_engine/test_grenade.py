@@ -63,10 +63,9 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
         mirrored = (
             "You move the grenade as far above the ground as it was below. Set its y to 0 instead."
         )
-        about.cause = (
-            "You leave the grenade below the ground. Set its y to 0, and leave x and z unchanged."
-        )
-        blame(xyz(p.position), [((x, -y, 3.0), mirrored)])
+        about.cause = "Set the y of the grenade to 0, and leave x and z unchanged."
+        below = f"You leave the grenade below the ground. {about.cause}"
+        blame(xyz(p.position), [((x, -y, 3.0), mirrored), ((x, y, 3.0), below)])
         expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position", unit="m")
         about.cause = (
             "Reverse the Y component of the velocity and multiply it by BOUNCE, which is 0.5. "
@@ -204,12 +203,18 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
         read="the docstring of fragments",
     )
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
-    about.cause = (
-        "You don't normalize the direction of this fragment, so its speed is not FRAGMENT_SPEED "
-        "(15 m/s). Normalize the direction before you multiply by the speed."
+    cause = (
+        "Each fragment must move at FRAGMENT_SPEED, which is 15 m/s, relative to the grenade. "
+        "Normalize its direction before you multiply by this speed."
+    )
+    left_out = (
+        "You leave out the velocity of the grenade. Add it to the velocity of each fragment, which "
+        "is 15 m/s only relative to the grenade."
     )
     name = "; the speed of a fragment relative to the grenade p"
     for velocity in relative:
+        own = math.hypot(*(n + v[i] for i, n in enumerate(velocity)))
+        about.cause = left_out if abs(own - 15.0) < 1e-9 else cause
         expect_close(math.hypot(*velocity), 15.0, then=name, unit="m/s", tolerance=1e-11)
     expect_exactly(len(relative), 12, then="; len(pieces)", cause=TWELVE)
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
@@ -297,7 +302,7 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
             "The 12 shots of your burst still have the type grenade. Give each of them the type "
             "fragment."
         )
-    shown = f"{len(types)} of type {' and '.join(sorted({*types}))}"
+    shown = f"{len(types)} of type {' and '.join(sorted({str(type) for type in types}))}"
     holds = types == ("fragment",) * 12
     expect_that(holds, shown, "12 of type fragment", then="; the shots on the range")
     ages = tuple(shot.age for shot in at.shots)
@@ -363,6 +368,8 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
         "bounce before fragments."
     )
     heights = [each.particle.position.y for each in left]
+    if len(heights) != 12:
+        about.cause = TWELVE
     expect_close(
         heights, [0.0] * 12, then="; the heights of the 12 fragments", unit="m", tolerance=0.0
     )

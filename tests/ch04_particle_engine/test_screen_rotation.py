@@ -130,8 +130,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         ),
         (
             math.pi / 2.0,
-            "You rotate the square from Y toward X. Rotate it from X toward Y, so that after a "
-            "quarter turn each corner is where the next one was.",
+            "After a quarter turn, each corner must be where the next one was. Rotate the square "
+            "from X toward Y by the angle.",
         ),
         (
             angle,
@@ -171,6 +171,14 @@ def test_the_corners_of_a_square(rng: Random) -> None:
                 "rotation, which is from X toward Y.",
             ),
         ]
+        if turned:
+            back = "You rotate the square from Y toward X. Rotate it from X toward Y."
+            corner = math.pi / 4.0 - turned
+            ways = [corner + i * math.pi / 2.0 for i in range(4)]
+            turned_back = [
+                n for way in ways for n in (x + away * math.cos(way), y + away * math.sin(way))
+            ]
+            mistakes.append((turned_back, back))
         blame(got, mistakes)
         expect_close(got, wanted, tolerance=ROUNDED)
 

@@ -122,8 +122,8 @@ def test_only_the_first_block_on_the_path_is_hit() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_hits_the_block_that_it_touches_first() -> None:
     about.cause = (
-        "You compare the distances to the centers of the blocks, but the long block begins earlier "
-        "on the path. Compare the results of hit_fraction instead."
+        "The long block begins earlier on the path, so the shot hits only this block. Compare the "
+        "results of hit_fraction."
     )
     about.read = STRIKE
     about.call = (
@@ -135,6 +135,11 @@ def test_a_shot_hits_the_block_that_it_touches_first() -> None:
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [thin, long])
     hits = (thin.hits, long.hits)
+    centers = (
+        "You compare the distances to the centers of the blocks, but the long block begins earlier "
+        "on the path. Compare the results of hit_fraction instead."
+    )
+    blame(hits, [((1, 0), centers)])
     expect_exactly(hits, (0, 1), then="; the hits of the thin block and of the long one")
     about.call = (
         "a shot that reaches two blocks at the same time; strike_first(start, p, blocks); the hits "

@@ -173,6 +173,8 @@ def test_the_number_of_sparks_depends_only_on_the_time(rng: Random) -> None:
                 "You round the number of sparks down in every step, and each step is too short for "
                 "a whole spark. Carry the fraction over to the next step."
             )
+            if probes.sparks_of_a_wheel(per_second, 2.0, 1)[-1] == 0:
+                about.cause = "You light no sparks. Call show.light with the sparks that are due."
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
         about.cause = (
             "The number of sparks is wrong after some of the steps. If a step ends with a fraction "

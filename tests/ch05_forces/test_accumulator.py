@@ -89,12 +89,17 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     expect_that(total is not None, "the sum is None", "the sum is Vector3(0, 0, 0)")
     expect_close(xyz(total), ZERO, unit="N")
     about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
-    about.cause = "The sum contains forces that were added to other particles. Store it in self, "
-    about.cause += "not in the class, where all particles share it."
+    about.cause = "The two forces are opposite, so their sum must be zero. Store the sum of each "
+    about.cause += "particle in self, not in the class, where all particles would share it."
     p.add_force(Vector3(*force))
     first = xyz(p.force_accumulator)
     p.add_force(Vector3(*opposite))
-    expect_close(xyz(p.force_accumulator), ZERO, unit="N")
+    got = xyz(p.force_accumulator)
+    latest = (
+        "This is only the latest force. Add each force to the sum instead of replacing the sum."
+    )
+    blame(got, [(opposite, latest)])
+    expect_close(got, ZERO, unit="N")
     about.call = f"p.add_force(Vector3{force}); p.force_accumulator"
     about.cause = "Only one force has been added, so the sum must equal that force."
     expect_close(first, force, unit="N")
@@ -104,15 +109,16 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
 def test_add_force_does_not_change_its_argument(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"f = Vector3{first}; p.add_force(f)"
-    about.cause = "You store the vector f itself, so the sum changes when the caller changes f. "
-    about.cause += "Store the three components instead."
+    about.cause = "Only one force has been added, so the sum must equal that force."
     about.read = "the docstring of add_force"
     p, f = Particle(), Vector3(*first)
     p.add_force(f)
     f.x = 99.0
-    expect_close(
-        xyz(p.force_accumulator), first, then="; f.x = 99.0; p.force_accumulator", unit="N"
-    )
+    got = xyz(p.force_accumulator)
+    itself = "You store the vector f itself, so the sum changes when the caller changes f. Store "
+    itself += "the three components instead."
+    blame(got, [((99.0, *first[1:]), itself)])
+    expect_close(got, first, then="; f.x = 99.0; p.force_accumulator", unit="N")
     about.call = f"p.add_force(Vector3{second}); f = Vector3{first}; p.add_force(f)"
     p, f = Particle(), Vector3(*first)
     p.add_force(Vector3(*second))

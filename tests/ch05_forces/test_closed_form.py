@@ -36,8 +36,8 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
             -0.3 + root
         )
         / 0.05,
-        "You subtract 4 k2 W under the square root, where W is the weight. Add it instead.": 39.24
-        / (0.3 + math.sqrt(0.2 * 19.62 - 0.09)),
+        "You use the difference of k1^2 and 4 k2 W under the square root, where W is the weight. "
+        "Use their sum instead.": 39.24 / (0.3 + math.sqrt(0.2 * 19.62 - 0.09)),
         "A factor of 4 is missing under the square root. It must be sqrt(k1^2 + 4 k2 W), where "
         "W is the weight.": (-0.3 + without_4) / 0.1,
         "A factor of 4 is missing under the square root. The result is 2 W / (k1 + sqrt(k1^2 + "
@@ -85,7 +85,8 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.cause += "W)), where W is the weight."
     about.call = f"terminal_speed(weight={weight}, k1={k}, k2=0.0)"
     got = terminal_speed(weight, k, 0.0)
-    expect_close(got, weight / k, tolerance=ROUNDED * got, unit="m/s")
+    about.cause = "The result is wrong for k2 = 0. It must be weight / k1 then."
+    expect_close(got, weight / k, tolerance=ROUNDED * weight / k, unit="m/s")
     about(
         f"terminal_speed(weight={weight}, k1=0.0, k2={k})",
         cause="The result is wrong for k1 = 0. It must be sqrt(weight / k2) then.",
@@ -194,7 +195,8 @@ def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
         # The series of tanh and of ln cosh; the next terms are below 1e-13.
         speed = g * time * (1.0 - square / 3.0 + 2.0 * square**2 / 15.0)
         distance = g * time * time / 2.0 * (1.0 - square / 6.0 + 2.0 * square**2 / 45.0)
-        expect_close(got[0], speed, then=", the speed", tolerance=1e-11, unit="m/s")
+        fast = "The speed is wrong for this small x = g t / u. It must be u tanh x."
+        expect_close(got[0], speed, then=", the speed", tolerance=1e-11, unit="m/s", cause=fast)
         expect_close(got[1], distance, then=", the distance", tolerance=1e-11, unit="m")
 
 

@@ -34,7 +34,7 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
             "Your result is v e^-s, where s = k1 t / m. Include the quadratic drag (k2) too.": (
                 v * math.exp(-s)
             ),
-            "You apply the drag with k1 first and the drag with k2 after it. Both act at the "
+            "You let the drag with k2 act first and the drag with k1 after it. Both act at the "
             "same time, so use (1 - e^-s) / k1 instead of t / m in the denominator.": (
                 v * math.exp(-s) / (1.0 + k2 * v * time / mass)
             ),
@@ -79,7 +79,8 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
             0.0,
             k,
             v / (1.0 + k * v * time / mass),
-            "You divide by k1, which is 0 here. Use the limit t / m in place of (1 - e^-s) / k1.",
+            "You cannot divide by k1, which is 0 here. Use the limit t / m in place of (1 - e^-s) "
+            "/ k1.",
         ),
         (
             1e-13,

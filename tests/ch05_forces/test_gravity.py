@@ -68,8 +68,8 @@ def test_gravity_keeps_earlier_forces(rng: Random) -> None:
     f, g, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     about.call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = "
     about.call += f"Gravity(Vector3{g}); gravity.update_force(p, 0.5) twice; p.force_accumulator"
-    about.cause = "The earlier forces are missing from the sum. Add the weight with add_force, "
-    about.cause += "which keeps them, and clear nothing."
+    about.cause = "The sum must contain the force that was added first, and the weight twice. Add "
+    about.cause += "the weight with add_force."
     about.read = "the docstring of ForceGenerator"
     p, gravity = Particle(mass=mass), Gravity(Vector3(*g))
     p.add_force(Vector3(*f))
@@ -77,6 +77,9 @@ def test_gravity_keeps_earlier_forces(rng: Random) -> None:
     gravity.update_force(p, 0.5)
     wanted = tuple(f[i] + 2 * mass * g[i] for i in range(3))
     got = xyz(p.force_accumulator)
+    cleared = "The earlier forces are missing from the sum. Add the weight with add_force, which "
+    cleared += "keeps them, and clear nothing."
+    blame(got, {cleared: [mass * g[i] for i in range(3)]})
     # Three roundings of numbers up to 200.
     expect_close(got, wanted, tolerance=1e-12, unit="N")
 
@@ -87,15 +90,19 @@ def test_a_new_gravity_applies_from_the_next_call(rng: Random) -> None:
     about.call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
     about.call += "p = Particle(mass=2.0); gravity.update_force(p, 0.5); p.force_accumulator"
     about(
-        cause="You use the acceleration that the generator had at first. Read self.acceleration in "
-        "every call of update_force.",
+        cause="The force must be the mass times gravity.acceleration, which was replaced. Read "
+        "self.acceleration in every call of update_force.",
         read="the docstring of Gravity",
     )
     p, gravity = Particle(mass=2.0), Gravity(Vector3(*first))
     gravity.acceleration = Vector3(*second)
     gravity.update_force(p, 0.5)
     wanted = tuple(2.0 * second[i] for i in range(3))
-    expect_close(xyz(p.force_accumulator), wanted, unit="N")
+    got = xyz(p.force_accumulator)
+    old = "You use the acceleration that the generator had at first. Read self.acceleration in "
+    old += "every call of update_force."
+    blame(got, {old: [2.0 * n for n in first]})
+    expect_close(got, wanted, unit="N")
     got = xyz(gravity.acceleration)
     about.cause = "You change gravity.acceleration, because *= works in place. Use *, which "
     about.cause += "creates a new vector."

@@ -110,8 +110,8 @@ def test_a_finite_force_is_correct_at_any_distance() -> None:
     about.read = READ
     small = "You raise an error, although the force is finite here. Compute the force as (m / r) "
     small += "(mu / r), and raise the error only if this is not finite."
-    wrong = "A power of r does not fit in a float here. Compute the force as (m / r) (mu / r) "
-    wrong += "instead of m mu / r^2."
+    wrong = "The force is wrong at this distance. Compute it as (m / r) (mu / r), because a power "
+    wrong += "of r may not fit in a float."
     large = "You compute r^2, which is too large for a float at this distance. Compute the force "
     large += "as (m / r) (mu / r) instead of m mu / r^2."
     for y, mu, force in (

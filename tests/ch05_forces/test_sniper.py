@@ -61,7 +61,9 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         about.cause += "bullet.position in place, so copy the position before you call integrate."
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
-        if came["score"]:
+        if holes:
+            about.cause = "You append more than one hole. Append one hole when the bullet hits."
+        elif came["score"]:
             about.cause = "You added points to the score but no hole to the list. Append the hole "
             about.cause += "to self.holes."
         expect_exactly(len(holes), 1, then="; number of holes in range.holes")
@@ -72,6 +74,8 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
             len(came["positions"]), frames, then="; number of steps in flight before the hit"
         )
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
+        about.cause = "The hole is wrong. Append the hole that hit_on_the_way returns for the path "
+        about.cause += "of this step."
         # A hundred roundings of positions up to 150 m.
         wanted = (distance, 0.0, y, points)
         expect_close(
@@ -171,7 +175,8 @@ def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     ended = "the shot has ended (range.bullet is None)"
     expect_that(at.bullet is not None, ended, "the bullet is still in flight")
     got = xyz(bullet.position)
-    expect_close(got, (20, 0, 210), then="; range.bullet.position, in m")
+    moves = "The bullet must move by its velocity times the duration. Integrate it once per step."
+    expect_close(got, (20, 0, 210), then="; range.bullet.position, in m", cause=moves)
     about.call = "range.bullet at (5, 1.5, 190) with velocity (0, 0, 60), without forces; "
     about.call += "range.update(0.5), in which it hits the target at 200 m and leaves the range; "
     about.call += "number of holes in range.holes"

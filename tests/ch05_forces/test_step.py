@@ -201,8 +201,8 @@ def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
     v, f, mass = components(rng), components(rng), draw_mass(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; p.mass = "
     about.call += f"{mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
-    about.cause = "You use the damping or the mass of an earlier step. Compute d^h and 1 / m again "
-    about.cause += "in every step."
+    about.cause = "The damping and the mass changed between the two steps. Compute d^h and 1 / m "
+    about.cause += "again in every step."
     about.read = "the docstring of kick"
     p = Particle(velocity=Vector3(*v))
     p.integrate(0.5)

@@ -103,6 +103,8 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
     name = f"{about.call[: about.call.rindex(';')]}; p.integrate(0.5); last = "
     name += "p.last_acceleration; last.x = 99.0; p.last_acceleration"
     got = xyz(p.last_acceleration)
+    own, about.cause = about.cause, "After the step, last_acceleration must be a + f / m."
+    blame(got, [((99.0, *wanted[1:]), own)])
     expect_close(got, wanted, call=name, tolerance=ROUNDED, unit="m/s^2")
 
 

@@ -203,14 +203,14 @@ def expect_finite_numbers(
     """
     __tracebackhide__ = True
     fields = ", ".join("{}" for _ in good)
-    valid = "which is not valid here. The functions in arguments.py check a number and raise the "
-    valid += "ValueError for you."
+    valid = "is not valid here, so raise ValueError. The functions in arguments.py check a number "
+    valid += "and raise the error for you."
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
         shown = "NaN" if value is math.nan else repr(value)
-        cause = f"Your code accepted {shown}, {valid}"
+        cause = f"{shown} {valid}"
         if error is TypeError:
             cause = "A string is not a number, even if it looks like one, so raise TypeError."
         arguments = [*good]

@@ -332,8 +332,8 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
     pair, n, length, told_ends = ends(rng, anchored=False)
     about.call = f"{told_ends}; l = Limits(a, b, min_length={length}, max_length={length}, "
     about.call += "restitution=0.5); l.contacts()"
-    about.cause = "You returned only one contact, but the link has reached both limits, which are "
-    about.cause += "equal. Return two contacts with opposite normals."
+    about.cause = "The link has reached both limits, which are equal. Return two contacts with "
+    about.cause += "opposite normals and a penetration of 0."
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
     expect_exactly(len(got), 2, unit="contacts")

@@ -222,7 +222,7 @@ def test_a_resting_body_stays_on_the_ground() -> None:
         about.call = f"a body at rest on the ground, where gravity is {gravity}; 900 semi-implicit "
         about.call += "steps of 1/60 s, each followed by contact.resolve(1/60) with a restitution "
         about.call += f"of {restitution}"
-        sinks = "The body sinks into the ground, because you resolve only its velocity. "
+        sinks = "The body sinks into the ground, perhaps because you resolve only its velocity. "
         sinks += "Contact.resolve should call resolve_velocity and then resolve_penetration."
         jumps = "The bounce includes the velocity that gravity adds in each time step. Pass the "
         jumps += "duration to resolve_velocity, which leaves this velocity out."

@@ -11,7 +11,7 @@ from ch06_springs.integrators import backward_euler, trapezoidal
 from ch06_springs.step_probes import implicit_steps
 from draw import number as draw_number
 from draw import positive_number
-from expect import about, expect_close, expect_finite_numbers, named
+from expect import about, expect_close, expect_finite_numbers, expect_that, named
 
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
@@ -42,7 +42,10 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
         about.cause = "Your x' and v' don't satisfy the two equations in the docstring. Insert the "
         about.cause += "first one into the second, with a' = -(k x' + c v') / m, and solve for v'."
         new = METHODS[method](x, v, stiffness, damping, m, h)
-        expect_close(len(new), 2, then="; number of values returned")
+        both = "Return two finite numbers in a tuple, the new position x' and velocity v'."
+        two = isinstance(new, (tuple, list)) and len(new) == 2
+        finite = two and all(type(n) in (int, float) and math.isfinite(n) for n in new)
+        expect_that(finite, f"{new!r}", "two finite numbers", cause=both)
         left = off(method, x, v, stiffness, damping, m, h, new)
         other = "trapezoidal" if method == "backward_euler" else "backward_euler"
         u = v + (-stiffness * x - damping * v) / m * h

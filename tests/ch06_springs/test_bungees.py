@@ -68,8 +68,8 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                     "Your stretched rope pushes, as in the book's listing (E-4). Reverse the sign "
                     "of the force, so that it pulls p toward the other end."
                 ): [-part for part in wanted],
-                "Your stretched rope exerts no force. Reverse the comparison of its length with "
-                "rest_length, because only a shorter rope is slack.": ZERO,
+                "Your stretched rope exerts no force. Check the condition with which your code "
+                "detects a slack rope, because only a shorter rope is slack.": ZERO,
                 "Your force is the stiffness times the whole length of the rope. Only the "
                 "extension counts, so subtract the rest length from the length.": [
                     -k * (rest + extension) * part for part in d
@@ -95,8 +95,8 @@ def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
             (
                 0.5,
                 0.0,
-                "Your slack rope pushes. A rope that is shorter than its rest length exerts no "
-                "force.",
+                "Your slack rope exerts a force. A rope that is shorter than its rest length must "
+                "not.",
             ),
             (
                 0.9,

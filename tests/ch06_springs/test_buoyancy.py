@@ -40,8 +40,8 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
     unit, pushed = full / g, s * s  # what / 2 * s makes of a share
     pairs = {  # the lifts at the first two shares
         (
-            "There is no lift, because you used (y - y_w - s) from the book's listing (E-5). Use "
-            "(y_w + s - y), where y_w is water_height and s is max_depth."
+            "There is no lift, perhaps because you used (y - y_w - s) from the book's listing "
+            "(E-5). Use (y_w + s - y), where y_w is water_height and s is max_depth."
         ): (0.0, 0.0),
         "Your lift points down, as with (y - y_w - s) in the book's listing (E-5). Use (y_w + s "
         "- y), where y_w is water_height and s is max_depth.": (
@@ -113,26 +113,26 @@ def test_the_submerged_fraction_is_from_0_to_1(rng: Random) -> None:
         (
             surface + 1.5 * s,
             0.0,
-            "Your submerged fraction is negative, so your lift points down. Use 0 if the body is "
-            "completely out of the water.",
+            "The body is completely out of the water, so there must be no lift. Use 0 if the "
+            "submerged fraction is negative.",
         ),
         (
             surface + 50.0,
             0.0,
-            "Your submerged fraction is negative, so your lift points down. Use 0 if the body is "
-            "completely out of the water.",
+            "The body is completely out of the water, so there must be no lift. Use 0 if the "
+            "submerged fraction is negative.",
         ),
         (
             surface - 1.5 * s,
             1.0,
-            "Your submerged fraction is larger than 1. Use 1 if the whole body is under water, "
-            "however deep it is.",
+            "The whole body is under water, so the submerged fraction is 1, however deep it is. "
+            "The lift is then density times volume times g.",
         ),
         (
             surface - 50.0,
             1.0,
-            "Your submerged fraction is larger than 1. Use 1 if the whole body is under water, "
-            "however deep it is.",
+            "The whole body is under water, so the submerged fraction is 1, however deep it is. "
+            "The lift is then density times volume times g.",
         ),
     ):
         about.cause = cause

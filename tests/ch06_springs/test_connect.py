@@ -247,7 +247,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     undamped = "You left out the damping. Pass it to Connection too."
     blame(got, [((k, rest, 0.0), undamped)])
     expect_close(got, (k, rest, c), then="; s.stiffness, s.rest_length and s.damping")
-    about.cause = "The spring that you return doesn't have the ends a and b. Create a single "
+    about.cause = "In the spring that you return, s.a is not a or s.b is not b. Create a single "
     about.cause += "Connection for both ends, register it, and return it."
     got = (*xyz(s.a.position), *xyz(s.b.position))
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)

@@ -67,8 +67,8 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
         (0.0, "On the ground, at a height of 0, the lift must be max_lift."),
         (
             -0.5 * scale,
-            "Your lift keeps growing below the ground. It must stay max_lift there, so use a "
-            "height of at least 0.",
+            "Below the ground the lift must stay max_lift. Use a height of at least 0 in the "
+            "formula.",
         ),
         (
             -1e6,

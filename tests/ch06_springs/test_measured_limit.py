@@ -127,8 +127,8 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.98,
             False,
-            "You return True because the first swings get a little wider, although the oscillation "
-            "then dies out. Compare the largest distance in late swings with that in early ones.",
+            "You return True although the oscillation dies out, because the stiffness is 2 % below "
+            "the limit. Compare the largest distance in late swings with that in early ones.",
         ),
         (
             1.02,

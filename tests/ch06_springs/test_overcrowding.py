@@ -58,10 +58,10 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
         near = share * distance
         pushes = {
             "Your force pulls p toward q. Reverse its direction, so that it pushes p away.": -push,
-            "There is no push, because your loop ends when it reaches p itself in the list. Skip "
-            "p, and continue with the next particle.": 0.0,
-            "Your push is equally strong at every distance l between p and q. Multiply the "
-            "stiffness by (distance - l), so that the push gets weaker as l grows.": k,
+            "There is no push, perhaps because your loop ends when it reaches p itself in the "
+            "list. Skip p, and continue with the next particle.": 0.0,
+            "The size of your push is the stiffness, at every distance. Multiply the stiffness by "
+            "(distance - l), where l is the distance between p and q.": k,
             "You multiply the push by the whole offset. Normalize the offset first, so that it is "
             "only a direction.": push * near,
             "You use the squared distance between the particles. Use the distance itself, "
@@ -101,7 +101,8 @@ def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     wanted = (-2.0 * k, -1.0 * k, 1.5 * k)
     got = xyz(p.force_accumulator)
     nearest = (
-        "Only the nearest particle pushes p. Add up the pushes of all particles closer than 3 m."
+        "Only the first particle pushes p, which is also the nearest. Add up the pushes of all "
+        "particles closer than 3 m."
     )
     blame(got, [((-2.0 * k, 0.0, 0.0), nearest)])
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-12)

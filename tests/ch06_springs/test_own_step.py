@@ -129,9 +129,8 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
             for pair in zip(places[frame - 1], true, strict=True)
         ]
         if math.hypot(*(m * p + n * q for p, q in zip(*ways, strict=True))) < 5e-3:
-            about.cause = "The spring force acts more than once, because your step keeps it for "
-            about.cause += "the next evaluation. Clear the forces of each particle after you use "
-            about.cause += "them."
+            about.cause = "The spring moves the particles wrongly. Clear the forces of each "
+            about.cause += "particle after you use them, and use a method of order 2 or more."
         for which, place in enumerate(true):
             # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
             got = places[frame - 1][which]
@@ -143,6 +142,8 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
                 tolerance=5e-3,
             )
     falling = [p + q * period for p, q in zip(v, a, strict=True)]
+    about.cause = "The positions are right, but the velocities are not those at the end of the "
+    about.cause += "step. Change the velocities for the whole duration too."
     # After a whole period the spring has its velocity of the start, none; it has up to 9 m/s.
     expect_close(
         velocities[-1][0],
@@ -150,6 +151,8 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
         then=f"; particles[0].velocity after {FRAMES} steps, in m/s",
         tolerance=5e-2,
     )
+    about.cause = "Some forces are still in the accumulators at the end of the step. Clear the "
+    about.cause += "forces of each particle after you use them."
     expect_close(
         left[0],
         (0.0, 0.0, 0.0),

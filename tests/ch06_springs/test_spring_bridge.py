@@ -72,11 +72,14 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator, in N", tolerance=1e-12)
     about.call = f"{hang} with a single plank; the check lowers this plank by 0.5 m; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = "No hanger pulls on the lowered plank, although it is 0.5 m too low. Add an "
-    about.cause += "AnchoredSpring for each plank to the registry."
+    about.cause = "The hanger is stretched by 0.5 m, so it must pull the plank up with 0.5 m times "
+    about.cause += "the stiffness. Add one AnchoredSpring for each plank to the registry."
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
+    none = "No hanger pulls on the lowered plank, although it is 0.5 m too low. Add an "
+    none += "AnchoredSpring for each plank to the registry."
+    blame(got[0], [(ZERO, none)])
     expect_close(got[0], wanted, then="; planks[0].force_accumulator, in N", tolerance=1e-11)
 
 
@@ -156,8 +159,8 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             1.0,
             (0.0, 0.25, 0.75),
-            "Your fraction s is the walker's distance from the plank in m. Divide this distance by "
-            "the gap between the two planks, which is 2 m here.",
+            "The fraction s must go from 0 at one plank to 1 at the next. Divide the walker's "
+            "distance from the plank by the gap between the planks, which is 2 m here.",
         ),
         (
             -0.5,
@@ -230,8 +233,8 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         )
     about.call = f"a single plank at x = -1.5; load_bridge([plank], x=4.0, weight={weight}); the y "
     about.call += "component of the force that it adds, in N"
-    about.cause = "Your load_bridge puts no weight on a bridge of one plank. A single plank must "
-    about.cause += "carry the whole weight, wherever the walker is."
+    about.cause = "This bridge has only one plank, which must carry the whole weight, wherever the "
+    about.cause += "walker is. Don't look for a second plank."
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
     about.call = "load_bridge(planks, x=0.0, weight=4.0) with two planks at x = 0; the sum of the "

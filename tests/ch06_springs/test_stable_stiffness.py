@@ -99,8 +99,8 @@ def test_the_ends_of_the_damping() -> None:
         (
             1.0,
             0.0,
-            "Your formula gives a negative zero for a damping of 1. No spring is stable then, so "
-            "return exactly 0.",
+            "No spring is stable at a damping of 1. Return exactly 0, and not the negative zero "
+            "that the formula gives.",
         ),
         (
             1.5,
@@ -117,6 +117,7 @@ def test_the_ends_of_the_damping() -> None:
     ):
         about(f"max_stable_stiffness(damping={d}, duration=0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)
+        expect_that(isinstance(got, (int, float)), f"{got!r}", "a number")
         came, right = f"{got:.15g}", f"{wanted:.15g}"
         expect_that(came == right, f"{came} N/m", f"{right} N/m")
     about.call = "max_stable_stiffness(damping=1 - 1e-12, duration=1e-3), in N/m"

@@ -88,8 +88,8 @@ def slips_of(
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
-        "You call apply_forces too late, so its forces have no effect on the step. Call it before "
-        "you use the accumulators."
+        "The forces of apply_forces have no effect on your step. Call it before you use the "
+        "accumulators, and clear them only after that."
         if asked
         else "You never call apply_forces. Call it in every step, before you use the accumulators."
     ] = walk(method, body, 0.0, 0.0, h, frames)

@@ -101,8 +101,8 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
             "the start, and report the first one that you find.": (3, number, 2.0 * limit, limit),
             "You swapped the speed and the limit. SimulationDiverged takes the speed first and "
             "then the limit.": (fast, number, limit, size),
-            "You check the speeds before you call the integrator, so the error comes one step too "
-            "late. Call the integrator first.": (fast, number + 1, size, limit),
+            "Your step number is one too large. Count the steps from 1, and check the speeds after "
+            "you call the integrator.": (fast, number + 1, size, limit),
         }
         if error is None:
             about.cause = (
@@ -112,7 +112,7 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
                 else "Your step raises no error although a particle is too fast. After each step, "
                 "compare the magnitude of every velocity with speed_limit."
             )
-        elif error[1] > number + 1:
+        elif error[3] == limit and isinstance(error[1], int) and error[1] > number + 1:
             about.cause = "Your step number also counts the steps of other watched integrators. "
             about.cause += "Let each watched integrator count its own steps from 1."
         else:

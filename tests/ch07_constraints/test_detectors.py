@@ -45,14 +45,14 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
             (
                 0.125,
                 [],
-                "You returned a contact, but the particle is above the ground and doesn't touch "
-                "it. Return none.",
+                "The particle is above the ground and doesn't touch it. Return an empty list, "
+                "without a contact.",
             ),
             (
                 1e-6,
                 [],
-                "You returned a contact, but the particle is 1e-6 m above the ground and doesn't "
-                "touch it. Return none.",
+                "The particle is 1e-6 m above the ground and doesn't touch it. Return an empty "
+                "list, without a contact.",
             ),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),
@@ -92,7 +92,9 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                      "You computed the depth as if the ground were at a height of 0. Use the "
                      "detector's height: compute height + radius - y."),
                 ]  # fmt: skip
-                why = cause_of(depth, mistakes, about.cause)
+                why = "The penetration is wrong. It is the depth of the particle's lowest point "
+                why += "below the ground, height + radius - y."
+                why = cause_of(depth, mistakes, why)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14, unit="m")
                 why = "The contact is between the wrong two bodies. Create it with the particle p, "
                 why += "and pass None as its other, because the ground is not a particle."
@@ -232,7 +234,8 @@ def expect_pairs(
             about.cause = f"You returned no contact between {both}, but only one of them is "
             about.cause += "immovable. Skip a pair only if both particles are immovable."
     elif len(seen) > len(pairs):
-        extra = [pair for pair in seen if pair not in pairs]
+        known = {frozenset(pair) for pair in pairs}
+        extra = [pair for pair in seen if frozenset(pair) not in known]
         both = "a and b" if two else "particles {} and {}".format(*extra[0])
         about.cause = f"You returned a contact between {both}, which don't touch."
         if {*extra[0]} <= walls:

@@ -190,6 +190,9 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     names = [f"sphere {i}" for i in range(6)]
     about.cause = "You returned a later impact than that of spheres 1 and 4. Compare the times of "
     about.cause += "all pairs, and return the earliest impact."
+    if (a, b) == (4, 1):
+        about.cause = "You returned the right impact, but the contact's particle must come earlier "
+        about.cause += "in the list than its other."
     expect_particles((a, b), (1, 4), names)
     expect_close(impact[0], 0.25 / speed, then=TIME, unit="s")
     about.cause = "The normal is wrong. Use the unit vector from the second sphere of the pair to "

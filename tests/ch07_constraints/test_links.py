@@ -145,8 +145,8 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, "
     about.call += f"max_length={1.25 * length}); c.contacts()"
-    about.cause = "You returned a contact for a slack cable: the distance between its ends is less "
-    about.cause += "than max_length. Return no contact."
+    about.cause = "This is a slack cable: the distance between its ends is less than max_length. "
+    about.cause += "Return an empty list, without a contact."
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):
@@ -196,8 +196,7 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     back = (-n[0], -n[1], -n[2])
     both = "You returned two contacts, as the book's text suggests, but one of them does nothing "
     both += "(E-9). Return only the contact that pulls or pushes."
-    none = "You returned a contact, but the rod has exactly the right length and needs none. "
-    none += "Return an empty list."
+    none = "The rod has exactly the right length and needs no contact. Return an empty list."
     pulls = f"stretched and pulls a toward {end}. Return a contact whose normal points from a to "
     pulls += f"{end}."
     pushes = f"compressed and pushes a away from {end}. Return a contact whose normal points from "
@@ -293,8 +292,8 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     pair, n, length, told_ends = ends(rng, anchored=False)
     back = (-n[0], -n[1], -n[2])
     c = round(rng.uniform(0.1, 0.9), 3)
-    between = "You returned a contact, although the distance is between the two limits. Return "
-    between += "none, because the link neither pulls nor pushes here."
+    between = "The distance is between the two limits, so the link neither pulls nor pushes. "
+    between += "Return an empty list, without a contact."
     for low, high, wanted, cause in (
         (0.5, 1.5, [], between),
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], between),
@@ -310,8 +309,8 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
          "The distance is exactly min_length, so the link has reached its lower limit. Return a "
          "contact with a penetration of 0."),
         (0.0, 2.0, [],
-         "You returned a contact for a min_length of 0, which means that there is no lower "
-         "limit. Return none."),
+         "A min_length of 0 means that there is no lower limit. Return an empty list, without a "
+         "contact."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"{told_ends}; l = Limits(a, b, min_length={low * length}, "
@@ -332,8 +331,8 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
     pair, n, length, told_ends = ends(rng, anchored=False)
     about.call = f"{told_ends}; l = Limits(a, b, min_length={length}, max_length={length}, "
     about.call += "restitution=0.5); l.contacts()"
-    about.cause = "You returned only one contact, but the link has reached both limits, which are "
-    about.cause += "equal. Return two contacts with opposite normals."
+    about.cause = "The link has reached both limits, which are equal. Return two contacts with "
+    about.cause += "opposite normals and a penetration of 0."
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
     expect_exactly(len(got), 2, unit="contacts")
@@ -353,9 +352,9 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
         link = Limits(*same, low, 3.0)
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
         expect_contacts(about.call, link, same, wanted)
-    about.call += "; then l.min_length = 0; l.contacts() again"
-    about.cause = "You returned a contact for a min_length of 0, which means that there is no "
-    about.cause += "lower limit. Return none, even if the distance is 0."
+    about.call += "; l.min_length = 0; l.contacts()"
+    about.cause = "A min_length of 0 means that there is no lower limit. Return an empty list, "
+    about.cause += "even if the distance is 0."
     link.min_length = 0.0
     expect_contacts(about.call, link, same, [])
 

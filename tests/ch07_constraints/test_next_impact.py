@@ -135,8 +135,8 @@ def test_forces_count_and_immovable_particles_do_not(rng: Random) -> None:
     expect_close(impact[0], t, tolerance=1e-8, then=TIME, unit="s")
     about.call = "an immovable particle at a height of 1 m and a particle of 1 kg at 2 m, both "
     about.call += "with velocity (0, -2, 0); GroundPlane(particles).next_impact(9)"
-    about.cause = "You returned the impact of the first particle, but it is immovable and never "
-    about.cause += "reaches the ground. Skip immovable particles."
+    about.cause = "The first particle is immovable and never reaches the ground. Skip immovable "
+    about.cause += "particles, and return the impact of the second one."
     down = Vector3(0.0, -2.0, 0.0)
     particles = [
         Particle(Vector3(0.0, 1.0), down, mass=math.inf),

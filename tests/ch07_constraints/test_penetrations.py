@@ -135,15 +135,19 @@ def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
         moves = c.resolve_penetration()
         none = "You returned None. Always return two moves, and make both of them zero vectors if "
         none += "nothing moves."
-        got = "moves is None"
-        expect_that(moves is not None, got, "moves is a tuple of two vectors", cause=none)
+        two, got = isinstance(moves, (tuple, list)) and len(moves) == 2, "moves is None"
+        if moves is not None:
+            none, got = none.removeprefix("You returned None. "), "moves is something else"
+        expect_that(two, got, "moves is a tuple of two vectors", cause=none)
+        zero = "No particle moves here, so make both of the moves that you return zero vectors."
         for name, now, before in (
             ("a.position", xyz(a.position), p),
             ("b.position", xyz(b.position), q),
             ("moves[0]", xyz(moves[0]), ZERO),
             ("moves[1]", xyz(moves[1]), ZERO),
         ):
-            expect_close(now, before, then=f"; {name}", tolerance=0.0, unit="m")
+            why = zero if "moves" in name else about.cause
+            expect_close(now, before, then=f"; {name}", cause=why, tolerance=0.0, unit="m")
         got = c.penetration
         about.cause = "You changed the penetration although no particle moved. Set it to 0 only "
         about.cause += "after you have moved a particle."
@@ -222,7 +226,7 @@ def test_a_resting_body_stays_on_the_ground() -> None:
         about.call = f"a body at rest on the ground, where gravity is {gravity}; 900 semi-implicit "
         about.call += "steps of 1/60 s, each followed by contact.resolve(1/60) with a restitution "
         about.call += f"of {restitution}"
-        sinks = "The body sinks into the ground, because you resolve only its velocity. "
+        sinks = "The body sinks into the ground, perhaps because you resolve only its velocity. "
         sinks += "Contact.resolve should call resolve_velocity and then resolve_penetration."
         jumps = "The bounce includes the velocity that gravity adds in each time step. Pass the "
         jumps += "duration to resolve_velocity, which leaves this velocity out."

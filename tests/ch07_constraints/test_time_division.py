@@ -85,15 +85,17 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         ball = [((0.0, 5.0, 0.0), ZERO, 2.0)]
         seen, found, asked, _ = flown(ball, DOWN, 0.0, (e, None), h, frames)
         if len(found) > len(times):
-            about.cause = "You resolved an impact before you moved the particles to its time. Move "
-            about.cause += "all particles first, and then resolve the velocity."
+            about.cause = "You found more impacts than there are. Subtract the time of each impact "
+            about.cause += "from the rest of the step, and pass what is left to next_impact."
+            if found[1][2] < 1e-9:
+                about.cause = "You resolved an impact before you moved the particles to its time. "
+                about.cause += "Move all particles first, and then resolve the velocity."
         if len(found) > 1000 and asked[-1] == h:
             about.cause = "You pass the whole duration to next_impact again after each impact, so "
             about.cause += "the step never ends. Pass only the time that is left in the step."
         elif len(found) > 1000:
-            about.cause = "The ball stops bouncing, because you passed the step's duration to "
-            about.cause += "resolve_velocity. Pass a duration of 0, so that the whole velocity "
-            about.cause += "bounces."
+            about.cause = "The ball stops bouncing at an impact. Call resolve_velocity with a "
+            about.cause += "duration of 0 at each impact, so that the whole velocity bounces."
         expect_exactly(len(found), len(times), then="the number of impacts", unit="impacts")
         last, bounces = times[-1], len(times)
         left = 3.0 - last
@@ -146,14 +148,14 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
     ends = 1.8973666
     early = int(ends / FRAME) * FRAME
     name = "You passed the time that is left in the step to the error. Pass the time since the "
-    name += "start of the step."
-    blame(got, [(2.0 * early + FRAME - ends, name)], tolerance=1e-7)
+    blame(got, [(2.0 * early + FRAME - ends, f"{name}start of the step.")], tolerance=1e-7)
     name = "the start of the last step plus error.time"
     expect_close(got, ends, then=name, tolerance=1e-7, unit="s")
     many = "You resolved one impact too many. If there is another impact after max_impacts "
     many += "impacts, raise TooManyImpacts without resolving it."
-    about.cause = many
-    expect_exactly(impacts, 1000, then="error.impacts")
+    wrong = "error.impacts is wrong. Raise TooManyImpacts with the number of resolved impacts."
+    why = many if impacts == 1001 else wrong
+    expect_exactly(impacts, 1000, then="error.impacts", cause=why)
     about.call = "particle p lies on the ground, with gravity of 10 m/s^2 and a restitution of "
     about.call += "0.5; time_division_step([p], ground, 1/60); error.impacts and error.time in s"
     about.cause = "A particle that lies on the ground has one impact after another at time 0. "
@@ -171,21 +173,25 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
     for most in (3, 1):
         about.call = falls.replace("a ball falls", "a ball with a damping of 0.5 falls")
         about.call += f"time_division_step([ball], ground, 9.0, max_impacts={most})"
-        about.cause = many
+        about.cause = wrong
         seen, _, _, ended = flown([body], DOWN, 0.0, (0.5, None), 9.0, 1, most, 0.5)
         impacts, time = ended or (0, 0.0)
         times = [1.0, 2.0, 2.5, 2.75]
-        expect_exactly(impacts, most, then="; error.impacts")
+        why = many if impacts == most + 1 else wrong
+        expect_exactly(impacts, most, then="; error.impacts", cause=why)
         about.cause = "Your impacts come too early, because you damped the velocity at each "
         about.cause += "impact. Apply the damping once, at the end of the step."
         expect_close(time, times[most], then="; error.time", tolerance=1e-12, unit="s")
         place, velocity = seen[0][0]
         speed = -10.0 * 0.5**most
-        about.cause = "You left the ball at the time of the last allowed impact. Move all "
-        about.cause += "particles to the time of the next impact before you raise the error."
+        about.cause = "Before you raise TooManyImpacts, move the particles to the time of the next "
+        about.cause += "impact. Don't resolve that impact, and don't apply the damping."
+        stayed = "You left the ball at the time of the last allowed impact. Move all particles to "
+        stayed += "the time of the next impact before you raise the error."
         damped = "You applied the damping before you raised TooManyImpacts. It belongs to the end "
         damped += "of a complete step, so raise the error first."
-        blame(velocity[1], [(speed * 0.5 ** times[most], damped)])
+        mistakes = [(speed * 0.5**t, damped) for t in (times[most], 9.0)]
+        blame(velocity[1], [(-speed, stayed), (-0.5 * speed, many), *mistakes])
         expect_close(place[1], 0.0, then="; the height after the error", tolerance=1e-12, unit="m")
         name = "; the velocity along y after the error"
         expect_close(velocity[1], speed, then=name, tolerance=1e-12, unit="m/s")

@@ -88,8 +88,9 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
         (points, missing),
         (points + 50, "You add the bonus only once. Multiply BONUS, which is 50, by the number of "
                       "lives that are left."),
-        (points + 150, "You add the bonus for all three lives, although one of them is lost. "
-                       "Multiply BONUS by the number of lives that are left."),
+        (points + 150, "A fall costs no life. Take one away in fell." if seen[1][1] == 3 else
+         "You add the bonus for all three lives, although one of them is lost. Multiply BONUS by "
+         "the number of lives that are left."),
         (score - 10, low),
     ]  # fmt: skip
     blame(won[0], mistakes)
@@ -261,10 +262,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; "
             "game.step(1/60), in which the ball lands"
         )
-        about.cause = (
-            "After run_physics, check landings.row. If it is not None, call self.rules.landed(row) "
-            "and set the ball's vertical velocity to JUMP."
-        )
+        about.cause = "After run_physics, check landings.row. If it is not None, call "
+        about.cause += "self.rules.landed(row) and set the ball's vertical velocity to JUMP."
         seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
         if seen["score"] == 10:
             about.cause = (

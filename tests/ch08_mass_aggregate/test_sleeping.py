@@ -74,6 +74,9 @@ def test_slow_steps_count_only_in_a_row(rng: Random) -> None:
     if seen[0]:
         about.cause = "Your particle falls asleep after a single slow step. Count its slow steps, "
         about.cause += "and wait for sleep_frames of them in a row."
+    elif not any(seen):
+        about.cause = "Your particle never falls asleep, although it is at rest for 5 steps at the "
+        about.cause += "end. Count its slow steps in a row."
     expect_sleepers_of_steps(seen, wanted)
 
 
@@ -92,6 +95,9 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
         if not any(seen):
             why = "Particle 0 never falls asleep, because an old contact keeps it awake. Forget a "
             why += "contact after sleep_frames steps."
+            if not any(left_alone([0.0], 8)):
+                why = "Particle 0 never falls asleep, not even without contacts. Count its slow "
+                why += "steps first."
         elif any(seen[: last + 4]):
             why = "Particle 0 falls asleep too early, because you forget its contact with the fast "
             why += "particle 1 too soon. Remember a contact for sleep_frames steps."

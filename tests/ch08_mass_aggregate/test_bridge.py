@@ -70,13 +70,19 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     extra = [pair for n, pair in enumerate(ends) if pair not in right or pair in ends[:n]]
     why = about.cause
     if missing:
-        seen = f"only {len(ends)} of the {len(right)} {which}s" if ends else f"no {which}s"
-        if ends and len({i % 2 for i, _ in missing}) == 1:
-            seen = f"{which}s on one side of the bridge only"
-        why = f"You create {seen}. {about.cause}"
+        made, late = len(right) - len(missing), ", or the others are too long"
+        seen = f"only {made} of the {len(right)} {which}s" if made else f"no {which}s"
+        if which == "rod":
+            late = ""
+        elif not made:
+            late = ", or they are too long"
+        elif 2 * made == len(right) and len({i % 2 for i, _ in missing}) == 1:
+            seen, late = f"{which}s on one side of the bridge only", ""
+        why = f"You create {seen}{late}. {about.cause}"
     elif extra:
         i, j = extra[0]
-        why = f"You join ends {i} and {j} with two links. {about.cause}"
+        both = f"join ends {i} and {j}" if j >= 0 else f"hang end {i}"
+        why = f"You {both} with two links. {about.cause}"
         if extra[0] not in right:
             why = f"You join ends {i} and {j}, which are in different rows and on different sides. "
             why += f"Join ends on the same side, such as {i} and {i + 2}."
@@ -85,6 +91,9 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     expect_exactly(ends, right, then=name, cause=why)
     length = {"rod": "WIDTH", "cable": "CABLE_LENGTH"}.get(which, "support_length(row number)")
     about.cause = f"The length of your {which} is wrong. It should be {length}."
+    if "anchor" in which:
+        about.cause = "The length or the anchor of your anchored cable is wrong. They should be "
+        about.cause += f"{length} and anchor_of(end)."
     first = "You use the length of row 0 for all anchored cables. Use support_length(row number)."
     for (i, j, depth), (_, _, deeper) in zip(got, wanted, strict=True):
         x, _, z = START[i]
@@ -176,11 +185,9 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     about.read = NEAREST
     rows = draw_rows(rng, 4)
     points = middles(rows)
-    about.cause = (
-        "Between two rows, the deck is a straight line from one midpoint to the next, so "
-        "interpolate its height at the ball's x. The nearest row is the one whose midpoint is "
-        "closer to the ball along X."
-    )
+    about.cause = "Between two rows, the deck is a straight line from one midpoint to the next, so "
+    about.cause += "interpolate its height at the ball's x. The nearest row is the one whose "
+    about.cause += "midpoint is closer to the ball along X."
     for i, ((x, y), (u, v)) in enumerate(pairwise(points)):
         for share in (0.25, 0.4, 0.75):
             at = x + share * (u - x)
@@ -215,17 +222,14 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     rows = [((x, y, -1.0), (x, y, 1.0)) for x, y in points]
     for i, (x, y) in enumerate(points):
         about.call = nearest_of(points, x)
-        about.cause = (
-            "The ball is directly above a row, so nearest() should return that row's number and "
-            "height."
-        )
+        about.cause = "The ball is directly above a row, so nearest() should return that row's "
+        about.cause += "number and height."
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         expect_close(got, (float(i), y), tolerance=1e-12)
     for i, (low, high) in enumerate(pairwise(heights)):
         about.call = nearest_of(points, 2.0 * i + 1.0)
-        about.cause = (
-            "The ball is halfway between two rows. Return the first row and the height midway."
-        )
+        about.cause = "The ball is halfway between two rows. Return the first row and the height "
+        about.cause += "midway."
         got = deck((2.0 * i + 1.0, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         wanted = (float(i), 0.5 * (low + high))
         last = "You return the second of two rows that are equally near. Return the first one."
@@ -233,10 +237,8 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12)
     for x, i in ((-1.0, 0), (5.0, 2)):
         about.call = nearest_of(points, x)
-        about.cause = (
-            "Your deck ends at its outermost rows. It should extend half a SPACING, which is 1 m, "
-            "beyond them."
-        )
+        about.cause = "Your deck ends at its outermost rows. It should extend half a SPACING, "
+        about.cause += "which is 1 m, beyond them."
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         right = f"row {i} at the height {heights[i]:g} m"
         expect_that(got is not None, "None, so there is no deck here", right)
@@ -252,10 +254,8 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
             f"a deck of a single row with its midpoint (x, y) at {points[0]} m; a ball at x = {x} "
             "m; deck.nearest(), which returns (row, height)"
         )
-        about.cause = (
-            "A single row is both the first and the last one, so the deck extends 1 m beyond it on "
-            "both sides."
-        )
+        about.cause = "A single row is both the first and the last one, so the deck extends 1 m "
+        about.cause += "beyond it on both sides."
         got = deck((x, 9.0, 0.5), rows[:1], 0.5, 0.0)["nearest"]
         expect_close(got, (0.0, heights[0]), tolerance=1e-12)
 

@@ -246,8 +246,8 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         f"rotates about it at {rate} rad/s; spin(hub, rim)"
     )
     about(
-        cause="Your spin depends on how the hub moves. Subtract the hub's position and velocity "
-        "from those of each particle.",
+        cause="Divide the angular momentum by the moment of inertia. The hub moves, so subtract "
+        "its position and velocity from those of each particle.",
         read=SPIN,
     )
     got = spun((hub, drift), list(zip(rim, moving, masses, strict=True)))

@@ -35,7 +35,7 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
             "You make only one step, although enough time has passed for more. Repeat the step as "
             "long as self.left is enough for another one."
         )
-        if any(time > STEP for time in done["made"]):
+        if any(type(time) is float and time > STEP for time in done["made"]):
             one = (
                 "You make one long step of all the elapsed time. Make as many steps of "
                 "self.duration as the time allows."
@@ -55,11 +55,10 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         expect_exactly(
             row[0], steps, then="; the number of steps that it returns", unit="steps", cause=seen
         )
-        about.cause = "self.left is wrong. Add elapsed to it, and subtract the duration of each "
-        about.cause += "step."
+        other = "self.left is wrong. Add elapsed to it, and subtract the duration of each step."
         lost = "You lose the leftover time, which is shorter than a step. Keep it in self.left for "
         lost += "the next call."
-        seen = cause_of(row[1], [(0.0, lost)], about.cause)
+        seen = cause_of(row[1], [(0.0, lost)], other)
         wanted = 0.25 * STEP * left
         expect_close(row[1], wanted, then="; clock.left", unit="s", cause=seen, tolerance=0.0)
         seen = "self.dropped changes, although max_steps is None. Drop time only with max_steps."
@@ -106,11 +105,12 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
 @pytest.mark.parametrize("duration", [1e-6, STEP, 1000.0])
 def test_share_is_a_fraction_of_a_step(duration: float) -> None:
     about.read = READ
-    for lack, steps, cause in (
-        (1e-7, 0, "You make a step too early, because you use SHARE as a time in seconds. It is a "
-                  "fraction of a step, so multiply it by the duration."),
-        (1e-10, 1, "You make a step too late, because you use SHARE as a time in seconds. It is a "
-                   "fraction of a step, so multiply it by the duration."),
+    for lack, steps, when, cause in (
+        (1e-7, 0, "early", "You make a step although more than SHARE of its duration is missing. "
+                           "Wait until self.left >= self.duration * (1.0 - SHARE)."),
+        (1e-10, 1, "late", "You leave out a step although less than SHARE of its duration is "
+                           "missing. Make it as soon as self.left >= self.duration * (1.0 - "
+                           "SHARE)."),
     ):  # fmt: skip
         elapsed = duration * (1.0 - lack)
         about(
@@ -119,8 +119,13 @@ def test_share_is_a_fraction_of_a_step(duration: float) -> None:
             cause=cause,
         )
         row = advanced(duration, [elapsed])["rows"][0]
+        # At this step, a SHARE in seconds does what it should.
+        if advanced(STEP, [STEP * (1.0 - lack)])["rows"][0][0] == steps:
+            about.cause = f"You make a step too {when}, because you use SHARE as a time in "
+            about.cause += "seconds. It is a fraction of a step, so multiply it by the duration."
         expect_exactly(row[0], steps, then="; the number of steps", unit="steps")
         left = elapsed - steps * duration
+        about.cause = "self.left is wrong. Subtract exactly the duration of each step from it."
         expect_close(row[1], left, then="; clock.left", unit="s", tolerance=1e-9 * duration)
 
 
@@ -199,11 +204,18 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         about.call += f"clock.advance({duration:g} * (5 - {lack:g}))"
         row = advanced(duration, [elapsed], 2)["rows"][0]
         late = 2.0 if lack > 1e-9 else 3.0
-        about.cause = (
-            f"You {'keep' if late > 2.0 else 'drop'} the last step, because you use SHARE as a "
-            "time in seconds. It is a fraction of a step, so multiply it by the duration."
-        )
         wanted = (elapsed - (2.0 + late) * duration, late * duration)
+        about.cause = (
+            f"You {'keep' if late > 2.0 else 'drop'} the last step. It counts as a whole step if "
+            "at most SHARE of its duration is missing."
+        )
+        # At this step, a SHARE in seconds does what it should.
+        other = advanced(STEP, [STEP * (5.0 - lack)], 2)["rows"][0][2]
+        if type(other) is float and abs(other - late * STEP) < 1e-9:
+            about.cause = (
+                f"You {'keep' if late > 2.0 else 'drop'} the last step, because you use SHARE as a "
+                "time in seconds. It is a fraction of a step, so multiply it by the duration."
+            )
         expect_close(
             row[1:],
             wanted,
@@ -234,13 +246,19 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     )
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
     got = done["rows"][0][0]
+    if done["rows"][1][0] == -1 or len(done["made"]) < good:
+        about.cause = "You make too few steps. Repeat the step as long as self.left is enough."
     expect_that(got == -1, f"no error; the call returned {got}", "the error of the step")
     about.cause = (
         "You subtract the time of a step before you make it, so a failed step loses its time. "
         "Subtract it only after self.step has returned."
     )
     got = done["rows"][0][1]
-    expect_close(got, (6 - good) * STEP, then="; clock.left", unit="s", tolerance=1e-12)
+    after = "You subtract the time of all steps after the last one, so an error keeps the time of "
+    after += "the steps before it. Subtract the duration after each step."
+    seen = cause_of(got, [(6.0 * STEP, after)], about.cause)
+    name = "; clock.left"
+    expect_close(got, (6 - good) * STEP, then=name, unit="s", cause=seen, tolerance=1e-12)
     about.call += "; clock.advance(0); the number of steps"
     about.cause = "Your clock loses steps after an error. Make all steps whose time is still left."
     expect_exactly(done["rows"][1][0], 6 - good, unit="steps")

@@ -70,7 +70,8 @@ def test_rods_have_the_right_length(rng: Random) -> None:
     about.cause = "Your rod has the wrong length. It should be (b.position - "
     about.cause += "a.position).magnitude()."
     rods = platform_rods(places)
-    expect_that(len(rods) > 0, "no rods", "at least one rod")
+    none = "Your list of rods is empty. Put the rods that join the particles into it."
+    expect_that(len(rods) > 0, "no rods", "at least one rod", cause=none)
     if len(rods) > 1 and len({length for *_, length in rods}) == 1:
         about.cause = "You give all rods the same length. Make each rod as long as the current "
         about.cause += "distance between its two ends."
@@ -309,10 +310,8 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     )
     expect_that(seen == right, seen, right)
     length = math.dist(places[2], places[4])
-    about.cause = (
-        "Your platform changes its length, because its rods have no effect. Add the rods to the "
-        "world's contact generators."
-    )
+    about.cause = "Your platform changes its length, because its rods have no effect. Add the rods "
+    about.cause += "to the world's contact generators."
     expect_close(length, 7.0, then="; its distance from the right end", unit="m", tolerance=0.01)
 
 
@@ -326,13 +325,14 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
     about.cause = "You don't change the mass of the pivot. Set the mass of both particles to MASS."
     if done["masses"][:2].count(math.inf) == 1:
         about.cause = "You free only one particle of the pivot. Set the mass of both to MASS."
+    elif math.inf not in done["masses"][:2]:
+        about.cause = "The mass of each particle should be MASS, which is 1 kg. Set the masses of "
+        about.cause += "the pivot to it, and leave the others alone."
     expect_close(done["masses"], [1.0] * 6, unit="kg", tolerance=1e-12)
     about.call = "platform.put_weight(mass=7, x=4), then free_pivot(); the masses of the six "
     about.call += "particles"
-    about.cause = (
-        "Your free_pivot() changes the load that the ends carry. Change only the masses of the two "
-        "particles of the pivot."
-    )
+    about.cause = "Your free_pivot() changes the load that the ends carry. Change only the masses "
+    about.cause += "of the two particles of the pivot."
     wanted = [1.0, 1.0, 1.0, 1.0, 4.5, 4.5]
     got = freed(0, 0.1, weight=7.0)["masses"]
     expect_close(got, wanted, unit="kg", tolerance=1e-12)
@@ -358,8 +358,9 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         if (0, 1) not in joined:
             about.cause = f"{where} has no rod between the pivot's two particles. Add it there too."
         expect_exactly(len(left), 0, unit="motions")
-    about.cause = "Your rod has the wrong length. Make it as long as the distance between its ends."
     for i, j, length in done["rods"]:
+        about.cause = "Your rod has the wrong length. Make it as long as the distance between its "
+        about.cause += "ends."
         blame(length, [(7.0, "You make the new rod as long as the platform. Make it as long as the "
                              "distance between its two ends.")])  # fmt: skip
         about.call = f"platform.free_pivot(); the length of the rod from particle {i} to particle "
@@ -371,10 +372,8 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
 @pytest.mark.exercise("8.1")
 def test_a_free_platform_slides_and_stays_rigid() -> None:
     about("platform.free_pivot(), then 45 steps of 1/60 s", read=FREE)
-    about.cause = (
-        "Your platform's center of mass moves along X or Z, although the ground has no friction. "
-        "Check that free_pivot only changes masses and adds a rod."
-    )
+    about.cause = "Your platform's center of mass moves along X or Z, although the ground has no "
+    about.cause += "friction. Check that free_pivot only changes masses and adds a rod."
     done = freed(45, 1.0 / 60.0)
     before, after = done["before"], done["after"]
     for axis, name in ((0, "x"), (2, "z")):

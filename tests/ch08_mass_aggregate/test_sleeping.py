@@ -35,11 +35,11 @@ def test_slow_particles_fall_asleep(rng: Random) -> None:
         about.cause = "No particle ever falls asleep. Call fall_asleep at the end of run_physics, "
         about.cause += "and add each particle that falls asleep to self.asleep."
     elif seen[:frames] == wanted[:frames]:
-        why = "although nothing about them has changed. In wake_moved, wake a particle only if its "
-        why += "position, velocity, mass or force has changed since it fell asleep"
-        if seen[frames]:
+        why = "although nothing about them has changed. Wake a particle only if its position, "
+        why += "velocity, mass or force has changed since it fell asleep"
+        if seen[frames] and seen[frames] != [0, 2]:
             why = "because they keep their velocity. Set it to 0 in fall_asleep"
-        elif slept(1.0, 0.1)["inverse mass asleep"]:
+        elif not seen[frames] and slept(1.0, 0.1)["inverse mass asleep"]:
             why = "because their inverse_mass is not 0. Set it to 0 in fall_asleep"
         about.cause = f"Your particles fall asleep but wake again, {why}."
     expect_sleepers_of_steps(seen, wanted)
@@ -71,6 +71,9 @@ def test_slow_steps_count_only_in_a_row(rng: Random) -> None:
     if seen[0]:
         about.cause = "Your particle falls asleep after a single slow step. Count its slow steps, "
         about.cause += "and wait for sleep_frames of them in a row."
+    elif not any(seen):
+        about.cause = "Your particle never falls asleep, although it is at rest for 5 steps at the "
+        about.cause += "end. Count its slow steps in a row."
     expect_sleepers_of_steps(seen, wanted)
 
 
@@ -89,9 +92,12 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
         if not any(seen):
             why = "Particle 0 never falls asleep, because an old contact keeps it awake. Forget a "
             why += "contact after sleep_frames steps."
+            if not any(left_alone([0.0], 8)):
+                why = "Particle 0 never falls asleep, not even without contacts. Count its slow "
+                why += "steps first."
         elif any(seen[: last + 4]):
             why = "Particle 0 falls asleep too early, because you forget its contact with the fast "
-            why += "particle 1 at once. Remember a contact for sleep_frames steps."
+            why += "particle 1 too soon. Remember a contact for sleep_frames steps."
             if any(0 in one for one in left_alone([0.0, 2.0], 8, [(0, 1)])):
                 why = "Particle 0 falls asleep too early, because you ignore its contact with the "
                 why += "fast particle 1. Let a group fall asleep only when each of its particles "
@@ -184,12 +190,18 @@ def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     about.cause = "Your particle stays immovable when it wakes. In wake, give it back its old "
     about.cause += "inverse mass."
     got = done["inverse mass awake"]
+    if got:
+        about.cause = "Your particle has the wrong mass when it wakes. In wake, give it back its "
+        about.cause += "old inverse mass."
     expect_close(got, 1.0 / mass, then="; particle.inverse_mass")
     about.cause = "Your particle is still in self.asleep after it wakes. Remove it there in wake."
     expect_sleepers(done["asleep"], [], then="; which particles are asleep")
     about.cause = "Your particle keeps its old count of slow steps when it wakes. In wake, set its "
     about.cause += "count of slow steps back to 0."
     got = done["frames to sleep again"]
+    if got > 3:
+        about.cause = "Your particle falls asleep again too late, or not at all. In wake, set its "
+        about.cause += "count of slow steps back to 0."
     expect_exactly(got, 3, then="; how many more steps it takes to fall asleep again", unit="steps")
     about.call = "a particle that is awake and has been slow for 2 steps; a SleepingWorld with "
     about.call += "sleep_frames=3; world.wake(particle)"

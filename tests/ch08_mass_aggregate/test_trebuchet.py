@@ -112,6 +112,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
             "You compare an angle in radians, as math.atan2 returns it, with release_angle, which "
             "is in degrees. Convert one of them."
         )
+        if lets_go((*design[:4], 1.0), [flight(85.0)])[0] is True:  # 85 degrees are 1.48 rad
+            steep = "Your sling lets go at any angle. Let go only at the release angle or below it."
     elif seen == [True, True, False]:
         steep = (
             "You measure the angle of the flight from the vertical. Measure it from the "

@@ -259,7 +259,7 @@ def test_an_invalid_step_changes_nothing(rng: Random) -> None:
         which = "velocity" if acceleration is a else "acceleration"
         about.cause = f"The angular {which} must be a finite Vector3, so raise "
         if velocity is w and acceleration is a:
-            about.cause = f"The duration is {h!r}. It must be a positive number, so raise "
+            about.cause = f"The duration is {h!r}. It must be a positive, finite number, so raise "
         about.cause += f"{error.__name__}."
         expect_error(
             lambda orientation=orientation, spin=spin, more=more, h=h: integrate_rotation(

@@ -158,8 +158,8 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
 @pytest.mark.exercise("9.2")
 @pytest.mark.robust
 def test_rejects_what_is_not_an_orientation() -> None:
-    about.cause = "The length of this quaternion is not 1, so it is not an orientation. Don't "
-    about.cause += "normalize it, so that to_axis_angle raises ValueError for you."
+    about.cause = "The length of this quaternion is not 1, so it is not an orientation. Raise "
+    about.cause += "ValueError, as to_axis_angle does if you don't normalize the quaternion first."
     for numbers in ((1.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)):
         expect_error(
             lambda numbers=numbers: back_to_reference(Quaternion(*numbers)),
@@ -218,6 +218,7 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
             both = [f"{name} = {c:.6g}" for name, c in zip("jk", bad[2:], strict=True) if c]
             about.cause = f"{'The first' if a is bad else 'The second'} quaternion has "
             about.cause += f"{' and '.join(both)}. Raise ValueError unless both j and k are 0."
+            about.cause += " NaN is not 0." * any(map(math.isnan, bad))
             expect_error(
                 lambda a=a, b=b: product_without_j_and_k(Quaternion(*a), Quaternion(*b)),
                 ValueError,
@@ -341,8 +342,8 @@ def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)
     about.call = f"turned_by_steps(Quaternion{short(q)}, rate=3, duration=2); the error in radians"
-    about.cause = "Your error is an angle above pi. A rotation in the opposite direction corrects "
-    about.cause += "it with a smaller angle, so return that angle."
+    about.cause = "The angle must not be greater than pi. If yours is, return the smaller angle of "
+    about.cause += "the same rotation in the opposite direction."
     # Of 6 rad it rotates by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 the other way round.
     wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
     got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]
@@ -376,8 +377,7 @@ def test_rejects_invalid_rates_durations_and_steps() -> None:
             allowed=lambda: turned_by_steps(Quaternion(), 1.0, 2.0, 3),
             read=BY_STEPS,
         )
-    about.cause = "This quaternion is not an orientation, because its length is not 1. Raise "
-    about.cause += "ValueError."
+    about.cause = "The length of this quaternion is not 1, so raise ValueError."
     for length in (2.0, 1.000002):
         expect_error(
             lambda length=length: turned_by_steps(Quaternion(length, 0.0, 0.0, 0.0), 1.0, 2.0),

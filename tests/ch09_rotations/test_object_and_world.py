@@ -261,8 +261,8 @@ def test_a_motion_with_a_translation(rng: Random) -> None:
     about.call = f"m = {written(first)}; basis = {written(second)}; change_basis(m, basis) @ "
     about.call += f"(basis @ Vector3{short(a)})"
     about.cause = (
-        "You lose a translation. Return the product basis m basis^-1 of complete Matrix4s, not "
-        "only of their rotations."
+        "Return the product basis m basis^-1 of complete Matrix4s, not only of their rotations. "
+        "Both have a translation here."
     )
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)

@@ -60,6 +60,8 @@ def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
         about.call = f"wrap_angle({angle} + {turns} * 2 pi)"
         got = wrap_angle(angle + turns * math.tau)
+        about.cause = "This angle contains 160000 full turns. Remove them all at once with "
+        about.cause += "math.remainder or %."
         # A loop that takes them off one by one makes as many rounding errors, of up to 6e-11 each.
         expect_close(got, angle, tolerance=2e-5)
 
@@ -249,6 +251,8 @@ def test_the_center_of_many_masses(rng: Random) -> None:
                 "copy of the list."
             )
             expect_unchanged(name, now, before)
+        about.cause = "The masses and positions may be tuples too, so don't use methods that only "
+        about.cause += "lists have."
         about.call = f"center_of_mass({tuple(masses)}, {tuple(positions)})"
         got = center_of_mass(tuple(masses), tuple(positions))
         expect_close(got, wanted, tolerance=TIGHT)
@@ -268,11 +272,11 @@ def test_each_mass_needs_one_position(rng: Random) -> None:
     ):
         about.call = f"center_of_mass({masses}, {positions})"
         about.cause = (
-            f"You accept lists with lengths of {len(masses)} and {len(positions)}, but each mass "
-            "needs exactly one position. Raise ValueError if the lengths differ."
+            f"The lengths are {len(masses)} and {len(positions)}, but each mass needs exactly one "
+            "position. Raise ValueError if the lengths differ."
         )
         if not masses:
-            about.cause = "You accept empty lists. Raise ValueError if there is no mass."
+            about.cause = "There are no masses, so there is no center of mass. Raise ValueError."
         expect_error(
             lambda masses=masses, positions=positions: center_of_mass(masses, positions),
             ValueError,

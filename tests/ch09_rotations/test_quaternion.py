@@ -61,7 +61,7 @@ def test_is_unit_accepts_lengths_near_one(rng: Random) -> None:
     ):
         scaled = tuple(component * length for component in q)
         about.call = f"q = Quaternion{short(scaled)}, whose length is {abs(length)}; q.is_unit()"
-        off = f"The length differs from 1 by {abs(length - 1.0):.2g}, which is"
+        off = f"The length differs from 1 by {abs(abs(length) - 1.0):.2g}, which is"
         about.cause = f"{off} more than UNIT_TOLERANCE (1e-6), so return False."
         if wanted:
             about.cause = f"{off} within UNIT_TOLERANCE (1e-6), so return True. "

@@ -141,9 +141,8 @@ def test_the_easy_inverse(rng: Random) -> None:
             t, subtracted((0.0, 0.0, 0.0), turned_on)
         ),
         "You don't transpose the rotation. Swap its rows and columns.": joined(m, (-x, -y, -z)),
-        "You negate the position of m but don't change the rotation. Transpose it.": joined(
-            m, subtracted((0.0, 0.0, 0.0), p)
-        ),
+        "You negate the position of m but don't change the rotation. Transpose it, and multiply "
+        "-p by the transpose.": joined(m, subtracted((0.0, 0.0, 0.0), p)),
     }
     why = named(got, about.cause, slips)
     if why == about.cause:
@@ -177,8 +176,8 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
         twelve = joined(linear, p)
         about.call = f"m = {written(twelve)}, which is not a rotation; easy_inverse(m), row by row"
         about.cause = (
-            "You use a general inverse, which divides by the determinant. Always transpose the "
-            "nine numbers, even if they are not a rotation."
+            "You probably use a general inverse, which divides by the determinant. Always "
+            "transpose the nine numbers, even if they are not a rotation."
         )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)

@@ -228,8 +228,8 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         expect_close(turn, wanted, then="the angle in radians", tolerance=TIGHT)
         expect_close(got, unit, then="the axis", tolerance=TIGHT)
     about.cause = (
-        "You compute the angle with acos, which fails near 0, because the cosine rounds to 1. Use "
-        "atan2 instead."
+        "You probably compute the angle with acos, which fails near 0, because the cosine rounds "
+        "to 1. Use atan2 instead, and don't treat a small angle as 0."
     )
     for small in (1e-5, 1e-9):
         expect_small_turn(unit, small)

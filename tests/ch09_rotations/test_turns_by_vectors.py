@@ -130,6 +130,10 @@ def expect_tiny_turn(tiny: float) -> None:
     about.call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
     quaternion.rotate_by(Vector3(0.0, tiny, 0.0))
     got = same_sign(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))[2] / tiny
+    if got:
+        about.cause = (
+            "Rotate by this small angle as by any other. (i, j, k) becomes half the vector."
+        )
     expect_close(got, 0.5, tolerance=TIGHT)
 
 

@@ -24,6 +24,20 @@ def expect_sleepers_of_steps(
     expect_that(got == wanted, by_step(got), by_step(wanted), **words)
 
 
+def expect_asleep(awake: Sequence[int], then: str) -> None:
+    """Expect no steps after which particle 0 is awake."""
+    __tracebackhide__ = True
+    steps = ", ".join(map(str, awake))
+    expect_that(
+        not awake, f"awake after these steps: {steps}", "asleep after every step", then=then
+    )
+
+
+def awake_in(seen: Sequence[Sequence[int]]) -> list[int]:
+    """Return the steps from 5 on in which particle 0 is awake."""
+    return [i + 1 for i, one in enumerate(seen) if i >= 4 and one != [0]]
+
+
 def named(numbers: Sequence[int]) -> str:
     """Return the names of particles, such as "particles 0 and 2"."""
     *rest, last = map(str, numbers) if numbers else ["no particle"]

@@ -24,10 +24,12 @@ ENOUGH = 2  # a text with fewer words does not count as an answer
 
 @dataclass(frozen=True)
 class Section:
-    """One section of an answers.md file: a question about the chapter and the answer to it.
+    """One section of an answers.md file, with a question about the chapter and the answer to it.
 
-    ``rubric`` says how to mark the answer. It is empty in a student's file, because only our own
-    copy has rubrics. ``line`` is the number of the line where the answer begins, or should begin.
+    Attributes:
+        rubric: How to mark the answer. It is empty in a student's file, because only our own copy
+            has rubrics.
+        line: The number of the line where the answer begins, or should begin.
     """
 
     id: str
@@ -48,7 +50,7 @@ class Section:
 
     @property
     def has_words(self) -> bool:
-        """Whether the student has written an answer of two words or more.
+        """True if the student has written an answer of at least two words.
 
         The words of a placeholder that the student forgot to delete do not count.
         """
@@ -69,8 +71,9 @@ class Section:
 class Question:
     """An exercise that asks for a written answer, together with the student's answer.
 
-    ``section`` is the student's section in answers.md, or None if it cannot be found. ``problems``
-    lists what is wrong with that section, such as a duplicate heading.
+    Attributes:
+        section: The student's section in answers.md, or None if it cannot be found.
+        problems: What is wrong with that section, such as a duplicate heading.
     """
 
     exercise: Exercise
@@ -80,26 +83,26 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether the student has written an answer that can be marked.
+        """True if the student has written an answer that can be marked.
 
-        It must have at least two words, and its section of answers.md must not have any problems.
+        Such an answer has at least two words, and its section of answers.md has no problems.
         """
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """Where the student writes the answer, as a file and a line such as answers.md:12.
+        """The file and line where the student writes the answer, such as answers.md:12.
 
-        If answers.md has no section for the question, this is only the name of the file.
+        The line is left out if answers.md has no section for the question.
         """
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
-    """Make the answers.md for students from ours, which contains the model answers.
+    """Remove the model answers from our answers.md, to make the file that students receive.
 
-    The questions stay. Each model answer is replaced by "_Write your answer here._", and its rubric
-    is removed.
+    The questions remain. Each model answer is replaced by "_Write your answer here._", and its
+    rubric is removed.
     """
     title = text.partition("\n")[0]
     parts = [title]
@@ -155,7 +158,7 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 
 
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
-    """Find our model answer to a written exercise, with the rubric for marking it.
+    """Return our model answer to a written exercise, together with the rubric for marking it.
 
     In a handout the result is None, because students do not receive the model answers.
     """
@@ -203,10 +206,10 @@ def _is_place(line: str) -> bool:
 def _problems(
     exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
 ) -> list[str]:
-    """List what the student must fix in answers.md before the answer to one exercise counts.
+    """List what a student must fix in answers.md before one of the answers can be marked.
 
-    Each problem is a sentence addressed to the student. ``own`` lists the sections that have the
-    exercise's id, of which there should be exactly one. ``strangers`` lists sections that belong to
+    Each problem is a sentence addressed to the student. ``own`` contains the sections with the id
+    of the exercise, and there should be exactly one. ``strangers`` contains sections that belong to
     no exercise, perhaps because the student has changed a heading.
     """
     heading = f"## {exercise.id}"

@@ -37,13 +37,13 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 
 
 def prepare() -> bool:
-    """Get Python ready to run a command, and return whether the required packages are installed.
+    """Set up the text encoding, and return True if the required packages are installed.
 
     If a package is missing, this also prints how to install it.
 
-    If Python does not encode file names in UTF-8, the program restarts itself in UTF-8 mode. One
-    such case is LC_ALL=C with PYTHONUTF8=0. Any character of the output that the console cannot
-    encode is shown as a question mark.
+    If Python does not encode file names in UTF-8, the program restarts itself in UTF-8 mode. This
+    happens, for example, with LC_ALL=C and PYTHONUTF8=0. Characters that the console cannot encode
+    are printed as question marks.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -62,7 +62,7 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """Suggest what to do if a file could not be written, such as freeing space on a full disk.
+    """Suggest how to solve a problem with writing a file, such as a full disk.
 
     Return an empty string if the error has some other cause.
     """
@@ -77,10 +77,10 @@ def sentence(error: Exception) -> str:
 
 
 def find_engine(folder: str) -> list[Path]:
-    """List the folders to search for the code to check: first ``folder``, and then chapters/.
+    """Return the folders in which to look for the code to check: ``folder``, and then chapters/.
 
-    The folder chapters/ is always needed, because it is the only one with the files that students
-    do not edit.
+    The folder chapters/ is always included, because only it contains the files that students do not
+    edit.
 
     Raises:
         ValueError: The folder does not exist.
@@ -92,11 +92,10 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Write out a command as the user has to type it, such as "make check EX=2.5".
+    """Return the command that a user has to type, such as "make check EX=2.5".
 
-    On a machine without make, the result calls Python directly. In the browser, where students
-    click buttons instead of typing, the result is a make command too. The buttons have the same
-    names as these commands.
+    If make is not installed, the command runs Python directly. In the browser it is always a make
+    command, because the buttons there are named after these commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
@@ -112,7 +111,7 @@ def command(name: str, **variables: str) -> str:
 def engine_variables(engine: list[Path]) -> dict[str, str]:
     """Return the make variables that select the code to check, such as {"ENGINE": "solutions"}.
 
-    The result is empty for the student's own code in chapters/, because that is the default.
+    The dict is empty for the student's own code in chapters/, because make checks that by default.
     """
     if engine[0] == ROOT / "chapters":
         return {}
@@ -121,7 +120,7 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Write out the command that checks the same code again, such as "make check ENGINE=solutions".
+    """Return the command that checks the same code again, such as "make check ENGINE=solutions".
 
     It is printed after a check, as the student's next step.
     """

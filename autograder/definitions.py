@@ -1,7 +1,7 @@
-"""List the functions that a Python file defines, by the names that manifests use for them.
+"""List the functions that a Python file defines, under the names that manifests use for them.
 
-The method dot of the class Vector3, for example, is listed as Vector3.dot. The file is only parsed,
-so none of its code runs.
+For example, the method dot of the class Vector3 is listed as Vector3.dot. The file is parsed but
+never executed.
 """
 
 from __future__ import annotations
@@ -40,9 +40,9 @@ def read_definitions(file: Path) -> set[str] | None:
 def bound_names(tree: ast.Module) -> set[str]:
     """List every name that a module or one of its classes defines with def, class, = or import.
 
-    Methods are listed with their class, as in Vector3.dot. A name assigned with = might be a
-    property, but the source code alone does not show that. For this reason, each assigned name is
-    listed with a setter too.
+    Methods are listed with their class, as in Vector3.dot. A name assigned with = may be a
+    property, which the source code alone does not show. Each of these names is therefore also
+    listed with a setter.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -68,7 +68,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return a function's name without its module and class: dot for vector.Vector3.dot."""
+    """Return a function's name without its module and class, such as dot for vector.Vector3.dot."""
     return edited.split(".", 2)[-1]
 
 

@@ -31,9 +31,9 @@ def replace_bytes(path: Path, content: bytes) -> None:
 
 
 def is_full(folder: Path) -> bool:
-    """Return whether the disk that contains ``folder`` has less than 1 MB of free space.
+    """Return True if the disk that contains ``folder`` has less than 1 MB of free space.
 
-    If so, the lack of space may be the reason why a program has failed.
+    A full disk may explain why a program has failed.
     """
     return shutil.disk_usage(folder).free < LITTLE
 
@@ -44,9 +44,9 @@ def temporary_of(path: Path) -> Path:
 
 
 def is_new(folder: Path, first: Path) -> bool:
-    """Return whether a folder is missing or empty, so that the grader may write its results there.
+    """Return True if a folder is missing or empty, so that results can be written there.
 
-    A folder still counts as empty if an earlier run was killed right after it started. It then
-    contains only an unfinished copy of ``first``, the file that every run writes before any other.
+    A folder also counts as empty if its only file is an unfinished copy of ``first``, the file that
+    every run writes first. A run leaves such a copy behind if it is killed right after it starts.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

@@ -1,8 +1,8 @@
 """Base classes for small web servers on the user's own machine, such as the one for marking.
 
 Such a server listens only on 127.0.0.1. Its addresses begin with a random token that other web
-pages and other users of the machine cannot guess. The server refuses every request that is
-addressed to another host name or comes from another origin.
+pages and other users of the machine cannot guess. Requests that are addressed to another host name
+or come from another origin are refused.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ HEADERS = {
 class Site:
     """A web site that is served only on this machine, at an address that nobody else can guess.
 
-    The address contains a secret random token, as in http://127.0.0.1:8000/Xy3.../.
+    An example of such an address is http://127.0.0.1:8000/Xy3.../, where Xy3... is a random token.
     """
 
     def __init__(self) -> None:
@@ -51,17 +51,17 @@ class Site:
     def check_host(self, request: HTTPServerRequest) -> None:
         """Reject a web request unless it is addressed to 127.0.0.1 or localhost.
 
-        Otherwise a malicious site could point its own host name at this server and pose as our
-        page.
+        This prevents DNS rebinding, in which a malicious site points its own host name at this
+        server.
         """
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether a web request comes from our own page. No other page may change data.
+    """Return True if a web request comes from our own page, the only one that may change data.
 
-    ``origin`` is the text of the request's Origin header.
+    ``origin`` is the value of the request's Origin header.
     """
     try:
         return urlsplit(origin).netloc == request.host

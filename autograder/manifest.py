@@ -21,9 +21,11 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 class Exercise:
     """One exercise, as described in the manifest of its chapter.
 
-    In an assignment, an exercise can be ``extra`` credit, which means that its points come on top
-    of the total. An ``optional`` exercise is not part of the assignment. Students may do it, but it
-    does not count.
+    Attributes:
+        extra: True if the exercise gives extra credit in an assignment. Its points are then added
+            on top of the total.
+        optional: True if the exercise is not part of the assignment. Students may do it, but it
+            does not count.
     """
 
     id: str
@@ -139,16 +141,16 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Separate the chapters whose code we give to a student from those that the student writes.
+    """Divide chapters into those that students are given and those that they write.
 
-    The code of a given chapter comes from our solutions. ``numbers`` says which chapters are given,
-    as in "2,4-6". If it is empty, the student writes all of them.
+    For a given chapter, students receive our solution. ``numbers`` lists the given chapters, as in
+    "2,4-6". If it is empty, students write all of them.
 
     Returns:
-        Two lists of chapters: the given ones, and those that the student writes.
+        Two lists of chapters: the given ones, and those that students write.
 
     Raises:
-        ValueError: No chapter is left for the student, or ``numbers`` is malformed.
+        ValueError: No chapter is left for students to write, or ``numbers`` is malformed.
     """
     given = select_chapters(numbers) if numbers else []
     left = [chapter for chapter in chapters if chapter not in given]
@@ -158,10 +160,10 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 
 
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
-    """Raise ValueError if a student asks about an exercise of a given chapter.
+    """Raise ValueError if an exercise belongs to a chapter that the student is given.
 
-    The code of such a chapter comes from our solutions, so the student has nothing to write there.
-    ``numbers`` says which chapters are given, as in "2-5".
+    The autograder uses our solution of such a chapter, so there is nothing for the student to
+    write. ``numbers`` lists the given chapters, as in "2-5".
     """
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(
@@ -173,7 +175,8 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
     """List the earlier chapters whose code a chapter imports.
 
-    A manifest names them in ``builds_on``. If it does not, all earlier chapters are listed.
+    These are the chapters in the ``builds_on`` list of its manifest. Without such a list, they are
+    all earlier chapters.
     """
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
@@ -182,12 +185,12 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Parse a selection of chapters such as "2,4-6", and return those chapters.
+    """Return the chapters that a user has selected on the command line, as in "2,4-6".
 
-    Users type such a selection on the command line. An empty one stands for all chapters.
+    An empty selection stands for all chapters.
 
     Raises:
-        ValueError: The text is malformed, or it names a chapter that does not exist.
+        ValueError: The selection is malformed or contains a chapter that does not exist.
     """
     chapters = {chapter.number: chapter for chapter in load_chapters()}
     wanted: list[int] = []
@@ -207,7 +210,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Write the numbers of consecutive chapters as a range for the command line, such as "2-5"."""
+    """Format the numbers of consecutive chapters as a range for the command line, such as "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 

@@ -1,6 +1,6 @@
 """The message that tells a student why a check failed, stored as data rather than text.
 
-The terminal, the web pages and the result files each lay it out in their own way.
+The terminal, the web pages and the result files can therefore each use a layout of their own.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
 class Kind(Enum):
-    """The reasons why a check does not pass, such as an endless loop."""
+    """The reason why a check does not pass, such as an endless loop."""
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
@@ -46,14 +46,14 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """What a student reads about a check that did not pass. Empty parts are not shown.
+    """The message that a student sees if a check does not pass. Empty parts are not shown.
 
     Attributes:
         title: A sentence that is shown without a label.
-        called: The statements that the check ran. The last one gave the result.
+        called: The statements that the check ran. The last one produced the result.
         got: What the student's code returned or raised.
-        wanted: The value that ``got`` must match, to within ``tolerance``. A tolerance of 0
-            requires the two to be equal.
+        wanted: The value that ``got`` must match, to within ``tolerance``. If the tolerance is 0,
+            the two must be equal.
         where: A line of the student's code.
         likely: The most likely mistake.
         other: A second possible mistake.
@@ -81,9 +81,9 @@ class Message:
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message in which ``change`` has been applied to every text.
+        """Return a copy of the message with ``change`` applied to each of its texts.
 
-        This makes it possible, for example, to escape the special characters in all texts at once.
+        This can be used, for example, to escape special characters.
         """
         values: dict[str, Any] = {
             field.name: change(value)
@@ -98,9 +98,9 @@ class Message:
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """List the parts of the message that are not empty, with their labels, in display order.
+        """Return the non-empty parts of the message with their labels, in display order.
 
-        One such row is ("got", "Vector3(1.0, 0.0, 0.0)").
+        An example of such a row is ("got", "Vector3(1.0, 0.0, 0.0)").
         """
         rows = [("", self.blocked), ("", self.title)]
         *called, tested = statements(self.called)
@@ -124,8 +124,8 @@ class Message:
     def in_short(self) -> str:
         """The most helpful part of the message, for a table or list with room for only one line.
 
-        After a wrong result, it is the likely mistake. After an exception, it is the text of the
-        exception.
+        If a result was wrong, this is the likely mistake. If the code raised an exception, it is
+        the text of the exception.
         """
         return (self.likely if self.wanted else self.got) or (
             self.blocked or self.title or self.called
@@ -142,9 +142,9 @@ class Message:
 
 
 def statements(call: str) -> list[str]:
-    """Split a call at the semicolons between its statements, but not inside parentheses.
+    """Split a line of Python code into its statements, such as "a = Vector3(); a.clear()".
 
-    The last statement is the one whose result the check tests.
+    Semicolons inside parentheses do not count. The check tests the result of the last statement.
     """
     found, depth = [""], 0
     for part in call.split("; "):
@@ -163,9 +163,10 @@ def _in_lines(statements: list[str]) -> str:
 
 
 def laid_out(rows: list[Row]) -> str:
-    """Format the rows of a failure message as text, with labels on the left and texts in column 10.
+    """Format the rows of a failure message as text, with a column of labels on the left.
 
-    Continuation lines are indented to the same column, so that none can be mistaken for a label.
+    Continuation lines are indented like the texts, so that none of them can be mistaken for a
+    label.
     """
     lines = []
     for label, words in rows:

@@ -44,7 +44,7 @@ def to_json(value: Any) -> Any:
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
     """Create a dataclass of the type ``kind`` from parsed JSON, and validate every value.
 
-    ``what`` names the JSON in error messages, as in "the report".
+    ``what`` describes the JSON in error messages, as in "the report".
 
     Raises:
         RecordError: A value is missing or has the wrong type, or a key is unknown.
@@ -55,7 +55,7 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """List the name and the default value of each field of a dataclass.
+    """Return the name and the default value of each field of a dataclass.
 
     If a field has no default value, dataclasses.MISSING takes its place.
     """
@@ -70,8 +70,8 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
     """Build a function that validates parsed JSON and converts it to the type ``kind``.
 
-    The function is called with the JSON and with a name for it, such as "the report.score". Error
-    messages use this name to say which value is wrong.
+    The function takes the JSON and a description of it, such as "the report.score". Error messages
+    contain this description, so that they show which value is wrong.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):
@@ -114,7 +114,7 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
     """Build a function that accepts JSON of any of the types in ``kinds``.
 
-    If the JSON fits none of them, the error says why it does not fit the first type.
+    If the JSON has none of these types, the error explains why it does not have the first one.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 

@@ -1,4 +1,4 @@
-"""Compute how many points a student earns on each exercise from the verdicts on its checks."""
+"""Compute how many points a student earns on each exercise from the results of its checks."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ class Result:
 
     @property
     def works(self) -> bool:
-        """Whether the exercise works, which means that all of its physics checks pass."""
+        """True if the exercise works, which means that all of its physics checks pass."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
     def on_chart(self) -> Point | None:
         """The cost and the error of the student's solution, or None if no check measured them.
 
-        In an open exercise, these two numbers place the solution on a chart.
+        They are the coordinates of the solution on the chart of an open exercise.
         """
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
@@ -59,12 +59,14 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 
 
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
-    """Compute the status and points of an exercise from the verdicts on its checks.
+    """Compute the status and points of an exercise from the results of its checks.
 
-    Each check has a weight, and the student earns the weights of the checks that pass. If the
-    exercise has both kinds of checks, the physics checks are worth PHYSICS_SHARE of the points, and
-    the robust checks the remainder. Robust checks affect the status only once all physics checks
-    pass. An exercise without checks is our own mistake, so its score is None rather than zero.
+    Each check has a weight, and a student earns the weights of the checks that pass. If an exercise
+    has both kinds of checks, the physics checks are worth PHYSICS_SHARE of the points, and the
+    robust checks are worth the rest. Robust checks affect the status only if all physics checks
+    pass.
+
+    If an exercise has no checks, that is our own mistake, so its score is None rather than zero.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -85,16 +87,17 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def _passing(checks: Sequence[Verdict]) -> float:
-    """Compute the weight of the checks that pass, as a fraction of the weight of all checks."""
+    """Compute the fraction of checks that pass, where each check counts by its weight."""
     passed = sum(check.weight for check in checks if check.status == "passed")
     return passed / sum(check.weight for check in checks)
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
-    """Add up the points that a student has earned, and the points that were possible.
+    """Return the number of points that a student has earned, and the number that were possible.
 
-    Written answers and optional exercises do not count. Extra credit adds only to the points
-    earned. If the grader failed on an exercise, the sum is unknown, and the points earned are None.
+    Written answers and optional exercises do not count. Extra credit adds to the points earned, but
+    not to the points possible. If the grader failed on an exercise, the points earned are unknown
+    and returned as None.
     """
     checked = [r for r in results if not (r.exercise.kind == "written" or r.exercise.optional)]
     points = possible(result.exercise for result in checked)
@@ -116,6 +119,6 @@ def shown(score: float | None) -> str:
 def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
     """Format a solution's cost and error, as in "120 contacts resolved, error of the range: 0.02".
 
-    ``axes`` names the two quantities, and ``point`` has their values.
+    ``axes`` contains the names of the two quantities, and ``point`` contains their values.
     """
     return f"{point[0]:g} {axes[0]}, {axes[1]}: {point[1]:.2g}"

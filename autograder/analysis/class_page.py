@@ -25,7 +25,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 class ShownMistake:
     """A common mistake listed on class.html, with the number of students who made it.
 
-    ``places`` lists where the topic is explained, as in "glossary: scalar product".
+    ``places`` lists the sources that explain the topic, such as "glossary: scalar product".
     """
 
     mistake: Mistake

@@ -1,8 +1,8 @@
 """Measure how well an exercise separates stronger students from weaker ones.
 
-The usual measure is the item-rest correlation: Pearson's correlation between the scores on one
-exercise and the total scores on all the others. When an exercise is all or nothing, that equals the
-point-biserial correlation.
+The usual measure is the item-rest correlation. This is Pearson's correlation between the scores on
+one exercise and the total scores on all the others. If all scores on the exercise are either zero
+or full, it equals the point-biserial correlation.
 """
 
 from __future__ import annotations
@@ -24,9 +24,11 @@ LOW = (
 class Discrimination:
     """How well an exercise separates stronger students from weaker ones.
 
-    ``value`` is the item-rest correlation, which compares the scores on this exercise with those on
-    all the others. ``interval`` is its 95 % confidence interval. If the correlation is undefined,
-    ``value`` is None, and ``reason`` says why.
+    Attributes:
+        value: The item-rest correlation between the scores on this exercise and those on all the
+            others. None if it is undefined.
+        interval: The 95 % confidence interval of the correlation.
+        reason: Why the correlation is undefined, if it is.
     """
 
     students: int
@@ -36,10 +38,10 @@ class Discrimination:
 
     @property
     def is_low(self) -> bool:
-        """Whether strong students score little better on this exercise than weak students.
+        """True if strong students score little better on this exercise than weak students.
 
-        Students count as strong if they do well on all the other exercises. An exercise like this
-        may be unclear, or it may test something else.
+        Students count as strong if they do well on all the other exercises. An exercise with a low
+        value may be unclear, or it may test a different skill.
         """
         return self.value is not None and self.value < LOW
 
@@ -47,8 +49,8 @@ class Discrimination:
 def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discrimination:
     """Compute the item-rest correlation, which shows how well an exercise separates students.
 
-    ``own`` holds each student's score on this exercise. ``rest`` holds the same student's total
-    score on all other exercises, with the students in the same order.
+    ``own`` contains the scores of all students on this exercise. ``rest`` contains their total
+    scores on all other exercises, in the same order.
     """
     count = len(own)
     if count < FEWEST:

@@ -1,7 +1,7 @@
 """Compute how well a class did on each exercise and on each of its checks.
 
-Each chapter is scored together with the reference solution of all earlier chapters. Otherwise a
-single mistake in chapter 2 would lower the scores in every chapter that uses vectors.
+Each chapter is scored with the reference solution in place of the student's earlier chapters.
+Otherwise a single mistake in chapter 2 would lower the scores in every chapter that uses vectors.
 """
 
 from __future__ import annotations
@@ -25,8 +25,10 @@ HIDDEN = "a hidden check"
 class CheckItem:
     """The results of a whole class on one check of an exercise.
 
-    ``states`` counts the students who passed the check, who failed it, who had not written the
-    function, and so on. ``robust`` is True if the check is about bad arguments, overflow or NaN.
+    Attributes:
+        robust: True if the check tests bad arguments, overflow or NaN.
+        states: The number of students who passed the check, who failed it, who had not written the
+            function, and so on.
     """
 
     name: str
@@ -39,8 +41,11 @@ class CheckItem:
 class ExerciseItem:
     """The results of a whole class on one exercise.
 
-    ``full``, ``part`` and ``none`` count the students with full, partial and no credit. ``mean`` is
-    the average fraction of the points earned, or None if no student has a score.
+    Attributes:
+        full: The number of students with full credit.
+        part: The number of students with partial credit.
+        none: The number of students with no credit.
+        mean: The average score as a fraction of the points, or None if no student has a score.
     """
 
     exercise: Exercise

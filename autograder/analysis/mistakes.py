@@ -28,8 +28,8 @@ class Mistake:
         students: The students who have made the mistake.
         exercises: The exercises in which they made it.
         read: The lessons and sections of the book that explain the topic.
-        robust: Whether only robust checks caught it. These try bad arguments, overflow and NaN.
-        in_values: Whether the code runs but computes a wrong value. Otherwise it is incomplete or
+        robust: True if only robust checks caught it. These try bad arguments, overflow and NaN.
+        in_values: True if the code runs but computes a wrong value. Otherwise it is incomplete or
             raises an error.
     """
 
@@ -45,8 +45,8 @@ class Mistake:
 class Mistakes:
     """All the mistakes that the students of a class made, with the most common first.
 
-    ``unexplained`` counts the failed checks whose messages do not name a likely mistake. Every
-    hidden check is among them, because its message must not reveal what it tests.
+    ``unexplained`` is the number of failed checks whose messages do not suggest a likely mistake.
+    It includes all hidden checks, because their messages must not reveal what they test.
     """
 
     found: list[Mistake]
@@ -54,7 +54,7 @@ class Mistakes:
 
     @property
     def misconceptions(self) -> list[Mistake]:
-        """The most common physics mistakes, which are worth going over briefly in a lecture.
+        """The most common physics mistakes, for a short review in a lecture.
 
         There are at most five, and each was made by at least two students.
         """

@@ -25,8 +25,8 @@ FEWEST = 2  # assignments
 class Run:
     """The results of a class on one graded assignment.
 
-    ``percent`` maps each student to the percentage of points earned in the checks, without written
-    answers. It is None for a student on whose submission the grader failed.
+    ``percent`` maps each student to the percentage of points earned, not counting written answers.
+    It is None if the grader failed on the student's submission.
     """
 
     name: str
@@ -40,7 +40,7 @@ class Run:
 
     @property
     def five(self) -> list[float]:
-        """The five numbers that a box plot of the students' percentages needs.
+        """The five numbers that are needed for a box plot of the students' percentages.
 
         They are the minimum, the three quartiles and the maximum. The list is empty if there are no
         percentages.
@@ -56,8 +56,9 @@ class Run:
 class Returning:
     """A mistake that students of a class made in more than one assignment.
 
-    ``counts`` holds the number of students who made it in each assignment. ``again`` is the number
-    of students who repeated it in a later one.
+    Attributes:
+        counts: For each assignment, the number of students who made the mistake.
+        again: The number of students who made it in more than one assignment.
     """
 
     words: str
@@ -68,8 +69,8 @@ class Returning:
 def write_progress(folders: Sequence[Path], out: Path) -> Path:
     """Write progress.html, which compares the graded assignments of a class, and return its path.
 
-    Each of the ``folders`` holds the results of one assignment, and the page shows the assignments
-    in that order.
+    Each of the ``folders`` contains the results of one assignment. The page shows the assignments
+    in the same order.
 
     Raises:
         ValueError: There are fewer than two folders, or one of them has no results.
@@ -110,7 +111,7 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 def returning(runs: Sequence[Run]) -> list[Returning]:
     """Find the mistakes that students of the class made in more than one assignment.
 
-    They are sorted by the number of students who repeated them, with the largest first.
+    The mistakes that most students repeated come first.
     """
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}

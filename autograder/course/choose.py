@@ -1,6 +1,7 @@
-"""Find out which exercises an instructor's command is about.
+"""Find out which exercises an instructor's command applies to.
 
-On the command line, the instructor names either an assignment of the course file or some chapters.
+On the command line, the instructor selects either an assignment from the course file or some
+chapters.
 """
 
 from __future__ import annotations
@@ -26,11 +27,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Work out which exercises an instructor has selected on the command line.
+    """Return the exercises that an instructor has selected on the command line.
 
-    The options name either an assignment of the course file or some chapters. With ``handed_out``,
-    as in `make handout`, the given chapters are added to the selected ones. Otherwise the given
-    chapters are part of the selection, which contains all chapters if the options name none.
+    The instructor selects either an assignment from the course file or some chapters. If
+    ``handed_out`` is True, as in `make handout`, the given chapters are added to the selection.
+    Otherwise they are removed from it, and an empty selection means all chapters.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

@@ -16,10 +16,12 @@ from autograder.scores import possible, shown
 
 @dataclass(frozen=True)
 class Chosen:
-    """The exercises that an assignment consists of, grouped by chapter.
+    """The exercises in an assignment, grouped by chapter.
 
-    The ``given`` chapters are handed out complete. ``earlier`` lists exercises of earlier
-    assignments that this one builds on.
+    Attributes:
+        chapters: The chapters with only the assigned exercises.
+        given: The chapters that students receive as finished code.
+        earlier: The exercises of earlier assignments that this one builds on.
     """
 
     chapters: list[Chapter]
@@ -28,7 +30,7 @@ class Chosen:
 
 
 class Chooser:
-    """Finds out which exercises an assignment consists of, from its table in the course file.
+    """Finds out which exercises belong to an assignment, by reading its table in the course file.
 
     Mistakes in the table are collected in ``mistakes``. ``before`` contains the exercises of all
     earlier assignments, because this one may build on them.
@@ -50,10 +52,10 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Work out which exercises an assignment of the course file contains.
+        """Return the exercises that an assignment in the course file contains.
 
-        Check afterwards whether any mistakes in the course file were recorded. If so, the list of
-        exercises may be incomplete.
+        The result may be incomplete if the course file has mistakes, so check afterwards whether
+        any were recorded.
         """
         given = self._chapters("given")
         listed = self._ids("exercises")
@@ -104,8 +106,7 @@ class Chooser:
     def _chapters(self, key: str) -> list[Chapter]:
         """Return the chapters that are listed under a key of the course file, such as "given".
 
-        If there is no chapter with a listed number, the number is skipped and recorded as a
-        mistake.
+        The number of a chapter that does not exist is skipped and recorded as a mistake.
         """
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
@@ -142,7 +143,8 @@ class Chooser:
     def _below(self, chapter: Chapter) -> list[Chapter]:
         """List the earlier chapters whose code a chapter imports.
 
-        A manifest names them in ``builds_on``. If it does not, all earlier chapters are listed.
+        These are the chapters in the ``builds_on`` list of its manifest. Without such a list, they
+        are all earlier chapters.
         """
         earlier = [other for other in self.chapters if other.number < chapter.number]
         numbers = chapter.builds_on
@@ -151,9 +153,8 @@ class Chooser:
     def _where(self, name: str) -> tuple[str]:
         """Find the key in the course file that adds an exercise to the assignment.
 
-        It is "exercises" or "extra_credit" if the exercise is listed there. Otherwise its whole
-        chapter was assigned, and the key is "chapters". A message about a mistake points to the
-        line of that key.
+        This is "exercises" or "extra_credit" if the exercise is listed there, and "chapters" if its
+        whole chapter was assigned. Messages about mistakes point to the line of that key.
         """
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (

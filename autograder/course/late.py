@@ -15,7 +15,8 @@ from autograder.scores import shown
 class HandedIn:
     """The time of a submission, and the platform or file that reports it.
 
-    Canvas does not report the time, only whether the submission was ``late``.
+    Canvas does not report the time. It reports only whether the submission was late, and ``late``
+    is True in that case.
     """
 
     source: str
@@ -64,8 +65,8 @@ def late_of(
 ) -> Late:
     """Compute how late a submission is and how many points that costs, and explain why.
 
-    ``names`` lists the students who handed it in together. If some of them have an extension, the
-    latest of their due dates applies to all. There is no penalty if the time of the submission is
+    ``names`` lists the students who handed it in together. If any of them have extensions, the
+    latest due date applies to the whole group. There is no penalty if the time of the submission is
     unknown.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]

@@ -15,7 +15,7 @@ Path = tuple[str | int, ...]  # the keys on the way to a value, such as ("assign
 
 
 class Lines:
-    """The line number of every key and every table in a TOML file. The first line is number 1."""
+    """Finds the line number of any key or table in a TOML file. Line numbers start at 1."""
 
     def __init__(self, text: str) -> None:
         self._text = text.splitlines()

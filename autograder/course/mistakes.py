@@ -32,8 +32,8 @@ class Mistakes:
     def add(self, path: Path, words: str, word: str = "") -> None:
         """Record a mistake in the course file, to be reported with its line number.
 
-        ``path`` leads to the invalid value, as in ("assignment", 0, "due"). If the value is a list,
-        ``word`` names the item that is wrong.
+        ``path`` is the path of the invalid value, such as ("assignment", 0, "due"). If the value is
+        a list, ``word`` is the item that is wrong.
         """
         self._found.append((self._lines.of(path, word), words))
 
@@ -96,7 +96,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Format a value as in a TOML file, and cut it off if it is long."""
+    """Format a value as in a TOML file, and truncate it if it is long."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)
@@ -106,7 +106,7 @@ def shown(value: Any) -> str:
 def nearest(name: str, known: Iterable[str], most: int = MOST_SIMILAR) -> str:
     """Suggest the known names that are most similar to a wrong one, as in "Did you mean B2.1?".
 
-    If no known name is similar, return an empty string.
+    Return an empty string if no known name is similar.
     """
     names = {other.lower(): other for other in known}
     wanted = name.lower()

@@ -16,9 +16,9 @@ from autograder.manifest import Chapter
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """How many points a submission loses for each day that it is late, and the most it can lose.
+    """The penalty for late work: a number of points per day, and optionally a maximum.
 
-    A part of a day counts as a full day. If ``unit`` is "percent", the numbers are percentages of
+    A part of a day counts as a full day. If ``unit`` is "percent", the penalty is a percentage of
     the points that the assignment is worth.
     """
 
@@ -30,7 +30,7 @@ class LatePolicy:
     def words(self) -> str:
         """The penalty for late work, described in a sentence for students.
 
-        One example is "Each day or part of a day costs 2 points."
+        An example is "Each day or part of a day costs 2 points."
         """
         of = "percent of the points possible" if self.unit == "percent" else "points"
         cap = "" if self.cap is None else f", and at most {self.cap:g} {self.unit} in all"
@@ -39,10 +39,13 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """When an assignment is due, and the penalty for late work.
+    """The due date of an assignment, and the penalty for late work.
 
-    ``extensions`` has the later due dates of individual students. Every time has a time zone.
-    Without a late policy, the reports still say how late a submission is, but it loses no points.
+    Attributes:
+        due: The due date, with a time zone.
+        policy: The penalty. If it is None, reports say how late a submission is, but it loses no
+            points.
+        extensions: The later due dates of individual students.
     """
 
     due: datetime
@@ -54,10 +57,12 @@ class Deadline:
 class Work:
     """An assignment: the exercises that students have to do, and how they are graded.
 
-    ``chapters`` contain only the assigned exercises, with their points in this assignment. The
-    ``given`` chapters are handed out complete. ``earlier`` lists exercises from earlier assignments
-    that this one builds on. ``hidden`` is the folder of hidden checks. ``roster`` is the path of
-    the class list.
+    Attributes:
+        chapters: The chapters with only the assigned exercises and their points in this assignment.
+        given: The chapters that students receive as finished code.
+        earlier: The exercises of earlier assignments that this one builds on.
+        hidden: The folder of hidden checks.
+        roster: The path of the class list.
     """
 
     name: str

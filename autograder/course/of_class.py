@@ -95,10 +95,10 @@ def points_of(chapters: Iterable[Chapter]) -> float:
 
 
 def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
-    """Scale the marks for written answers to the points that the assignment gives for them.
+    """Scale the marks for written answers to the points that they are worth in the assignment.
 
-    Instructors mark by our rubrics, which add up to the points in the manifest. An assignment may
-    give more or fewer points for the same exercise.
+    Instructors mark with our rubrics, which use the points in the manifest. An assignment may give
+    more or fewer points for the same exercise.
     """
     rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
     assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}

@@ -9,9 +9,8 @@ from fractions import Fraction
 def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
     """Scale the points of all exercises by the same factor, so that they add up to ``out_of``.
 
-    Each result is a multiple of ``unit``. To make the sum exact, all points are first rounded down.
-    The units that are still missing then go, one each, to the exercises that lost the most by
-    rounding.
+    Each result is a multiple of ``unit``. All points are first rounded down. The units that are
+    missing from the sum are then added, one each, to the exercises that lost the most by rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))
@@ -27,15 +26,15 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
 def scaled_alike(value: float, out_of: float, total: float) -> float:
     """Scale the points of an extra-credit exercise by the same factor as the regular points.
 
-    ``value`` is how many points the exercise was worth. The regular points used to add up to
-    ``total`` and now add up to ``out_of``.
+    ``value`` is the old number of points of this exercise. ``total`` is the old sum of the regular
+    points, and ``out_of`` is the new sum.
     """
     return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
 
 
 def _plain(value: Fraction) -> float:
-    """Convert points from a fraction to an int or a float.
+    """Convert a number of points from a fraction to an int if possible, and otherwise to a float.
 
-    A whole number becomes an int, so that it is printed as 3 instead of 3.0.
+    As an int, a whole number is printed as 3 instead of 3.0.
     """
     return int(value) if value.denominator == 1 else float(value)

@@ -1,7 +1,7 @@
 """Find out when each student of a class handed in the work.
 
 The times come from files that accompany the submissions. The modification times of a student's
-files would be no help, because copying or unpacking changes them.
+files are not reliable, because copying or unpacking the files changes them.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
     """Find out when each student handed in the work.
 
-    Students whose time is unknown are left out of the result. If several files give a time for the
-    same student, the one in times.csv counts, because the instructor writes that file. A time in
+    Students whose time is unknown are left out of the result. If several files contain a time for
+    the same student, times.csv takes precedence, because the instructor writes it. A time in
     times.csv without a time zone is taken to be in ``zone``.
 
     Raises:
@@ -137,7 +137,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """Create a context in which every error about invalid CSV or YAML names the file."""
+    """Add the path of a file to all errors about invalid CSV or YAML in this context."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
@@ -148,7 +148,7 @@ def _readable(path: Path) -> Iterator[None]:
 def _key(name: str) -> str:
     """Normalize a student's name, so that it can be compared with the names in other files.
 
-    Unicode has two encodings for most accented letters. This function converts both to the same
-    one.
+    Unicode has two encodings for most accented letters, such as the letter e with an acute accent.
+    This function converts both to the same one.
     """
     return unicodedata.normalize("NFC", name.strip())

@@ -29,11 +29,11 @@ class Assignment:
 
     Attributes:
         chapters: The graded chapters, with only the graded exercises.
-        seed: Determines the random numbers in the checks.
+        seed: The seed for the random numbers in the checks.
         level: The layers of the sandbox that confine the students' code.
         given: Earlier chapters that come from the reference solution, even if a student has handed
             in files for them.
-        hidden: A folder of hidden checks, which are not handed out to students, or None.
+        hidden: A folder of hidden checks, which students do not receive, or None.
     """
 
     chapters: list[Chapter]
@@ -56,10 +56,10 @@ class Assignment:
     ) -> list[Verdict]:
         """Run the checks of a chapter's graded exercises on one student's code.
 
-        The checks of an exercise's prerequisites run too, because a failure there explains a
-        failure in the exercise. ``missing`` maps each module of the submission that was rejected to
-        the reason. ``compiled`` is a folder in which the compiled code of the submission is kept
-        for later runs.
+        The checks of prerequisite exercises run too, because a failure in a prerequisite may
+        explain a failure in a graded exercise. ``missing`` maps each rejected module of the
+        submission to the reason for its rejection. The compiled code is kept in the folder
+        ``compiled`` for later runs.
 
         Raises:
             GraderError: The checks could not be run.
@@ -84,16 +84,16 @@ class Assignment:
     def whole(self, chapter: Chapter) -> Chapter:
         """Return the chapter with all of its exercises, including those that are not graded.
 
-        A graded exercise may have one of the others as a prerequisite.
+        They are needed because a graded exercise may have one of them as a prerequisite.
         """
         return load_chapter(self.root / "chapters" / chapter.name)
 
 
 class OnceForAll:
-    """Check results that are the same for every student, and are computed only once for a class.
+    """A cache of check results that are the same for every student in a class.
 
-    All the threads that grade a class share this object. The first thread that needs some results
-    runs the checks, and the others wait for it.
+    All the threads that grade a class share this cache. The first thread that needs a result runs
+    the checks, and the others wait for it.
     """
 
     def __init__(self) -> None:
@@ -102,10 +102,10 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the results of the checks for students who have handed in no file for a chapter.
+        """Return the results for students who have handed in no file for a chapter.
 
-        They are the same for every such student. The earlier chapters that this one uses come from
-        the reference solution.
+        All such students get the same results. If the chapter builds on earlier ones, the code of
+        the earlier chapters comes from the reference solution.
 
         Raises:
             GraderError: The checks could not be run.
@@ -118,8 +118,9 @@ class OnceForAll:
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
         """Return the results of the reference solution on the exercises that have a chart.
 
-        The chart compares the student's cost and error with those of the reference solution. If the
-        reference solution cannot be checked, the chart shows only the student's numbers.
+        The chart compares the cost and the error of a student's solution with those of the
+        reference solution. If the reference solution cannot be checked, the chart shows only the
+        student's solution.
         """
         root = assignment.root
         with self._lock:

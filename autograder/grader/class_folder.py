@@ -21,8 +21,8 @@ from autograder.submissions.find import file_name
 def seed_of(state: Path, seed: str | None) -> str:
     """Choose the seed for the random numbers in the checks of a class.
 
-    The instructor may request a seed. If not, an interrupted run continues with its own seed, and
-    any other run draws a new one.
+    A seed that the instructor has requested takes precedence. Otherwise, an interrupted run keeps
+    its seed when it is resumed, and a new run draws one at random.
     """
     if seed:
         return seed
@@ -36,10 +36,10 @@ def seed_of(state: Path, seed: str | None) -> str:
 
 
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
-    """Require a roster for a regrade if the class was graded with one, and refuse it otherwise.
+    """Check that a regrade uses a roster if and only if the class was graded with one.
 
-    With a roster, the reports use the names on it. Without one, they use the names of the
-    submissions. If the two runs differed in this, the same student would be listed twice.
+    With a roster, the reports use its names for the students. Without one, they use the names of
+    the submissions. If the two runs differed in this, the same student would be listed twice.
 
     Raises:
         ValueError: A roster is given now but was not given before, or the reverse.
@@ -97,9 +97,9 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move the reports of students who are not on the list to ``earlier/``, and count them.
+    """Move reports on students who are not in ``students`` to ``earlier/``, and count the students.
 
-    Such a report belongs to another class, or to a student who has left this one.
+    Such students belong to another class, or have left this one.
     """
     names = {file_name(student) for student in students}
     others = set()

@@ -32,8 +32,9 @@ from autograder.submissions.find import Submission, file_name
 class ClassRun:
     """Grades the submissions of a class, or reuses the reports of an earlier run.
 
-    The object stores what all submissions have in common, such as the assignment and the folder for
-    the reports. It also stores the marks for written answers, and how late each student was.
+    The object stores everything that applies to the whole class, such as the assignment and the
+    folder for the reports. It also stores the marks for written answers and how late each student
+    was.
     """
 
     def __init__(
@@ -60,9 +61,9 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Collect the reports on the students as they arrive, and show a progress bar meanwhile.
+        """Collect the students' reports as they arrive, and show a progress bar in the meantime.
 
-        Return all of them in the order of ``submissions``, even if they arrive in another order.
+        The reports are returned in the order of ``submissions``, whatever order they arrive in.
         """
         columns = (
             TextColumn("{task.description}", markup=False),
@@ -91,9 +92,9 @@ class ClassRun:
         return [reports[submission.student] for submission in submissions]
 
     def here(self, submissions: list[Submission], jobs: int) -> Generator[StudentReport]:
-        """Grade the submissions on this machine, ``jobs`` at a time, and yield the reports.
+        """Grade the submissions on this machine, up to ``jobs`` at a time, and yield the reports.
 
-        A report is yielded as soon as it is ready, so the order may differ from that of
+        Each report is yielded as soon as it is ready, so they may not be in the order of
         ``submissions``.
         """
         with ThreadPoolExecutor(jobs) as pool:
@@ -113,9 +114,8 @@ class ClassRun:
     ) -> Generator[StudentReport]:
         """Grade the submissions on a cluster, and yield each report when it arrives.
 
-        If the report from an earlier run is still valid, the submission is not sent to the cluster.
-        ``grade_over`` is the function that sends the other submissions and yields the reports on
-        them.
+        Submissions that have a valid report from an earlier run are not graded again. The function
+        ``grade_over`` sends all others to the cluster and yields the reports on them.
         """
         left = []
         for submission in submissions:
@@ -136,10 +136,10 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Complete a student's report and write it to disk.
+        """Complete a student's report with marks and lateness, and write it to disk.
 
-        This adds the marks that people gave for written answers, and how late the submission is. In
-        an anonymous class it also removes names from the notes.
+        The marks are those that people gave for written answers. In an anonymous class, names are
+        also removed from the notes in the report.
         """
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
         if self.anonymous:
@@ -148,10 +148,9 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Read the report of an earlier run on this submission.
+        """Return the report of an earlier run on this submission, or None if it cannot be reused.
 
-        Return None if there is none, or if it is no longer valid because the submission or the
-        checks have changed.
+        A report cannot be reused if the submission or the conditions of grading have changed.
         """
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
@@ -161,10 +160,10 @@ class ClassRun:
         return report
 
     def is_valid(self, report: StudentReport, submission: Submission) -> bool:
-        """Return whether grading the submission again would produce this same report.
+        """Return True if grading the submission again would produce the same report.
 
-        That is the case if the submitted files and the conditions of grading, such as the checks
-        and the seed, are unchanged. A report on a failure of the grader is never valid.
+        This is the case if the submitted files and the conditions of grading, such as the checks
+        and the seed, have not changed. If the grader itself failed, its report is never valid.
         """
         if report.status != "graded" or report.run != self.key:
             return False
@@ -172,10 +171,10 @@ class ClassRun:
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a table of the class on the screen, with a row for each student.
+    """Print a table of the class's results, with one row for each student.
 
-    A row shows the points, the number of passed checks, and the message of the most important check
-    that did not pass.
+    Each row shows the points, the number of passed checks, and the message of the most important
+    check that did not pass.
     """
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):

@@ -45,10 +45,11 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 class Work:
     """Everything that a worker of a cluster needs in order to grade an assignment.
 
-    - ``key`` describes how the instructor's machine would grade, for example with which versions of
-      Python and of the checks. A worker that differs refuses to grade.
-    - ``hidden`` holds the contents of the hidden checks.
-    - ``home`` is the path of the repository on the instructor's machine.
+    Attributes:
+        key: The conditions of grading on the instructor's machine, such as the versions of Python
+            and the checks. A worker with other conditions refuses to grade.
+        hidden: The contents of the hidden checks.
+        home: The path of the repository on the instructor's machine.
     """
 
     assignment: Assignment
@@ -145,7 +146,9 @@ def grade_over(
 
 
 def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
-    """Grade one student's submission on a worker of the cluster, where Dask calls this function.
+    """Grade one student's submission on a worker of the cluster.
+
+    Dask calls this function on the worker.
 
     Raises:
         ValueError: The worker would not grade exactly as the sending machine does.
@@ -199,17 +202,17 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return this worker's store of check results that are the same for all students.
+    """Return this worker's cache of check results that are the same for all students.
 
-    There is one store for each assignment.
+    There is one cache for each assignment.
     """
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment with the path that the repository has on this machine.
+    """Return the assignment with the path of the repository on this machine.
 
-    The machines of a cluster may have the repository in different folders.
+    The path may be different on each machine of a cluster.
     """
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
@@ -236,8 +239,8 @@ class _Call:
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
     """Pack a function call so that Dask can send it to a worker without importing the autograder.
 
-    If Dask had to import the autograder, the scheduler would need it as well. A worker without it
-    would then fall silent instead of reporting an error.
+    If Dask had to import the autograder, the scheduler would need it as well. A worker without the
+    autograder would then stop responding instead of reporting an error.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
@@ -245,8 +248,8 @@ def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
 def _tree(folder: Path | None) -> Tree:
     """Read all the files in a folder into a dict that can be sent to a worker of the cluster.
 
-    The keys are paths in the folder, such as "ch02_vectors/vector.py". If ``folder`` is None, the
-    dict is empty.
+    The keys are paths relative to the folder, such as "ch02_vectors/vector.py". If ``folder`` is
+    None, the dict is empty.
     """
     paths = sorted(folder.rglob("*")) if folder else []
     return {
@@ -258,7 +261,7 @@ def _tree(folder: Path | None) -> Tree:
 def _write_tree(tree: Tree, folder: Path) -> None:
     """Write the files received from the instructor's machine to a folder on this worker.
 
-    All users may read them, because the student's code may run under another account.
+    The files are readable by all users, because the student's code may run under another account.
     """
     for name, content in tree.items():
         path = folder / name

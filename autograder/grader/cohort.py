@@ -46,20 +46,21 @@ from autograder.text.wrapping import plain_console
 class ClassOptions:
     """The options with which an instructor grades a class.
 
-    - ``given`` chapters come from the reference solution, even if students hand in files for them.
-    - ``seed`` determines the random numbers in the checks. Without one, a new run draws a seed, and
-      an interrupted run resumes with its own.
-    - ``hidden`` is a folder of hidden checks, chNN_name/test_*.py.
-    - ``unsafe`` permits grading without a sandbox on a machine that has none.
-    - ``jobs`` is the number of submissions to grade at a time, by default one per core.
-    - ``cluster`` is the address of a Dask scheduler, whose workers then grade instead of this
-      machine.
-    - ``roster`` is a CSV file with the students of the class. If the class is ``anonymous``, the
-      reports show codes instead of names.
-    - ``column`` says into which gradebook column of Canvas and Moodle the grades go.
-    - ``deadline`` says when the work was due, so that the reports can say who was late.
-    - ``student`` is the one student to regrade, if an earlier run has graded the class. ``why`` is
-      the reason to put in the log of regrades.
+    Attributes:
+        given: Chapters that come from the reference solution, even if students hand in files for
+            them.
+        seed: The seed for the random numbers in the checks. If it is None, a new run draws a seed,
+            and an interrupted run keeps its own.
+        hidden: A folder of hidden checks, with paths such as chNN_name/test_*.py.
+        unsafe: True to allow grading without a sandbox on a machine that has none.
+        jobs: The number of submissions to grade at a time, by default one per core.
+        cluster: The address of a Dask scheduler. Its workers then grade instead of this machine.
+        deadline: When the work was due. The reports then say who was late.
+        roster: A CSV file that lists the students of the class.
+        anonymous: True if the reports must show codes instead of names.
+        column: The gradebook column of Canvas or Moodle that the grades are for.
+        student: The only student to regrade, if the class has been graded before.
+        why: The reason for regrading this student, as it appears in the log.
     """
 
     given: Sequence[Chapter] = ()
@@ -89,8 +90,8 @@ class ClassOptions:
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports on the class into ``out``.
 
-    If an earlier run has completed a report on the same submission, with the same checks, grader
-    and seed, that report is kept.
+    A complete report from an earlier run is kept if it is still valid. That means that the
+    submission, the checks, the grader and the seed have not changed.
 
     Returns:
         The exit code, which is 1 if the grader failed on a submission.
@@ -179,10 +180,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions in the folder of a class, with notes on everything else in it.
+    """Find the submissions in the folder of a class, and list everything else in it as notes.
 
-    The reports may be written into a folder next to the submissions. That folder is not mistaken
-    for a submission.
+    If the folder for the reports is among the submissions, it is skipped.
 
     Raises:
         ValueError: The reports would be written directly into the class's folder or into a
@@ -203,7 +203,8 @@ def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
 def check_hidden(assignment: Assignment) -> None:
     """Test the instructor's hidden checks on the reference solution before any student is graded.
 
-    A check that fails on the reference solution must be wrong, and would cost every student points.
+    A check that fails on the reference solution must be wrong, and students would lose points
+    because of it.
 
     Raises:
         ValueError: The folder has no hidden checks for a graded chapter, they cannot be run, or the

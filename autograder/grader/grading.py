@@ -33,8 +33,9 @@ def grade_submission(
 ) -> StudentReport:
     """Grade one student's submission and return the report on it, even if the grader itself fails.
 
-    ``once`` holds the check results that are the same for all students. The files of the submission
-    are copied by ``stage``, or by ``fill`` if they came from another machine.
+    ``once`` is a cache of check results that are the same for all students. ``fill`` is a function
+    that copies the files of a submission that came from another machine. By default, ``stage``
+    copies them from this one.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -57,9 +58,10 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Build the report on a submission for which the grader itself has failed, with the reason.
+    """Build the report on a submission that could not be graded because the grader itself failed.
 
-    The student does not get a zero, and the submission can be graded again.
+    The report contains the ``reason``. The student does not get a zero, and the submission can be
+    graded again.
     """
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
@@ -78,7 +80,7 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Compute a digest of a submission's files, which shows later whether they have changed.
+    """Compute a digest of a submission's files, which is used later to detect changes.
 
     Only the files that the grader reads count. As long as the digest stays the same, the report
     from an earlier run can be reused.
@@ -100,7 +102,7 @@ def _all_results(
 
     The first run uses the student's own earlier chapters, and the second takes them from the
     reference solution. A check that passes only in the second run failed because of a mistake in an
-    earlier chapter. The reports show only the messages of the first run: in the second one, the
+    earlier chapter. The reports show only the messages of the first run. In the second run, the
     student's code could read the reference and leak it in a message.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
@@ -134,9 +136,9 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Return whether a student has handed in no file for this chapter, not even a rejected one.
+    """Return True if a student has handed in no file for this chapter, not even a rejected one.
 
-    The verdicts for such a chapter are the same for everyone, so its checks need not run again.
+    Every such student gets the same results, so the checks do not need to run again.
     """
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
@@ -148,8 +150,8 @@ def _chart(
 ) -> Chart | None:
     """Build the chart of an open exercise, which compares a student's solution with the reference.
 
-    It plots the error of both solutions against their cost. The result is None if the exercise has
-    no chart, or if a mistake in an earlier chapter makes the student's solution fail.
+    It plots the error of both solutions against their cost. The result is None if no check has
+    measured the student's solution.
     """
     if result.on_chart is None:
         return None
@@ -163,7 +165,8 @@ def _chart(
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
     """Build the results of a chapter whose checks could not be run.
 
-    They count as errors of the grader, so that the student does not get a zero for them.
+    Each exercise is reported as an error of the grader, so that the student does not get a zero for
+    it.
     """
     why = presentable(Message(reason[:500]))
     ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]

@@ -56,8 +56,8 @@ class Regrade:
     def before(self) -> StudentReport | None:
         """The student's report before this regrade, or None if there is none.
 
-        An earlier regrade may have been killed before it could write the log. In that case this is
-        the report from before that regrade, so that every change is logged.
+        If an earlier regrade was killed before it could write the log, this is the report from
+        before that regrade. In this way, every change is logged.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -65,7 +65,7 @@ class Regrade:
         return next((one for one in self.reports if one.student == self.student), None)
 
     def seed(self, seed: str | None) -> str:
-        """Return the random seed with which the class was graded, to regrade the student with it.
+        """Return the random seed with which the class was graded, for use in the regrade.
 
         ``seed`` is the seed that the instructor has requested, or None.
 
@@ -159,11 +159,11 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Look up which chapters an earlier run graded, in order to grade the same ones again.
+    """Return which chapters an earlier run graded, so that the same ones can be graded again.
 
     Returns:
         Two texts for the command line, such as "4,5" and "2,3": the graded chapters, and those
-        taken from the reference solution.
+            taken from the reference solution.
 
     Raises:
         ValueError: There is no earlier run, or it did not record its chapters.

@@ -1,4 +1,4 @@
-"""Make a handout: the folder of stubs, checks and tools that instructors give to students."""
+"""Make a handout, the folder with stubs, checks and tools that an instructor gives to students."""
 
 from __future__ import annotations
 
@@ -75,9 +75,9 @@ def make_handout(
     """Write the folder that an instructor gives to students, and print a summary of its contents.
 
     Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
-    code without checks. If ``chapters`` contain only some of the exercises in a manifest, the
-    others are marked as optional. ``about`` is a section about the assignment for the README. The
-    folder ``out`` must be new or empty.
+    code without checks. Exercises in a manifest that are missing from ``chapters`` become optional.
+    The text ``about`` is the section of the README that describes the assignment. The folder
+    ``out`` must be new or empty.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.

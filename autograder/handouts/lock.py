@@ -1,6 +1,6 @@
 """Read stubs.lock, which stores a hash of every file that students start from.
 
-If the hash of a stub still matches, nobody has edited the stub.
+A stub whose hash still matches has not been edited.
 """
 
 from __future__ import annotations

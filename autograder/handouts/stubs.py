@@ -1,8 +1,9 @@
 """Turn our solutions into the stubs in chapters/, the unfinished files that students complete.
 
 The manifest lists the functions that students write. In a stub, each of them keeps its signature
-and docstring, but its body becomes ``raise NotImplementedError``. stubs.lock stores a hash of every
-stub, which reveals whether somebody has edited the stub since. Edited stubs are never overwritten.
+and docstring, but its body becomes ``raise NotImplementedError``. A hash of every stub is stored in
+stubs.lock. If the hash no longer matches, somebody has edited the stub, and it is never
+overwritten.
 """
 
 from __future__ import annotations
@@ -30,8 +31,8 @@ KEPT = "stubs"  # the folder of a handout with the original stubs
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
     """Generate the text of every file that students start from.
 
-    The keys of the result are paths such as chapters/ch02_vectors/vector.py. The files are Python
-    stubs, answers.md without the model answers, and data files with only the names of the columns.
+    The result maps paths such as chapters/ch02_vectors/vector.py to texts. The files are Python
+    stubs, answers.md without the model answers, and data files that contain only the column names.
     """
     stubs = {}
     for chapter in load_chapters(root):
@@ -70,8 +71,8 @@ def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
     """Return the original stub of a module, as it was before the student edited it.
 
-    Where our solutions are available, the stub is generated from them. A handout has no solutions,
-    but it keeps a copy of each original stub. If there is no copy either, the result is None.
+    If our solutions are available, the stub is generated from them. A handout does not contain
+    them, but keeps a copy of each original stub. If there is no copy either, the result is None.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -192,9 +193,9 @@ def _helpers_of(
 ) -> dict[str, str]:
     """Find the helper functions of a solution that nothing uses once some bodies are removed.
 
-    The result maps each helper to the error message of a function that used it. If another function
-    has the same short name, as with the methods of a Protocol, the helper always stays. In that
-    case we cannot tell which of them a body used.
+    The result maps each helper to the error message of a function that used it. Helpers that share
+    a short name with another function, such as the methods of a Protocol, are never included. For
+    these, we cannot tell which function a body used.
     """
     short_names = [_short(name) for name in defined]
     return {
@@ -248,7 +249,7 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
     """Replace the body of each function in ``messages`` with a NotImplementedError.
 
-    ``messages`` maps the name of a function to the text of its error.
+    ``messages`` maps the name of each function to its error message.
     """
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"

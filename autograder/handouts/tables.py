@@ -32,10 +32,10 @@ def _extra(exercise: Exercise) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """Name everything that a student writes for an exercise, file by file.
+    """List everything that a student writes for an exercise, grouped by file.
 
-    Each text looks like "`vector.py`: `dot`, `cross`" or "`drops.csv`: your data". If several
-    classes of a file have a method of the same name, the class is named as well.
+    The text for a file looks like "`vector.py`: `dot`, `cross`" or "`drops.csv`: your data". If
+    several classes of a file have a method of the same name, the class is included.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]

@@ -25,9 +25,12 @@ LONGEST = 20_000  # the page shows at most this many characters of an answer
 class Answer:
     """One student's answer to a written question, as shown on the marking page.
 
-    The page shows ``code`` instead of the student's name, so that the name cannot influence the
-    mark. If something is wrong with the student's answers.md, ``note`` says what it is. In that
-    case ``text`` may be the whole file, because the answer could be anywhere in it.
+    Attributes:
+        code: A code that the page shows instead of the student's name, so that the name cannot
+            influence the mark.
+        text: The answer. It may be the whole file answers.md if something is wrong with that file,
+            because the answer could be anywhere in it.
+        note: What is wrong with the file answers.md, if anything.
     """
 
     student: str
@@ -94,11 +97,11 @@ def _answers_of(
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Find a student's answer to one question in the file answers.md.
+    """Return a student's answer to one question, as written in the file answers.md.
 
     Returns:
         The answer, and a note if something is wrong with the file, such as a duplicate heading. In
-        that case the answer may be anywhere in the file, so its whole text is returned.
+            that case the answer may be anywhere in the file, so its whole text is returned.
     """
     if not file.exists():
         return "", ""

@@ -71,8 +71,8 @@ class MarksFile:
     def _lines(self) -> list[str]:
         """Return the lines of marks.csv, or only the header if the file does not exist.
 
-        Each line keeps its line ending. Lines are counted as in ``read_rows``, which reports the
-        first and last line of each mark.
+        Each line keeps its line ending. The lines are split in the same way as in ``read_rows``, so
+        that its line numbers are valid here.
         """
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]

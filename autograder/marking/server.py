@@ -51,10 +51,10 @@ class Marking(Site):
         )
 
     def known(self) -> dict[str, dict[str, Any]]:
-        """Read the marks from marks.csv, and sort them by exercise and by student.
+        """Read the marks from marks.csv, and group them by exercise and by student.
 
-        For example, ``known()["2.2b"]`` is a dict of all marks for exercise 2.2b. The keys in this
-        dict are the codes that stand for students on the marking page.
+        For example, ``known()["2.2b"]`` is a dict of all marks for exercise 2.2b. Its keys are the
+        codes that the marking page shows instead of students' names.
         """
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
@@ -65,9 +65,9 @@ class Marking(Site):
 
 
 class Questions(Handler):
-    """Sends the marking page the written questions and the students' answers to them.
+    """Handles requests for the written questions and the students' answers to them.
 
-    These stay the same while the server runs.
+    Both stay the same while the server runs.
     """
 
     site: Marking
@@ -92,11 +92,11 @@ class Questions(Handler):
 
 
 class Marks(Handler):
-    """Sends the marks for written answers to the marking page, and changes them at its request.
+    """Handles requests to read or change the marks for written answers.
 
-    A request to change a mark includes the old mark that the page displayed. If somebody has
-    changed the mark in the file since then, the request is refused. That way nobody overwrites a
-    mark without having seen it.
+    A request to change a mark includes the old mark that the marking page displayed. If somebody
+    has changed the mark in the file since then, the request is refused. In this way, nobody
+    overwrites a mark without having seen it.
     """
 
     site: Marking
@@ -144,7 +144,7 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Tell the marking page that its request has failed, and why."""
+        """Send an error to the marking page, with the reason why its request has failed."""
         self.set_status(status)
         self.write({"why": why})
 

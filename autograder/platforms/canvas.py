@@ -61,9 +61,9 @@ def check_title(title: str) -> str:
 def _canvas_id(member: Member) -> str:
     """Find a student's ID number in Canvas, or return "" if it is unknown.
 
-    If the student handed in through Canvas, the name of the submission contains the number.
-    Otherwise we use the student's id on the roster, but only if it is a number. In any other text,
-    Canvas would mistake the digits at the start for one of its own IDs.
+    If the student submitted the work through Canvas, the name of the submission contains the
+    number. Otherwise the student's id on the roster is used if it is a number. Canvas would mistake
+    the digits at the start of any other id for one of its own IDs.
     """
     export = member.submission.export if member.submission else None
     if export and export.platform == "canvas" and export.number.isdecimal():

@@ -24,9 +24,9 @@ def make_classroom(
 ) -> None:
     """Write the files that students get through GitHub Classroom into the new folder ``out``.
 
-    They are an ordinary handout and a workflow that grades every push. GitHub Classroom accepts
-    only whole points, so the points of the exercises are rounded. ``about`` is the README section
-    about the assignment.
+    They are an ordinary handout and a workflow that grades every push. The points of the exercises
+    are rounded, because GitHub Classroom accepts only whole points. ``about`` is the section of the
+    README that describes the assignment.
 
     Raises:
         ValueError: A chapter is in both ``chapters`` and ``given``, or the folder is not empty.
@@ -128,6 +128,6 @@ def _step(exercise: Exercise) -> dict[str, Any]:
 
 
 def _checked(chapters: list[Chapter]) -> list[Exercise]:
-    """List the exercises that GitHub can grade, which are all except the written ones."""
+    """List the exercises that GitHub can grade. Only written exercises are left out."""
     everything = [exercise for chapter in chapters for exercise in chapter.exercises]
     return [exercise for exercise in everything if exercise.kind != "written"]

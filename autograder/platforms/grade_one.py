@@ -47,8 +47,8 @@ def main(folder: Path, root: Path = ROOT) -> None:
 def grade_one(folder: Path, root: Path) -> StudentReport:
     """Grade the submission that Gradescope has put into ``folder``, and return the report on it.
 
-    The file assignment.json, which came with the grader, says what to grade. If it contains no
-    seed, every run uses new random numbers in its checks.
+    The file assignment.json, which comes with the grader, describes what to grade. If it does not
+    contain a seed, every run draws new random numbers for its checks.
 
     Raises:
         ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
@@ -78,8 +78,8 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 def students(metadata: Path) -> str:
     """Return the names of the students who made this submission, such as "Ann Lee, Bo Chen".
 
-    They come from the file that Gradescope writes about a submission. If it contains no names,
-    return "submission".
+    The names are read from the metadata file that Gradescope writes. If it contains none, return
+    "submission".
     """
     try:
         users = _metadata(metadata)["users"]
@@ -89,7 +89,7 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Read the file in which Gradescope describes a submission, with its students and its time.
+    """Read Gradescope's metadata about a submission, such as its students and its time.
 
     If the file is unreadable, return an empty dict.
     """
@@ -117,8 +117,8 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 def _level(submission: Path, *, unsafe: bool) -> Level:
     """Choose the sandbox in which the student's code runs on Gradescope's machine.
 
-    Grading on a machine without a sandbox is possible only if ``unsafe`` is true. Student code must
-    not run as root in that case, so the process first switches from root to an unprivileged user.
+    If the machine has no sandbox, ``unsafe`` must be True. In that case the process first switches
+    from root to an unprivileged user, so that the student's code does not run as root.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

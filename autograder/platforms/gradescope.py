@@ -103,7 +103,7 @@ def _hidden(work: Work) -> dict[str, bytes]:
     """Read the instructor's hidden checks for the graded chapters, which go into Gradescope's zip.
 
     Returns:
-        A dict from the path of each file in the zip to the contents of the file.
+        A dict that maps the path of each file in the zip to its contents.
     """
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
@@ -115,8 +115,8 @@ def _hidden(work: Work) -> dict[str, bytes]:
 def _zipped(contents: dict[str, bytes]) -> bytes:
     """Pack the files for Gradescope into a zip archive, and return its bytes.
 
-    The files are sorted and have no dates of their own, so that packing the same files twice gives
-    identical bytes. The scripts are marked as executable.
+    The files are sorted and all have the same date, so that packing them twice gives identical
+    bytes. The scripts are marked as executable.
     """
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:

@@ -44,12 +44,12 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write Moodle's grading worksheet for an assignment, and return whether it was needed.
+    """Write Moodle's grading worksheet for an assignment, and return True if it was needed.
 
     The worksheet lists all submissions that come from Moodle. If there are none, nothing is
-    written. The participants' numbers come from the folder names in a Moodle download, so no roster
-    is needed. The column for comments is left out, since empty cells in it would delete the
-    comments in Moodle.
+    written. No roster is needed, because the folder names in a Moodle download contain the numbers
+    of the participants. The column for comments is left out, since empty cells in it would delete
+    the comments in Moodle.
     """
     rows = []
     for member in people.members:

@@ -21,8 +21,11 @@ CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment
 class Column:
     """The gradebook column on Canvas or Moodle into which the grades are imported.
 
-    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is the number
-    of points that the assignment is worth on the platform. All grades are scaled to this number.
+    Attributes:
+        title: The title of the column. It may end with the id of an assignment, as in "Lab 1
+            (12345)".
+        points: The number of points that the assignment is worth on the platform. All grades are
+            scaled to this number.
     """
 
     title: str = ""

@@ -79,8 +79,8 @@ def sentence(error: Exception) -> str:
 def find_engine(folder: str) -> list[Path]:
     """Return the folders in which to look for the code to check: ``folder``, and then chapters/.
 
-    The folder chapters/ is always included, because only it contains the files that students do not
-    edit.
+    The folder chapters/ is always included, because the files that students do not edit exist only
+    there.
 
     Raises:
         ValueError: The folder does not exist.
@@ -95,7 +95,7 @@ def command(name: str, **variables: str) -> str:
     """Return the command that a user has to type, such as "make check EX=2.5".
 
     If make is not installed, the command runs Python directly. In the browser it is always a make
-    command, because the buttons there are named after these commands.
+    command, because the buttons there are named after make commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])

@@ -41,8 +41,8 @@ def bound_names(tree: ast.Module) -> set[str]:
     """List every name that a module or one of its classes defines with def, class, = or import.
 
     Methods are listed with their class, as in Vector3.dot. A name assigned with = may be a
-    property, which the source code alone does not show. Each of these names is therefore also
-    listed with a setter.
+    property, which the source code alone does not show. For this reason, each of these names is
+    listed a second time with ".setter" at the end.
     """
     found = set(_bound(tree))
     for node in tree.body:

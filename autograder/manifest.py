@@ -1,6 +1,6 @@
-"""Read chapter.toml, the manifest that lists a chapter's exercises and what students write.
+"""Read chapter.toml, the manifest that lists a chapter's exercises and the functions to write.
 
-chapters/README.md explains the keys of a manifest.
+The keys of a manifest are explained in chapters/README.md.
 """
 
 from __future__ import annotations
@@ -144,7 +144,7 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
     """Divide chapters into those that students are given and those that they write.
 
     For a given chapter, students receive our solution. ``numbers`` lists the given chapters, as in
-    "2,4-6". If it is empty, students write all of them.
+    "2,4-6". If it is empty, students write all chapters.
 
     Returns:
         Two lists of chapters: the given ones, and those that students write.

@@ -1,6 +1,6 @@
 """The message that tells a student why a check failed, stored as data rather than text.
 
-The terminal, the web pages and the result files can therefore each use a layout of their own.
+This allows the terminal, the web pages and the result files to use different layouts.
 """
 
 from __future__ import annotations

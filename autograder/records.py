@@ -114,7 +114,7 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
     """Build a function that accepts JSON of any of the types in ``kinds``.
 
-    If the JSON has none of these types, the error explains why it does not have the first one.
+    If the JSON has none of these types, the error describes the mismatch with the first type.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 

@@ -61,10 +61,10 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     """Compute the status and points of an exercise from the results of its checks.
 
-    Each check has a weight, and a student earns the weights of the checks that pass. If an exercise
-    has both kinds of checks, the physics checks are worth PHYSICS_SHARE of the points, and the
-    robust checks are worth the rest. Robust checks affect the status only if all physics checks
-    pass.
+    Each check has a weight, and the points are in proportion to the total weight of the checks that
+    pass. If an exercise has both kinds of checks, the physics checks are worth PHYSICS_SHARE of the
+    points, and the robust checks are worth the rest. Robust checks affect the status only if all
+    physics checks pass.
 
     If an exercise has no checks, that is our own mistake, so its score is None rather than zero.
     """

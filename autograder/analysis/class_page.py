@@ -1,7 +1,7 @@
 """Write class.html, the page that shows an instructor how a whole class did.
 
 The page shows the distribution of scores, the most common mistakes, and statistics for every
-exercise. It names no students, so it is safe to show in a lecture.
+exercise. It contains no students' names, so it is safe to show in a lecture.
 """
 
 from __future__ import annotations

@@ -40,8 +40,8 @@ class Discrimination:
     def is_low(self) -> bool:
         """True if strong students score little better on this exercise than weak students.
 
-        Students count as strong if they do well on all the other exercises. An exercise with a low
-        value may be unclear, or it may test a different skill.
+        Students count as strong if they do well on all the other exercises. Such an exercise may be
+        unclear, or it may test a different skill.
         """
         return self.value is not None and self.value < LOW
 

@@ -1,6 +1,6 @@
 """Find the mistakes that the students of a class have made.
 
-The message of a failed check usually names a likely mistake. Counting these messages shows which
+The message of a failed check usually suggests a likely mistake. Counting these messages shows which
 mistakes are common.
 """
 

@@ -93,9 +93,9 @@ def write_progress(folders: Sequence[Path], out: Path) -> Path:
 
 
 def _run(folder: Path, folders: Sequence[Path]) -> Run:
-    """Read the students' results on one assignment from the folder that holds its reports.
+    """Read the students' results on one assignment from the folder that contains its reports.
 
-    The assignment gets the name of that folder. If two folders have the same name, their paths are
+    The assignment is named after the folder. If two folders have the same name, their paths are
     used instead.
     """
     reports = [clean_all(report) for report in read_results(folder)]

@@ -15,7 +15,7 @@ YEARS = range(1970, 3000)  # close to the years 1 and 9999, Python may fail to c
 
 
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
-    """Look up a time zone that the course file names, such as Europe/Berlin.
+    """Look up a time zone that is set in the course file, such as Europe/Berlin.
 
     If there is no such time zone, record a mistake in the course file and return None.
     """
@@ -29,7 +29,7 @@ def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
 def read_time(
     value: Any, path: Path, zone: tzinfo | None, mistakes: Mistakes, *, is_zone_wrong: bool = False
 ) -> datetime | None:
-    """Read the time at which an assignment or an extension is due, and give it a time zone.
+    """Read the due date of an assignment or an extension from the course file.
 
     A time without a UTC offset is taken to be in ``zone``, the time zone of the course. If the time
     is invalid, record a mistake in the course file and return None.
@@ -91,7 +91,7 @@ def deadline_from_json(data: dict[str, Any]) -> Deadline:
 
 
 def _to_text(time: datetime) -> str:
-    """Format a time with its UTC offset and the name of its time zone, as in RFC 9557.
+    """Format a time with its UTC offset and the name of its time zone, as specified in RFC 9557.
 
     An example is 2026-10-23T23:59:00+02:00[Europe/Berlin].
     """

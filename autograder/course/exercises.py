@@ -1,4 +1,4 @@
-"""Find out which exercises belong to an assignment, and how many points each is worth there."""
+"""Find out which exercises belong to an assignment, and how many points each of them is worth."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ class Chooser:
     def _chapters(self, key: str) -> list[Chapter]:
         """Return the chapters that are listed under a key of the course file, such as "given".
 
-        The number of a chapter that does not exist is skipped and recorded as a mistake.
+        Numbers of chapters that do not exist are skipped and recorded as mistakes.
         """
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)

@@ -18,7 +18,7 @@ from autograder.manifest import Chapter
 class LatePolicy:
     """The penalty for late work: a number of points per day, and optionally a maximum.
 
-    A part of a day counts as a full day. If ``unit`` is "percent", the penalty is a percentage of
+    A part of a day counts as a full day. If ``unit`` is "percent", both numbers are percentages of
     the points that the assignment is worth.
     """
 

@@ -27,7 +27,7 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 def read_course(path: Path, root: Path = ROOT) -> Course:
     """Read the course file, in which an instructor describes the assignments of a term.
 
-    A relative path in the file starts from the folder that contains the file.
+    Relative paths in the file start from the folder that contains it.
 
     Raises:
         ValueError: The file contains mistakes. The message lists all of them with their lines.

@@ -137,7 +137,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """Add the path of a file to all errors about invalid CSV or YAML in this context."""
+    """Return a context manager that adds the path of a file to errors about invalid CSV or YAML."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
@@ -148,7 +148,7 @@ def _readable(path: Path) -> Iterator[None]:
 def _key(name: str) -> str:
     """Normalize a student's name, so that it can be compared with the names in other files.
 
-    Unicode has two encodings for most accented letters, such as the letter e with an acute accent.
-    This function converts both to the same one.
+    Unicode can represent most accented letters in two ways. This function converts both to the same
+    form.
     """
     return unicodedata.normalize("NFC", name.strip())

@@ -97,9 +97,9 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move reports on students who are not in ``students`` to ``earlier/``, and count the students.
+    """Move the reports on students who are not in this class to ``earlier/``.
 
-    Such students belong to another class, or have left this one.
+    Return the number of these students. They may belong to another class, or have left this one.
     """
     names = {file_name(student) for student in students}
     others = set()

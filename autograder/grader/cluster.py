@@ -1,8 +1,8 @@
 """Grade a class on a Dask cluster, whose machines receive submissions and return reports.
 
-Dask distributes the submissions among its workers. If a worker dies, another one gets its
-submission. A grade must not depend on the machine that computed it. For this reason a worker
-refuses to grade unless it has the same kind of sandbox as the instructor's machine.
+Dask distributes the submissions among its workers. If a worker dies, its submission goes to another
+worker. A grade must not depend on the machine that computed it. A worker therefore refuses to grade
+unless it has the same kind of sandbox as the instructor's machine.
 """
 
 from __future__ import annotations

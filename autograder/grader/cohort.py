@@ -60,7 +60,7 @@ class ClassOptions:
         anonymous: True if the reports must show codes instead of names.
         column: The gradebook column of Canvas or Moodle that the grades are for.
         student: The only student to regrade, if the class has been graded before.
-        why: The reason for regrading this student, as it appears in the log.
+        why: The reason for the regrade, as it appears in the log.
     """
 
     given: Sequence[Chapter] = ()

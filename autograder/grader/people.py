@@ -55,8 +55,8 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 def differences(people: ClassList) -> list[str]:
     """List students who handed in nothing, and submissions whose names are not on the roster.
 
-    If one of these names is similar to one on the roster, as "Ann Le" is to "Ann Lee", suggest how
-    to rename the submission.
+    If a submission is named "Ann Le" and the roster lists "Ann Lee", for example, suggest how to
+    rename the submission.
     """
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."

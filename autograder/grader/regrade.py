@@ -124,7 +124,7 @@ class Regrade:
     ) -> list[StudentReport]:
         """Log how the student's scores have changed, and return the reports of the whole class.
 
-        They include the student's new report instead of the old one.
+        The student's old report is replaced by the new one.
         """
         (report,) = graded
         console.print(self._log(report, why), markup=False)
@@ -159,11 +159,11 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return which chapters an earlier run graded, so that the same ones can be graded again.
+    """Find out which chapters an earlier run graded, so that the same ones can be graded again.
 
     Returns:
-        Two texts for the command line, such as "4,5" and "2,3": the graded chapters, and those
-            taken from the reference solution.
+        Two texts for the command line, such as "4,5" and "2,3". The first lists the graded
+        chapters, and the second lists those taken from the reference solution.
 
     Raises:
         ValueError: There is no earlier run, or it did not record its chapters.

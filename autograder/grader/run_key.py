@@ -48,7 +48,7 @@ def run_key(assignment: Assignment) -> RunKey:
 def grader_digest() -> str:
     """Compute a digest of the autograder's source code, which changes with every edit to it.
 
-    Reports that an older version has written are then not reused.
+    Reports that were written by another version of the autograder are therefore not reused.
     """
     return _digest((ROOT / "autograder").rglob("*.py"))
 

@@ -145,10 +145,10 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
     """Turn the source of a solution into a stub by removing the bodies that students write.
 
     ``messages`` maps the name of each such function, such as ``Vector3.dot``, to the error message
-    that its stub raises. Private helpers, constants and imports that only these bodies used are
-    removed too, since they would give the solution away. A public helper that only these bodies
-    used stays, but loses its body. Public constants stay, because docstrings mention them. The
-    functions in ``kept`` always keep their bodies.
+    that its stub raises. Private helpers, constants and imports that only these bodies used would
+    give the solution away, so they are removed too. A public helper that only these bodies used
+    stays, but loses its body. Public constants stay, because docstrings mention them. The functions
+    in ``kept`` always keep their bodies.
 
     Raises:
         ValueError: The module does not define one of the names.

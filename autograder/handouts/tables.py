@@ -35,7 +35,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
     """List everything that a student writes for an exercise, grouped by file.
 
     The text for a file looks like "`vector.py`: `dot`, `cross`" or "`drops.csv`: your data". If
-    several classes of a file have a method of the same name, the class is included.
+    several classes of a file have a method of the same name, each method is listed with its class.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]

@@ -101,7 +101,7 @@ def _text_of(question: Question, file: Path) -> tuple[str, str]:
 
     Returns:
         The answer, and a note if something is wrong with the file, such as a duplicate heading. In
-            that case the answer may be anywhere in the file, so its whole text is returned.
+        that case the answer may be anywhere in the file, so its whole text is returned.
     """
     if not file.exists():
         return "", ""

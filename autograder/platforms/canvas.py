@@ -26,7 +26,8 @@ def write_canvas(
 
     The file has a row for each student on the roster. Canvas recognizes a student by the ID or, if
     that is empty, by the SIS user ID, the login or the name. A student without a grade gets an
-    empty cell. ``title`` names an existing assignment, as in "Lab 1 (12345)", or a new one.
+    empty cell. ``title`` is the title of an existing assignment, such as "Lab 1 (12345)", or of a
+    new one.
     """
     rows = [[*HEADER, title], ["    Points Possible", "", "", "", "", number(points)]]
     for member in people.members:

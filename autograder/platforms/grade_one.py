@@ -117,8 +117,8 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 def _level(submission: Path, *, unsafe: bool) -> Level:
     """Choose the sandbox in which the student's code runs on Gradescope's machine.
 
-    If the machine has no sandbox, ``unsafe`` must be True. In that case the process first switches
-    from root to an unprivileged user, so that the student's code does not run as root.
+    If the machine has no sandbox, ``unsafe`` must be True. Student code must not run as root in
+    that case, so the process first switches from root to an unprivileged user.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

@@ -149,8 +149,8 @@ def _own_texts(
 ) -> dict[str, Texts] | None:
     """Read the modules that a student handed in, grouped by chapter.
 
-    Return None if the submission has changed since it was graded. In that case we no longer know
-    which exercises work.
+    Return None if the submission has changed since it was graded. The grade then no longer says
+    which exercises the student has solved.
     """
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:

@@ -77,7 +77,7 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the gradebook's cells about a late submission: points earned, days late and penalty.
+    """Return the gradebook's cells for a late penalty: points earned, days late and penalty.
 
     A cell is None if its value is unknown, for example because the work could not be graded.
     """

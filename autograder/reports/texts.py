@@ -19,7 +19,7 @@ def clean_all(value: T) -> T:
     """Return a copy of a student's report, or of a part of it, in which all text is safe to show.
 
     The text may contain anything that a student wrote. Unprintable characters are escaped, and long
-    texts are cut off.
+    texts are truncated.
     """
     return cast(T, _cleaned(value))
 

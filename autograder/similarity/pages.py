@@ -30,10 +30,10 @@ RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of a student's code, highlighted on the page if another student has it too.
+    """A piece of a student's code, highlighted on the page if another student has the same code.
 
-    ``kind`` is "rare" or "common" for shared code, depending on how many students have it. For all
-    other code it is "".
+    ``kind`` is "rare" if few students have this code, "common" if many do, and "" if the code is
+    not shared.
     """
 
     text: str
@@ -58,8 +58,8 @@ def write_pages(
 ) -> Path:
     """Write an index of the pairs of students with similar code, and a page about each pair in it.
 
-    The index lists the first 30 pairs. If more than 30 pairs stand out, it lists all of those.
-    Return the path of the index.
+    The index lists the first 30 pairs. If more than 30 pairs stand out, the index lists all of
+    them. Return the path of the index.
     """
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [

@@ -46,7 +46,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """Run the checks again if the student has changed a file, and return whether they ran."""
+        """Run the checks again if the student has changed a file. Return True if they ran."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -98,7 +98,7 @@ class Session:
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check the student's current exercise, show the result, and return whether it is done.
+        """Check the student's current exercise, show the result, and return True if it is done.
 
         At first, an exercise is done as soon as its physics checks pass. Its robust checks count
         only after all required physics checks of the chapter pass. If the physics checks of a
@@ -160,9 +160,9 @@ class Session:
     def find_next(self) -> None:
         """Find the next exercise that is not done yet, and offer it to the student.
 
-        The student accepts by pressing Enter or by editing the code for that exercise. If there is
-        no current exercise, as when `watch` starts, we move on at once. We do the same if single
-        keys cannot be read, because Enter would not work.
+        The student accepts by pressing Enter or by editing the code for that exercise. We do not
+        wait for that if there is no current exercise, as when `watch` starts. We do not wait either
+        if single keys cannot be read, because Enter would not work.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

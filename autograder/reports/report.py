@@ -35,7 +35,7 @@ class Chart:
     Attributes:
         axes: The names of the two quantities.
         own: The cost and the error of the student's solution.
-        reference: The cost and the error of our solution.
+        reference: The cost and the error of our solution, or None if they are unknown.
     """
 
     axes: list[str]

@@ -4,9 +4,9 @@ Every sequence of GRAM consecutive tokens is hashed. From every WINDOW neighbori
 smallest is kept as a fingerprint. If two functions have GRAM + WINDOW - 1 consecutive tokens in
 common, they therefore share at least one fingerprint.
 
-Renaming variables does not hide a copy, because the student's own names are replaced with numbers,
-in the order in which they appear in the sequence. Moving statements does not hide much either. A
-sequence is no longer than a short statement, so most fingerprints stay the same.
+Renaming variables does not hide a copy. In each sequence, the student's own names are replaced with
+numbers, in the order in which they appear. Moving statements does not hide much either. A sequence
+is no longer than a short statement, so most fingerprints stay the same.
 """
 
 from __future__ import annotations

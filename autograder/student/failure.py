@@ -117,7 +117,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return whether a check calls a function that the student has just edited, or fails in one."""
+    """Return True if a check calls a function that the student has just edited, or fails in one."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

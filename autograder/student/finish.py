@@ -179,8 +179,8 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
     """Tell the student where to find the chapter's picture, or which command draws it.
 
-    The text gives the command if the picture does not come from the student's own engine, or if the
-    code has changed since it was drawn.
+    The text gives the command if the student's own engine has not drawn the picture yet, or if the
+    code has changed since then.
     """
     folder = ROOT / "build" / "plots" / chapter.name
     file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH

@@ -87,8 +87,8 @@ class ShownExercise(ExerciseReport):
 def write_feedback(out: Path, report: StudentReport) -> Path:
     """Write a student's feedback page, feedback/<student>.html, and return its path.
 
-    The page shows the points for each exercise, explains why checks failed, and names the exercise
-    that the student should fix first.
+    The page shows the points for each exercise, explains why checks failed, and says which exercise
+    to fix first.
     """
     path = out / "feedback" / f"{file_name(report.student)}.html"
     report = clean_all(report)

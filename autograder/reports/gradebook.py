@@ -1,6 +1,6 @@
 """Write gradebook.csv, the table of a class's grades.
 
-It has a row for each student and a column for each exercise, and opens in any spreadsheet.
+The table has a row for each student and a column for each exercise. Any spreadsheet can open it.
 """
 
 from __future__ import annotations

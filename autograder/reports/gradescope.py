@@ -153,7 +153,7 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 def _output(exercise: ExerciseReport) -> str:
     """Write the text that Gradescope shows below an exercise.
 
-    It mainly explains to the student why checks failed.
+    For the most part, the text explains to the student why checks failed.
     """
     status, checks = exercise.status, exercise.checks
     if status == "waiting":

@@ -126,7 +126,7 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Replace the name of each student in the marks with the name that the reports use.
+    """Return the marks with the students' names that the reports use.
 
     A student may have another name in marks.csv, such as the one on the roster. ``names`` maps
     every possible name to the one in the reports.

@@ -148,7 +148,7 @@ class StudentReport:
     def penalty(self) -> float:
         """The points that the student loses because the work was handed in late.
 
-        They are never more than the points earned, so that the total cannot be negative.
+        The penalty is never larger than the points earned, so the total cannot be negative.
         """
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 

@@ -64,7 +64,7 @@ def check_title(name: str) -> str:
 def replace_file(path: Path, text: str) -> None:
     """Write a report or another text to a file.
 
-    The file is replaced atomically, so nobody ever reads a half-written one.
+    The file is replaced atomically, so nobody ever reads a half-written file.
     """
     # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

@@ -175,10 +175,10 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return what follows the colon in a student's line that begins with def or class.
+    """Return the tokens after the colon in a student's line that begins with def or class.
 
-    For ``def f(): return 1`` these are the tokens of ``return 1``. The list is empty if the body
-    begins on the next line.
+    For ``def f(): return 1`` these are the tokens of ``return 1``. If the body begins on the next
+    line, the list is empty.
     """
     open_brackets = 0
     for i, token in enumerate(line):
@@ -193,7 +193,7 @@ def _after_colon(line: _Line) -> _Line:
 def _line_of(error: Exception) -> int:
     """Return the line of a student's file at which Python's tokenizer failed.
 
-    The number is taken from the error. If the error names no line, the result is 1.
+    The number comes from the error. If the error contains no line number, the result is 1.
     """
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()

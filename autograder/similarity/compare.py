@@ -86,10 +86,13 @@ class Shared:
 
 
 class Comparison:
-    """The result of comparing the code in a class: all pairs of students, most surprising first.
+    """The result of comparing the code in a class.
 
-    A pair stands out if its surprise is at least ``line``. In a class that is too small to compute
-    surprises, ``line`` is None, and the most similar pair comes first.
+    Attributes:
+        pairs: All pairs of students, the most surprising first.
+        line: The least surprise at which a pair stands out, or None if the class is too small for
+            surprises. Without surprises, the most similar pair comes first.
+        measure: The measure of similarity that was used.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -172,7 +175,7 @@ class Measure:
     def similarity(self, one: Work, other: Work) -> float:
         """Compute the average similarity of two students' code over all exercises, from 0 to 1.
 
-        An exercise for which only one of them has written code counts as a similarity of 0.
+        If only one of the students has written code for an exercise, the similarity there is 0.
         """
         found = sum(
             self.size(name) * self.similarity_in(name, one, other)

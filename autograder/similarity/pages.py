@@ -44,7 +44,7 @@ class Piece:
 class Side:
     """A student's function on the page of a pair, split into pieces so that shared code stands out.
 
-    ``line`` is the line of the student's file at which the code begins.
+    ``line`` is the number of the line at which the code begins in the student's file.
     """
 
     name: str
@@ -151,7 +151,7 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
     """Prepare one student's half of the page about a pair, with the shared code marked.
 
-    It contains only the functions that share code with the other student.
+    Functions that share no code with the other student are left out.
     """
     sides = []
     for passage in passages:

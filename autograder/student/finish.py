@@ -71,7 +71,7 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether a chapter is finished, so that the student gets to see the closing screen.
+    """Return True if a chapter is finished, so that the student gets to see the closing screen.
 
     The physics of each exercise must work, apart from projects and going-further exercises. Written
     questions and robust checks may still be open.

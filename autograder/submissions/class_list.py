@@ -56,7 +56,7 @@ class ClassList:
     def submissions(self) -> list[Submission]:
         """The submissions of the class, sorted by student.
 
-        Each submission has the student's name that the reports use.
+        Each submission is listed under the student's name in the reports.
         """
         renamed = [
             replace(member.submission, student=member.shown, aliases=member.aliases)

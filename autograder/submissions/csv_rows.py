@@ -33,7 +33,8 @@ class Table:
         ``longest`` is the word for such a cell in the error message, for example "comment".
 
         Raises:
-            ValueError: A row is too long, or a quote is never closed. The message gives the line.
+            ValueError: A row is too long, or a quote is never closed. The message gives the line
+                number.
         """
         # If this were not strict, a quote that is never closed would hide all rows below it.
         source = io.StringIO(self.text, newline="")
@@ -63,7 +64,7 @@ def read_csv(path: Path) -> Table:
     Semicolons are common in files from European spreadsheets.
 
     Raises:
-        ValueError: The file is not UTF-8. The message names the line.
+        ValueError: The file is not UTF-8. The message gives the line number.
         OSError: The file cannot be read.
     """
     try:

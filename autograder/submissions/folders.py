@@ -93,7 +93,7 @@ def search_folder(
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
     """Read a submitted file, but only if it is a regular file of at most ``largest`` bytes.
 
-    ``what`` is how error messages refer to the file, such as "the zip".
+    Error messages refer to the file as ``what``, for example "the zip".
 
     Raises:
         NotTakenError: The file is too large, or it is a link, a pipe or something else.
@@ -135,7 +135,7 @@ def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> lis
 
 
 def other_file(place: tuple[str, ...], name: str) -> Found:
-    """Describe a submitted file that is not one of those that we grade."""
+    """Create a record of a submitted file that is not graded."""
     return Found(place, name, refuse("it is not a file of this chapter"), other=True)
 
 

@@ -53,11 +53,11 @@ class Student:
 def read_roster(path: Path) -> list[Student]:
     """Read the list of students from the roster of a class, which is a CSV file.
 
-    The columns may be in any order, separated by commas or semicolons, and there may be others too.
+    The columns may be in any order, separated by commas or semicolons. Other columns are ignored.
     The students are returned in the order of the file.
 
     Raises:
-        ValueError: The roster contains a mistake. The message names the line.
+        ValueError: The roster contains a mistake. The message gives the line number.
         OSError: The file cannot be read.
     """
     table = read_csv(path)

@@ -94,7 +94,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to at most ``room`` lines, by replacing the middle with a note."""
+    """Shorten a list of lines to at most ``room`` lines, with a note in place of the middle."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

@@ -36,7 +36,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return which functions in one of the student's files have changed since the last call.
+        """Return the functions in one of the student's files that have changed since the last call.
 
         A data file, such as drops.csv, is compared as a whole.
         """

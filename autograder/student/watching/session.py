@@ -124,7 +124,8 @@ class Session:
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
         """Show the student a failed check of an exercise, and how many of its checks pass.
 
-        ``tier`` contains only physics checks or only robust checks, and ``kind`` says which.
+        ``tier`` contains only physics checks or only robust checks. ``kind`` is the word for these
+        checks in the message, such as "robust checks".
         """
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):

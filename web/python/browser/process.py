@@ -60,9 +60,9 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """Imports the student's modules in a browser, where there is no separate process to kill.
+    """Imports the student's modules in a browser, without a separate process that could be killed.
 
-    A watchdog reports code that runs for too long.
+    Instead, a watchdog reports code that runs for too long.
     """
 
     def surround(self) -> None:

@@ -49,7 +49,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """The functions that a student wrote for one exercise, each beside the reference solution.
+    """A student's functions for one exercise, each paired with the one in the reference solution.
 
     Functions that belong to no exercise, such as helpers, are grouped by file instead.
     """

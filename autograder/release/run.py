@@ -44,8 +44,8 @@ def release(
 
     If ``exercises`` is not empty, only those exercises are released. If ``submissions`` and
     ``grades`` are given, each student also gets a page that compares the student's code with the
-    reference solution. Use the same ``roster`` as for grading, so that each submission is matched
-    with its grade.
+    reference solution. Use the same ``roster`` as for grading, so that every submission is matched
+    with the right grade.
 
     Returns:
         The exit code 0.

@@ -25,7 +25,6 @@ class ExerciseRate:
     marked.
 
     Attributes:
-        exercise: The exercise.
         counted: The number of students who have a score for the exercise.
         passed: The number of students who pass the exercise.
         mean: The average score in points, or None if nobody has a score.

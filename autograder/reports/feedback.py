@@ -216,7 +216,7 @@ def _possible(exercises: Sequence[ExerciseReport]) -> float:
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
     """Group an exercise's failed checks by message, so that the student reads each message once.
 
-    A single unreadable file can make many checks fail with the same message.
+    For example, a file that cannot be read makes many checks fail with the same message.
     """
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:

@@ -85,9 +85,9 @@ class Late:
 class RunKey:
     """The settings with which a submission was graded, such as the seed and the time limit.
 
-    If neither the settings nor the submission have changed, the report from an earlier run is
-    reused. ``points`` maps each exercise to its points, and ``extra`` lists the exercises for extra
-    credit.
+    The report from an earlier run is reused if neither the settings nor the submission have
+    changed. ``points`` maps each exercise to its points, and ``extra`` lists the exercises for
+    extra credit.
     """
 
     seed: str

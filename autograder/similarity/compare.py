@@ -89,9 +89,9 @@ class Comparison:
     """The result of comparing the code in a class.
 
     Attributes:
-        pairs: All pairs of students, the most surprising first.
-        line: The least surprise at which a pair stands out, or None if the class is too small for
-            surprises. Without surprises, the most similar pair comes first.
+        pairs: All pairs of students, most surprising first. In a class that is too small to compute
+            surprises, the most similar pair comes first.
+        line: The smallest surprise that makes a pair stand out, or None in such a small class.
         measure: The measure of similarity that was used.
     """
 

@@ -44,9 +44,9 @@ class Report:
     """The results of checking a student's code for one chapter.
 
     Attributes:
-        chapter: The chapter.
         results: The results with the student's own earlier chapters.
-        on_reference: The results with our solutions to those chapters, or [] if not needed.
+        on_reference: The results with our solutions to those chapters, or [] if there was no such
+            run.
         suspects: The earlier chapters that may have caused failures.
     """
 

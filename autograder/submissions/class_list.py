@@ -35,7 +35,7 @@ class Member:
     def aliases(self) -> tuple[str, ...]:
         """All names of this student, both on the submission and on the roster.
 
-        They include the student's id, e-mail address and login.
+        The student's id, e-mail address and login count as names too.
         """
         who = self.student
         known = (who.name, who.id, who.email, who.login) if who else ()

@@ -22,7 +22,7 @@ def available() -> bool:
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Read each key as soon as the student presses it, without Enter and without echo.
+    """Make the terminal pass on each key at once, without waiting for Enter and without echo.
 
     When the context ends, the terminal returns to its previous mode.
     """

@@ -67,10 +67,10 @@ class Progress:
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Say how far the student is in a chapter, as in "3 of 8 exercises work".
+        """Describe how far the student is in a chapter, as in "3 of 8 exercises work".
 
-        An exercise works if its physics checks pass. Once all of them work, the robust checks count
-        too, as in "3 of 8 are complete".
+        An exercise works if its physics checks pass. Once all exercises work, the robust checks
+        count too, as in "3 of 8 are complete".
         """
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]

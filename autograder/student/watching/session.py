@@ -161,9 +161,9 @@ class Session:
     def find_next(self) -> None:
         """Find the next exercise that is not done yet, and offer it to the student.
 
-        The student accepts by pressing Enter or by editing the code for that exercise. We do not
-        wait for that if there is no current exercise, as when `watch` starts. We do not wait either
-        if single keys cannot be read, because Enter would not work.
+        The student accepts by pressing Enter or by editing the code for that exercise. If there is
+        no current exercise, as when `watch` starts, the next one begins at once. It also begins at
+        once if single keys cannot be read, because Enter would not work.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

@@ -84,7 +84,7 @@ class Keyboard:
     def note(self, words: str, style: str = "") -> None:
         """Show a short message, such as a hint, at the end of the student's page.
 
-        It replaces the previous message.
+        The message replaces the previous one.
         """
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()

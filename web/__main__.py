@@ -70,7 +70,7 @@ def build(out: Path, *, with_solutions: bool) -> None:
 def put_in_place(site: Path, out: Path) -> None:
     """Move the new website to the folder ``out``, replacing an earlier build.
 
-    ``out`` never contains a half-finished site, even if the command is killed meanwhile.
+    Even if the command is killed, ``out`` never contains a half-finished site.
     """
     new, old = (out.with_name(f".{out.name}.{what}") for what in ("new", "old"))
     for folder in (new, old):

@@ -11,7 +11,7 @@ from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
 
 
 def course() -> dict[str, Any]:
-    """Collect the data about all chapters for the website.
+    """Collect the data about all chapters that the website shows.
 
     The data contains stubs and questions, but no solutions and no model answers.
     """
@@ -22,8 +22,8 @@ def course() -> dict[str, Any]:
 def _chapter(chapter: Chapter, stubs: dict[str, str]) -> dict[str, Any]:
     """Collect the data about one chapter for the website.
 
-    In the result, "files" holds the stubs that students edit, and "complete" holds the modules that
-    are given to them.
+    In the result, "files" contains the stubs that students edit. "complete" contains the modules
+    that students use without changing them.
     """
     files = {path: text for path, text in stubs.items() if path.startswith(f"{chapter.name}/")}
     answers = files.get(f"{chapter.name}/{FILE}")

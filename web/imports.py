@@ -35,8 +35,8 @@ def imported_by(
 def _names(file: Path, folders: Iterable[Path]) -> Iterator[str]:
     """Yield the names of all modules that a Python file may import.
 
-    In `from a import b`, `b` may be a module or any other object. The name `a.b` is therefore
-    yielded as well.
+    In `from a import b`, `b` may be a module or any other object. That is why `a.b` is among the
+    names too.
     """
     for node in ast.walk(ast.parse(file.read_bytes())):
         if isinstance(node, ast.Import):

@@ -14,7 +14,7 @@ PACKAGES = WEB / "node_modules"
 
 
 def missing() -> str:
-    """Say what must be installed before Node.js can run, or return "" if nothing is missing."""
+    """Return a message that says what to install before Node.js can run, or "" if all is ready."""
     node = shutil.which("node")
     if node is None or shutil.which("npm") is None:
         what = "node" if node is None else "npm"

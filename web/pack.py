@@ -1,9 +1,9 @@
 """Pack the Python code that the website runs in the browser with Pyodide.
 
-The archive course.xz holds a handout of all chapters. It also holds those parts of pytest and of
-the course's tools that a check or a scene imports. A second archive holds Python's standard
-library. Modules are compiled where that saves loading time. Two builds from the same sources
-produce identical files.
+The archive course.xz contains a handout of all chapters. It also contains the parts of pytest and
+of the course's tools that the checks and scenes import. A second archive contains Python's standard
+library. Modules are compiled if that saves loading time. Two builds from the same sources produce
+identical files.
 """
 
 from __future__ import annotations

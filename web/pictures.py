@@ -1,4 +1,4 @@
-"""Convert the pictures of the lessons to smaller files that look the same."""
+"""Convert the pictures in the lessons to smaller files that look the same."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from autograder.manifest import ROOT
 
 
 def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
-    """Convert all still pictures of the lessons to WebP files in the folder ``out``.
+    """Convert all pictures in the lessons, except animations, to WebP files in the folder ``out``.
 
-    Animations are not copied, because the page runs the scene itself instead.
+    Animations are not needed, because the page runs the scene itself instead.
 
     Returns:
         A dict from the path of each original picture to the name, width and height of the new file.

@@ -1,8 +1,8 @@
 """Draw the pictures that readers see before they start a scene: python -m web.stills FOLDER.
 
-Each scene is drawn as it looks after a scripted player has briefly played it on the reference
-engine. A lesson can also start a scene with settings, as in `make lab SCENE=... SET=...`. In that
-case the picture shows the start of the scene, because a later one would give away the outcome.
+Each picture shows its scene after a scripted player has briefly played on the reference engine. A
+lesson can also start a scene with settings, as in `make lab SCENE=... SET=...`. The picture then
+shows the start of the scene, so that it does not give away the outcome.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def main() -> None:
 def scenes_of_students() -> list[Entry]:
     """List the scenes that students can run on their own engine.
 
-    The scene that replays the accuracy study is not one of them, because it shows the reference.
+    The scene that replays the accuracy study is left out, because it shows the reference.
     """
     return [e for e in entries() if e.module.rpartition(".")[2] != Path(CHARTS).stem]
 
@@ -63,9 +63,10 @@ def wanted() -> list[tuple[str, str]]:
 
 
 def still_name(scene: str, settings: str) -> str:
-    """Return the file name of a scene's picture, without its ending.
+    """Return the file name of a scene's picture, without the suffix.
 
-    For the scene one-spring with the setting stiffness=36, it is "one-spring_stiffness-36".
+    For example, the scene one-spring with the setting stiffness=36 becomes
+    "one-spring_stiffness-36".
     """
     return "_".join([scene, *settings.replace("=", "-").split()])
 

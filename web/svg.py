@@ -20,7 +20,7 @@ HIDDEN = ("force", "contact")  # arrows that a page shows only on request
 class View:
     """Converts the coordinates of a scene to pixels, as the page does.
 
-    A scene uses its own units with +y up.
+    A scene has its own units, and its y axis points up.
     """
 
     def __init__(self, view: tuple[float, float, float, float]) -> None:

@@ -55,7 +55,7 @@ def run_release(arguments: argparse.Namespace) -> int:
 def refuse_early(work: Work, now: datetime) -> None:
     """Raise ValueError if any student may still hand in work for this assignment.
 
-    Otherwise that student could copy from the released solution.
+    This keeps students from copying the released solution.
     """
     if work.deadline is None:
         return

@@ -21,10 +21,11 @@ OUTSIDE = ""  # stands for code outside of functions
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function, ready to be shown next to another version of the same function.
+    """The body of a function, prepared for a comparison with another version of the function.
 
-    ``text`` is the code without its indentation. ``counts`` says how many lines, calls and new
-    objects it contains.
+    Attributes:
+        text: The code, without the indentation that all lines share.
+        counts: How many lines, calls and new objects the code contains.
     """
 
     text: str
@@ -33,9 +34,12 @@ class Code:
 
 @dataclass(frozen=True)
 class Pair:
-    """A function as the student wrote it, next to the same function in the reference solution.
+    """Two versions of a function: the student's and the one in the reference solution.
 
-    A version that does not exist is None.
+    Attributes:
+        name: The name of the function, such as "Particle.mass".
+        own: The student's version, or None if the student has no such function.
+        reference: Our version, or None if the reference solution has no such function.
     """
 
     name: str
@@ -45,7 +49,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """The functions that a student wrote for one exercise, each beside the reference solution.
+    """A student's functions for one exercise, each paired with the one in the reference solution.
 
     Functions that belong to no exercise, such as helpers, are grouped by file instead.
     """
@@ -67,10 +71,10 @@ def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compar
 def compare_others(
     chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Pair functions that belong to no exercise, such as helpers, with the reference solution.
+    """Compare a student's helpers and other functions that belong to no exercise with our own code.
 
-    Functions that are identical in both are left out, because they may have been given to the
-    students. Code outside functions is left out too.
+    Functions that are the same in both are left out, because the students may have been given them.
+    Code outside functions is left out too.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []

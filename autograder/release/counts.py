@@ -1,7 +1,7 @@
 """Count the lines, calls and new objects in a student's function and in the reference solution.
 
-The counts let a student see how the two versions differ. They come from reading the source text
-rather than running it, so a call inside a loop counts only once.
+Students can compare these numbers to see how the two versions differ. The source text is only read,
+not run, so a call inside a loop counts only once.
 """
 
 from __future__ import annotations
@@ -19,9 +19,12 @@ END_OF_LINE = ";"
 class Counts:
     """The number of lines, calls and new objects in the body of a function.
 
-    ``lines`` excludes blank lines, comments and docstrings. ``calls`` counts all calls, and
-    ``objects`` counts those that create an object, such as Vector3(...). An error created in a
-    raise statement counts as neither.
+    An error that is created in a raise statement counts neither as a call nor as an object.
+
+    Attributes:
+        lines: The number of lines, without blank lines, comments and docstrings.
+        calls: The number of all calls.
+        objects: The number of calls that create an object, such as Vector3(...).
     """
 
     lines: int
@@ -42,9 +45,10 @@ def count(function: Function) -> Counts:
 
 
 def _is_call(words: Sequence[str], i: int) -> bool:
-    """Return whether the opening parenthesis at index ``i`` begins the arguments of a call.
+    """Return True if the opening parenthesis at index ``i`` begins the arguments of a call.
 
-    Parentheses that group an expression do not, and neither do those after def, class or raise.
+    Parentheses that group an expression do not count, and neither do those in def statements, class
+    statements and raise statements.
     """
     before = words[i - 1] if i else ""
     first = i - 1

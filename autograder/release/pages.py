@@ -19,8 +19,8 @@ def write_page(
 ) -> Path:
     """Write a page that shows a student's code next to the reference solution.
 
-    The file is students/<student>.html. ``not_compared`` lists the released exercises that the
-    student has not solved.
+    The page is written to students/<student>.html. It also lists the exercises in ``not_compared``,
+    which are released but not solved by the student.
 
     Returns:
         The path of the page.

@@ -1,6 +1,6 @@
-"""Write the part of the reference solution that students may see now.
+"""Write the part of the reference solution that has been released to students.
 
-Exercises that are not released yet remain stubs, so that students can still solve them.
+Exercises that have not been released yet remain stubs, so that students can still solve them.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from autograder.manifest import ROOT, Chapter
 
 
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
-    """Return copies of the chapters that contain only the exercises to be released.
+    """Return copies of the chapters that contain only the exercises to release.
 
-    If ``exercises`` is empty, the copies keep all of their exercises. Chapters without any exercise
-    to release are left out.
+    If ``exercises`` is empty, all exercises are released. A chapter in which nothing is released is
+    left out.
 
     Raises:
         ValueError: An exercise does not exist in any of the chapters.

@@ -44,8 +44,8 @@ def release(
 
     If ``exercises`` is not empty, only those exercises are released. If ``submissions`` and
     ``grades`` are given, each student also gets a page that compares the student's code with the
-    reference solution. Use the same ``roster`` as for grading, so that each submission is matched
-    with its grade.
+    reference solution. Use the same ``roster`` as for grading, so that every submission is matched
+    with the right grade.
 
     Returns:
         The exit code 0.
@@ -149,8 +149,8 @@ def _own_texts(
 ) -> dict[str, Texts] | None:
     """Read the modules that a student handed in, grouped by chapter.
 
-    Return None if the submission has changed since it was graded. In that case we no longer know
-    which exercises work.
+    Return None if the submission has changed since it was graded. The grade then no longer says
+    which exercises the student has solved.
     """
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:

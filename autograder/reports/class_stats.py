@@ -19,10 +19,16 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ExerciseRate:
-    """How many students of a class pass an exercise, and how many points they earn on average.
+    """The pass rate of an exercise in a class, and the average number of points.
 
-    ``counted`` is the number of students with a score for the exercise. A student has no score if
-    grading failed, or while a written answer is still waiting to be marked.
+    A student has no score if grading failed, or while a written answer is still waiting to be
+    marked.
+
+    Attributes:
+        counted: The number of students who have a score for the exercise.
+        passed: The number of students who pass the exercise.
+        mean: The average score in points, or None if nobody has a score.
+        first_lost: The check that most students fail.
     """
 
     exercise: Exercise
@@ -35,8 +41,8 @@ class ExerciseRate:
     def share(self) -> float | None:
         """The fraction of students who pass every check of the exercise, such as 0.75.
 
-        Students without a score are not counted. The fraction is None if nobody has a score, and
-        for a written exercise, which has no checks.
+        Students without a score are not counted. The fraction is None if nobody has a score. It is
+        also None for a written exercise, which has no checks.
         """
         if self.exercise.kind == "written" or not self.counted:
             return None
@@ -47,8 +53,10 @@ class ExerciseRate:
 class Bin:
     """One bar in the histogram of a class's scores, such as the bar from 70 to 80 percent.
 
-    ``count`` students have at least ``low`` percent of the points, but less than ``high`` percent.
-    The last bar includes full marks.
+    Attributes:
+        low: The smallest percentage that belongs to the bar.
+        high: The end of the bar. This percentage itself belongs to the next bar, except for 100.
+        count: The number of students whose score belongs to the bar.
     """
 
     low: int

@@ -48,11 +48,11 @@ TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first t
 
 @dataclass
 class LostChecks:
-    """The failed checks of an exercise that all have the same message.
+    """A group of failed checks of one exercise that all have the same message.
 
-    A student's page shows that message only once. For example, a module that cannot be imported
-    makes many checks fail in the same way. ``titles`` lists the checks by name, except for hidden
-    ones, which are only counted.
+    A student's page shows the message only once, together with the titles of the checks. For
+    example, a module that cannot be imported makes many checks fail in the same way. The titles of
+    hidden checks are not shown. Such checks are only counted.
     """
 
     status: Status
@@ -67,10 +67,11 @@ class LostChecks:
 class ShownExercise(ExerciseReport):
     """A student's results in one exercise, prepared for the student's feedback page.
 
-    The page explains each failed check in ``lost``, but lists the checks in ``passed`` only by
-    name. ``gains`` is true if the student would earn more points for the exercise with our
-    solutions to the earlier chapters. ``uneven`` is true if some of its physics checks, or some of
-    its robust checks, count more than others.
+    Attributes:
+        lost: The failed checks, which the page explains.
+        passed: The titles of the checks that passed.
+        gains: True if the student would earn more points with our solutions to earlier chapters.
+        uneven: True if some physics checks, or some robust checks, count more than others.
     """
 
     anchor: str
@@ -86,8 +87,8 @@ class ShownExercise(ExerciseReport):
 def write_feedback(out: Path, report: StudentReport) -> Path:
     """Write a student's feedback page, feedback/<student>.html, and return its path.
 
-    The page shows the points for each exercise, explains why checks failed, and names the exercise
-    that the student should fix first.
+    The page shows the points for each exercise, explains why checks failed, and says which exercise
+    to fix first.
     """
     path = out / "feedback" / f"{file_name(report.student)}.html"
     report = clean_all(report)
@@ -177,8 +178,8 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
     """Return the exercise that the student should fix first, or None if every exercise passes.
 
-    An exercise with wrong physics comes first. An exercise in which only robust checks fail, such
-    as checks with bad arguments, can wait.
+    Exercises with wrong physics come first. Those in which only robust checks fail, such as checks
+    with invalid arguments, can wait.
     """
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
@@ -189,10 +190,10 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Lay out a chart for each open exercise, on which every student of the class is a dot.
+    """Lay out a chart for each open exercise, with a dot for every student of the class.
 
-    Such an exercise has more than one good answer, so the chart plots the error of each solution
-    against its cost. There is no chart if no student's solution could be measured.
+    An open exercise has more than one good answer, so the chart plots the error of each solution
+    against its cost. An exercise gets no chart if no student's solution could be measured.
     """
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
@@ -215,7 +216,7 @@ def _possible(exercises: Sequence[ExerciseReport]) -> float:
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
     """Group an exercise's failed checks by message, so that the student reads each message once.
 
-    A single unreadable file can make many checks fail with the same message.
+    For example, a file that cannot be read makes many checks fail with the same message.
     """
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:

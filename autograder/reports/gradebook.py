@@ -1,6 +1,6 @@
 """Write gradebook.csv, the table of a class's grades.
 
-It has a row for each student and a column for each exercise, and opens in any spreadsheet.
+The table has a row for each student and a column for each exercise. Any spreadsheet can open it.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the gradebook's cells about a late submission: points earned, days late and penalty.
+    """Return the gradebook's cells for a late penalty: points earned, days late and penalty.
 
     A cell is None if its value is unknown, for example because the work could not be graded.
     """

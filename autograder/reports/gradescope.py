@@ -54,7 +54,7 @@ class GradescopeResults:
 
 
 def write_gradescope(out: Path, report: StudentReport) -> Path:
-    """Write a student's grade to the file that Gradescope reads, and return the path of the file.
+    """Write a student's grade as a file for Gradescope, and return the path of the file.
 
     The file is gradescope/<student>/results.json in the folder ``out``.
     """
@@ -87,8 +87,8 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 def ungraded_results(reason: str) -> GradescopeResults:
     """Build the results for a submission that could not be graded.
 
-    They have no score. Gradescope shows the student the reason instead, and says that the
-    submission is not to blame.
+    The submission gets no score. Instead, Gradescope shows the student why grading failed, and that
+    the submission is not to blame.
     """
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
@@ -153,7 +153,7 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 def _output(exercise: ExerciseReport) -> str:
     """Write the text that Gradescope shows below an exercise.
 
-    It mainly explains to the student why checks failed.
+    For the most part, the text explains to the student why checks failed.
     """
     status, checks = exercise.status, exercise.checks
     if status == "waiting":

@@ -1,7 +1,7 @@
 """Read the marks for students' written answers, and add them to the reports.
 
-The autograder cannot judge a written answer. An instructor does, and enters the points and a
-comment in marks.csv.
+The autograder cannot judge written answers. An instructor reads them, and enters points and
+comments in marks.csv.
 """
 
 from __future__ import annotations
@@ -38,10 +38,14 @@ Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 @dataclass(frozen=True)
 class Row:
-    """A row of marks.csv, which holds the mark for one student's answer to one exercise.
+    """A row of marks.csv: the mark for one student's answer to one exercise.
 
-    ``first`` and ``last`` are the numbers of its first and last line, counted from 1. They differ
-    if the comment spans several lines.
+    Attributes:
+        student: The student's name.
+        exercise: The id of the exercise.
+        mark: The points and the comment.
+        first: The number of the row's first line in the file, counted from 1.
+        last: The number of its last line, which is larger if the comment spans several lines.
     """
 
     student: str
@@ -54,12 +58,12 @@ class Row:
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
     """Read marks.csv, where instructors enter points and comments for students' written answers.
 
-    Its columns are student, exercise, points and comment. Semicolons between the columns and
-    decimal commas are accepted too, because European spreadsheets write them. If the file does not
-    exist, there are no marks.
+    The columns are student, exercise, points and comment. European spreadsheets separate columns
+    with semicolons and write decimal commas, so both are accepted. If the file does not exist,
+    there are no marks.
 
     Raises:
-        ValueError: A line is invalid. The message names the line and says what should be there.
+        ValueError: A line is invalid. The message gives its number and says what is wrong.
     """
     _, rows = read_rows(path, chapters, students)
     return {(row.student, row.exercise): row.mark for row in rows}
@@ -70,7 +74,7 @@ def read_rows(
 ) -> tuple[str, list[Row]]:
     """Read the rows of marks.csv, together with their line numbers and the column separator.
 
-    These let a program change a single mark and leave all other lines of the file untouched.
+    With this information, a program can change a single mark and leave the other lines untouched.
 
     Returns:
         The separator, which is a comma or a semicolon, and the rows.
@@ -122,10 +126,10 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return the marks with each student's name replaced by the one that the reports use.
+    """Return the marks with the students' names that the reports use.
 
-    In marks.csv a student may go by another name, such as the one on the roster. ``names`` maps
-    every such name to the one in the reports.
+    A student may have another name in marks.csv, such as the one on the roster. ``names`` maps
+    every possible name to the one in the reports.
 
     Raises:
         ValueError: A student has two marks for the same exercise, under different names.
@@ -196,11 +200,11 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Map each spelling of a name that marks.csv may contain to the student it stands for.
+    """Map each possible spelling of a student's name in marks.csv to the name in the reports.
 
     A spreadsheet may have encoded accents differently, or put an apostrophe before a name that
-    looks like a formula. A spelling that fits two students is left out, unless it is exactly the
-    name of one of them.
+    looks like a formula. A spelling that fits two students is left out, unless one of them has
+    exactly this name.
     """
     forms: dict[str, set[str]] = {}
     for name in students:
@@ -213,6 +217,7 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 def _key(name: str) -> str:
     """Normalize the accented letters in a student's name, so that names can be compared.
 
-    Unicode has two encodings for a letter such as é. They look the same but do not compare equal.
+    Unicode has two encodings for a letter such as é. Both look the same, but they do not compare
+    equal.
     """
     return unicodedata.normalize("NFC", name.strip())

@@ -19,8 +19,8 @@ SHARED = Path(__file__).parent / "templates"
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
     """Fill in the template of a web page, such as student.html, and return the finished page.
 
-    ``values`` are the variables that the template uses. We look for the template in ``folder``, and
-    then in the folder with the shared templates.
+    ``values`` are the variables for the template. The template is read from ``folder`` or, if it is
+    not there, from the folder of shared templates.
     """
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),

@@ -27,11 +27,15 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """The measurements that place a student's solution to an open exercise on a chart.
+    """The measurements of a student's solution to an open exercise, which a chart shows.
 
     An open exercise has more than one good answer, so the chart plots the error of each solution
-    against its cost. ``own`` holds the cost and error of the student's solution, and ``reference``
-    holds those of our solution. ``axes`` names the two quantities.
+    against its cost.
+
+    Attributes:
+        axes: The names of the two quantities.
+        own: The cost and the error of the student's solution.
+        reference: The cost and the error of our solution, or None if they are unknown.
     """
 
     axes: list[str]
@@ -43,9 +47,9 @@ class Chart:
 class ExerciseReport:
     """A student's results in one exercise, as saved in the report on the student.
 
-    Scores are None as long as they are unknown. ``score_on_given`` is the score that the student
-    would have with our solutions to the earlier chapters. An ``extra`` exercise gives extra credit,
-    so it does not add to the points possible.
+    A score is None if it is not known yet. An exercise with ``extra`` gives extra credit, so it
+    does not add to the points possible. ``score_on_given`` is the score that the student would have
+    with our solutions to the earlier chapters.
     """
 
     chapter: int
@@ -66,8 +70,10 @@ class ExerciseReport:
 class Late:
     """How late a student handed in the work, and how many points that costs.
 
-    The course's late policy sets the cost. ``days`` is None if we do not know when the work was
-    handed in. ``words`` explains the result to the student in full sentences.
+    Attributes:
+        days: The number of days, or None if we do not know when the work was handed in.
+        deduction: The number of points to subtract under the course's late policy.
+        words: An explanation for the student, in full sentences.
     """
 
     days: int | None
@@ -79,9 +85,9 @@ class Late:
 class RunKey:
     """The settings with which a submission was graded, such as the seed and the time limit.
 
-    If the settings and the submission are still the same, the report from an earlier run is reused.
-    ``points`` says how many points each exercise is worth, and ``extra`` lists the exercises that
-    give extra credit.
+    The report from an earlier run is reused if neither the settings nor the submission have
+    changed. ``points`` maps each exercise to its points, and ``extra`` lists the exercises for
+    extra credit.
     """
 
     seed: str
@@ -142,7 +148,7 @@ class StudentReport:
     def penalty(self) -> float:
         """The points that the student loses because the work was handed in late.
 
-        They are never more than the points earned, so that the total cannot be negative.
+        The penalty is never larger than the points earned, so the total cannot be negative.
         """
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 

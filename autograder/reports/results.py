@@ -64,7 +64,7 @@ def read_results(out: Path) -> list[StudentReport]:
 def write_student(out: Path, report: StudentReport) -> None:
     """Write the files about one student: the feedback page, the Gradescope file and the report.
 
-    The report is written last. If it exists, the other files are complete.
+    The report is written last, so the other files are complete if it exists.
     """
     write_feedback(out, report)
     write_gradescope(out, report)

@@ -1,7 +1,7 @@
 """Lay out a chart that plots the error of each student's solution against its cost.
 
-Open exercises, which have more than one good answer, get such a chart. Both axes are logarithmic.
-This module only computes positions. The template scatter.svg does the drawing.
+Such a chart is made for open exercises, which have more than one good answer. Both axes are
+logarithmic. This module only computes positions. The template scatter.svg draws the chart.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ Point = Sequence[float]  # cost and error
 class Dot:
     """A dot on an exercise's chart, which shows the cost and the error of one student's solution.
 
-    ``x`` and ``y`` are its position in the picture. ``best`` is true if no solution at the same or
-    a lower cost has a smaller error.
+    ``x`` and ``y`` are the position of the dot in the picture. ``best`` is True if no solution of
+    the same or lower cost has a smaller error.
     """
 
     name: str
@@ -38,8 +38,14 @@ class Scatter:
     """The layout of an open exercise's chart: the axes, a dot for each student, and the front.
 
     The front is a line through the best solutions, which may include ours. A solution is one of the
-    best if no other at the same or a lower cost has a smaller error. Each tick on an axis consists
-    of a position and a label.
+    best if no solution of the same or lower cost has a smaller error.
+
+    Attributes:
+        costs: The ticks on the axis for the cost, each as a position and a label.
+        errors: The ticks on the axis for the error, each as a position and a label.
+        dots: The dots of the students.
+        reference: The dot for our solution, or None if there is none.
+        front: The corners of the line, as text for an SVG polyline.
     """
 
     exercise: ExerciseReport
@@ -52,10 +58,10 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Work out where to draw the axes, the students' dots and the front on an exercise's chart.
+    """Compute where to draw the axes, the students' dots and the front on an exercise's chart.
 
-    The front is the line through the best solutions. ``named`` lists the students' names, each with
-    the cost and the error of the student's solution.
+    The front is the line through the best solutions. ``named`` lists each student's name with the
+    cost and the error of that student's solution.
     """
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
@@ -85,8 +91,8 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 def front(points: Sequence[Point]) -> list[list[float]]:
     """Select the best of several solutions, given the cost and the error of each.
 
-    A solution is one of the best if every other solution at the same or a lower cost has a larger
-    error. The result starts with the cheapest.
+    A solution is one of the best if every other solution of the same or lower cost has a larger
+    error. The result is sorted by cost, cheapest first.
     """
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
@@ -96,10 +102,10 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Connect the best solutions on a chart by a staircase, and return its corners.
+    """Connect the best solutions on a chart by a line of steps, and return its corners.
 
-    As the permitted cost grows, the smallest possible error stays the same until the next solution
-    becomes affordable. It then drops at once, which is why the line has steps.
+    The line shows the smallest error that is possible at each cost. This error stays the same up to
+    the cost of the next solution, and then drops at once.
     """
     corners = line[:1]
     for x, y in line[1:]:

@@ -19,7 +19,7 @@ def clean_all(value: T) -> T:
     """Return a copy of a student's report, or of a part of it, in which all text is safe to show.
 
     The text may contain anything that a student wrote. Unprintable characters are escaped, and long
-    texts are cut off.
+    texts are truncated.
     """
     return cast(T, _cleaned(value))
 
@@ -64,7 +64,7 @@ def check_title(name: str) -> str:
 def replace_file(path: Path, text: str) -> None:
     """Write a report or another text to a file.
 
-    The file is replaced atomically, so nobody ever reads a half-written one.
+    The file is replaced atomically, so nobody ever reads a half-written file.
     """
     # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

@@ -25,8 +25,10 @@ _Line = list[tokenize.TokenInfo]
 class Token:
     """One token of a student's code, such as a name or an operator, ready to be compared.
 
-    Tokens are equal if they have the same ``word``. ``start`` and ``end`` say where the token is in
-    the student's file, as (line, column).
+    Attributes:
+        word: The text by which tokens are compared. Equal words mean equal tokens.
+        start: The position of the token's beginning in the file, as (line, column).
+        end: The position of the token's end in the file, as (line, column).
     """
 
     word: str
@@ -54,8 +56,8 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
     Signatures are left out because they are given to the students. Comments and docstrings are left
     out because they do not change what the code does. All strings count as equal, and so do 2 and
-    2.0. ``known`` contains the engine's names, which all students use. A method has a name such as
-    Particle.mass, and its setter is called Particle.mass.setter.
+    2.0. ``known`` contains the engine's names, which all students use. The result lists a method
+    under a name such as Particle.mass, and a setter as Particle.mass.setter.
 
     Returns:
         The functions, and the line at which we had to stop reading (0 if the whole file was read).
@@ -90,10 +92,10 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield names that students did not invent: those of Python, and those in one of our files.
+    """Yield the names that students did not invent: Python's own, and those in one of our files.
 
-    ``text`` is the contents of our file. All other names in a student's code are replaced before
-    the comparison, so that renaming a variable does not hide a copy.
+    ``text`` is the content of our file. All other names in a student's code are replaced before the
+    comparison, so that renaming a variable does not hide a copy.
     """
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -104,12 +106,12 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Cut off the part of a student's file that would take too long to read.
+    """Truncate a student's file if reading all of it would take too long.
 
     This happens only if a line or the whole file is far too long.
 
     Returns:
-        The text before the cut, and the number of the first line after it (0 if nothing was cut).
+        The text that remains, and the number of the first line removed (0 if none was removed).
     """
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
@@ -122,7 +124,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
     """Yield the logical lines of a student's file, each with its depth of indentation.
 
-    A line is a list of tokens, without comments and line breaks.
+    Each line is a list of tokens, without comments and without the line breaks inside a statement.
     """
     depth, nested = 0, 0
     line: _Line = []
@@ -143,9 +145,9 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens to compare from one logical line of a student's code.
+    """Yield the tokens of one logical line of a student's code that are to be compared.
 
-    If the line is a docstring, nothing is yielded.
+    A docstring has no such tokens.
     """
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
@@ -173,10 +175,10 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return what follows the colon in a student's line that begins with def or class.
+    """Return the tokens after the colon in a student's line that begins with def or class.
 
-    For ``def f(): return 1`` these are the tokens of ``return 1``. The list is empty if the body
-    begins on the next line.
+    For ``def f(): return 1`` these are the tokens of ``return 1``. If the body begins on the next
+    line, the list is empty.
     """
     open_brackets = 0
     for i, token in enumerate(line):
@@ -191,7 +193,7 @@ def _after_colon(line: _Line) -> _Line:
 def _line_of(error: Exception) -> int:
     """Return the line of a student's file at which Python's tokenizer failed.
 
-    The number is taken from the error. If the error names no line, the result is 1.
+    The number comes from the error. If the error contains no line number, the result is 1.
     """
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()

@@ -126,8 +126,8 @@ def _reference_sizes(
 ) -> dict[tuple[str, str], int]:
     """Count the tokens in each function of our solution to a chapter.
 
-    The counts show which exercises are too short to compare. All students' solutions to such an
-    exercise look alike.
+    The counts show which exercises are too short to compare. In such an exercise, all students'
+    solutions look alike.
     """
     sizes = {}
     for name in chapter.edited_files:

@@ -2,12 +2,13 @@
 
 We compare fingerprints of the code, which are hashes of short sequences of tokens. A fingerprint
 that few students share weighs more, because it is less likely to be a coincidence. The similarity
-of a pair is an average over the exercises, weighted so that a long one cannot dominate the result.
+of two students is a weighted average over the exercises. Its weights keep a long exercise from
+dominating the result.
 
-Some students write code that resembles everybody else's. From the similarity of a pair we therefore
-subtract how similar the two students usually are to the rest of the class. The remaining excess is
-compared with that of all other pairs. The surprise of a pair says how far its excess lies above the
-median, in units of the spread.
+Some students write code that resembles everybody else's. From the similarity of two students we
+therefore subtract how similar both usually are to the rest of the class. The result is the excess
+of the pair. The surprise of a pair says how far its excess lies above the median of all pairs, in
+units of the spread.
 """
 
 from __future__ import annotations
@@ -59,8 +60,8 @@ class Work:
 class Pair:
     """Two students, and the similarity of their code on a scale from 0 to 1.
 
-    ``surprise`` rates how unusual that similarity is in their class. It is None if the class is too
-    small to tell.
+    ``surprise`` says how unusual this similarity is in their class, or is None if the class is too
+    small.
     """
 
     one: Work
@@ -73,9 +74,9 @@ class Pair:
 class Shared:
     """The code that two students have in common in one exercise.
 
-    Code that belongs to no exercise is grouped by file instead. ``rarest`` says how many students
-    of the class have the rarest of the shared fingerprints. The fewer they are, the less likely it
-    is that the match is a coincidence.
+    Code that belongs to no exercise is grouped by file instead. ``rarest`` is the number of
+    students who share the rarest fingerprint in that code. If the number is small, the match is
+    unlikely to be a coincidence.
     """
 
     name: str
@@ -85,10 +86,13 @@ class Shared:
 
 
 class Comparison:
-    """The result of comparing the code in a class: all pairs of students, most surprising first.
+    """The result of comparing the code in a class.
 
-    A pair stands out if its surprise is at least ``line``. In a class that is too small to compute
-    surprises, ``line`` is None, and the most similar pair comes first.
+    Attributes:
+        pairs: All pairs of students, most surprising first. In a class that is too small to compute
+            surprises, the most similar pair comes first.
+        line: The smallest surprise that makes a pair stand out, or None in such a small class.
+        measure: The measure of similarity that was used.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -97,9 +101,9 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return whether two students' code is so much alike that the instructor should read both.
+        """Return True if two students' code is so similar that an instructor should read both.
 
-        That is the case if their similarity is far above what is usual in this class.
+        That is the case if the similarity is far above what is usual in this class.
         """
         if self.line is None or pair.surprise is None:
             return False
@@ -171,7 +175,7 @@ class Measure:
     def similarity(self, one: Work, other: Work) -> float:
         """Compute the average similarity of two students' code over all exercises, from 0 to 1.
 
-        An exercise for which only one of them has written code counts as a similarity of 0.
+        If only one of the students has written code for an exercise, the similarity there is 0.
         """
         found = sum(
             self.size(name) * self.similarity_in(name, one, other)
@@ -181,10 +185,10 @@ class Measure:
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def size(self, name: str) -> float:
-        """Return how much an exercise counts in the average similarity of two students.
+        """Return the weight of an exercise in the average similarity of two students.
 
-        This is the square root of the exercise's typical size, so that a long exercise cannot
-        dominate.
+        The weight is the square root of the exercise's typical size, so that a long exercise cannot
+        dominate the average.
         """
         return math.sqrt(self.usual[name])
 
@@ -212,8 +216,8 @@ class Measure:
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
     """Compute how much more similar the code of each pair of students is than expected.
 
-    A student's usual similarity is the median of the similarities to all other students. For a
-    pair, we expect the average of their two medians.
+    The usual similarity of a student is the median over all other students. For a pair, we expect
+    the average of the two usual similarities.
     """
     of: dict[str, list[float]] = {}
     for pair in pairs:

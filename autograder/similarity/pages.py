@@ -30,10 +30,10 @@ RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of a student's code, highlighted on the page if another student has it too.
+    """A piece of a student's code, highlighted on the page if another student has the same code.
 
-    ``kind`` is "rare" or "common" for shared code, depending on how many students have it. For all
-    other code it is "".
+    ``kind`` is "rare" if few students have this code, "common" if many do, and "" if the code is
+    not shared.
     """
 
     text: str
@@ -44,7 +44,7 @@ class Piece:
 class Side:
     """A student's function on the page of a pair, split into pieces so that shared code stands out.
 
-    ``line`` is the line of the student's file at which the code begins.
+    ``line`` is the number of the line at which the code begins in the student's file.
     """
 
     name: str
@@ -58,8 +58,8 @@ def write_pages(
 ) -> Path:
     """Write an index of the pairs of students with similar code, and a page about each pair in it.
 
-    The index lists the first 30 pairs. If more than 30 pairs stand out, it lists all of those.
-    Return the path of the index.
+    The index lists the first 30 pairs. If more than 30 pairs stand out, the index lists all of
+    them. Return the path of the index.
     """
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
@@ -151,7 +151,7 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
     """Prepare one student's half of the page about a pair, with the shared code marked.
 
-    It contains only the functions that share code with the other student.
+    Functions that share no code with the other student are left out.
     """
     sides = []
     for passage in passages:

@@ -1,12 +1,12 @@
 """Compute fingerprints of students' code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
 
-Every sequence of GRAM consecutive tokens is hashed, and the smallest of every WINDOW neighboring
-hashes is kept as a fingerprint. So if two students' functions have GRAM + WINDOW - 1 consecutive
-tokens in common, they share at least one fingerprint.
+Every sequence of GRAM consecutive tokens is hashed. From every WINDOW neighboring hashes, the
+smallest is kept as a fingerprint. If two functions have GRAM + WINDOW - 1 consecutive tokens in
+common, they therefore share at least one fingerprint.
 
-Renaming variables does not hide a copy, because within a sequence the student's own names are
-replaced with numbers, in order of appearance. Moving statements around hides little, because a
-sequence is no longer than a short statement. Most fingerprints stay the same.
+Renaming variables does not hide a copy. In each sequence, the student's own names are replaced with
+numbers, in the order in which they appear. Moving statements does not hide much either. A sequence
+is no longer than a short statement, so most fingerprints stay the same.
 """
 
 from __future__ import annotations

@@ -32,11 +32,11 @@ def check(
     *,
     only: bool = False,
 ) -> bool:
-    """Check a student's code, print the results, and return whether all checks pass.
+    """Check a student's code, print the results, and return True if all checks pass.
 
-    With ``exercise``, check only that exercise and its prerequisites. If ``only`` is true as well,
-    show and count only the exercise's own physics checks. For the ``given`` chapters, our solution
-    replaces the student's code.
+    If ``exercise`` is given, only that exercise and its prerequisites are checked. With ``only``,
+    the results show just the physics checks of that exercise. In the ``given`` chapters, our
+    solution replaces the student's code.
 
     A written exercise has no checks, so its question is shown instead. Unanswered questions do not
     affect the result.

@@ -26,10 +26,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """The explanation of a failed check for the student, with the next steps to take.
+    """An explanation of a failed check for the student, with the next steps to take.
 
-    ``place`` is the line of code to open in an editor, and ``hints`` is the exercise whose hints
-    may help. Both are empty if the mistake is in an earlier chapter, which must be fixed first.
+    Attributes:
+        heading: The first line, which says what exercise the check belongs to.
+        diagnosis: The labeled rows that explain the failure.
+        printed: What the student's code has printed.
+        steps: What the student should do next.
+        place: The line to open in an editor, or "" if the mistake is in an earlier chapter.
+        hints: The exercise whose hints may help, or "" if the mistake is in an earlier chapter.
     """
 
     heading: str
@@ -49,9 +54,9 @@ def failure_of(
 ) -> Failure | None:
     """Choose the failed check of an exercise that the student should see first, and explain it.
 
-    Physics checks come before robust ones. Within each kind, checks of the functions in ``edited``
-    come first, because the student has just worked on them. Checks of code that is not written yet
-    come last. The result is None if no check has failed.
+    Physics checks come before robust ones. Among checks of the same kind, those of functions in
+    ``edited`` come first, because the student has just worked on them. Checks of code that is not
+    written yet come last. The result is None if no check has failed.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -112,7 +117,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return whether a check calls a function that the student has just edited, or fails in one."""
+    """Return True if a check calls a function that the student has just edited, or fails in one."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -34,7 +34,7 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Congratulate the student on a finished chapter, or name the scenes that can now be played.
+    """Congratulate the student on a finished chapter, or list the scenes that can now be played.
 
     If no chapter is finished and no new scene can be played, print nothing.
     """
@@ -46,11 +46,11 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Write the closing screen of a finished chapter, or a line that names playable scenes.
+    """Write the closing screen of a finished chapter, or a line that lists the playable scenes.
 
-    The closing screen is shown until the student begins another chapter. While a chapter is
-    unfinished, the line names the scenes that ``exercise`` unlocks. If ``exercise`` is None, it
-    names those of the last working exercise that has scenes.
+    The closing screen is shown until the student begins another chapter. While the chapter is
+    unfinished, the line lists the scenes that ``exercise`` makes playable. Without an exercise, it
+    uses the last working exercise that has scenes.
 
     Returns:
         The lines to print, each with its style. The list may be empty.
@@ -71,7 +71,7 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether a chapter is finished, so that the student gets to see the closing screen.
+    """Return True if a chapter is finished, so that the student gets to see the closing screen.
 
     The physics of each exercise must work, apart from projects and going-further exercises. Written
     questions and robust checks may still be open.
@@ -84,8 +84,8 @@ def is_finished(report: Report) -> bool:
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
     """Write the screen that congratulates a student on a finished chapter.
 
-    It names the picture to look at, the scenes to play, the tasks still open and the next chapter.
-    It fits into 20 lines of 80 columns.
+    The screen shows where to find the chapter's picture, which scenes to play, what is still open
+    and which chapter comes next. It fits on a terminal of 20 lines and 80 columns.
     """
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
@@ -108,9 +108,9 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Write a sentence that names the scenes that a student can play after solving an exercise.
+    """Write a sentence that lists the scenes that a student can play after solving an exercise.
 
-    The sentence is empty if the scenes would not work yet. That happens if this exercise or an
+    The sentence is empty if the scenes would not work yet. That is the case if this exercise or an
     earlier one does not work, or if an earlier chapter causes failures.
     """
     exercise = result.exercise
@@ -129,17 +129,17 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 
 
 def _is_extra(exercise: Exercise) -> bool:
-    """Return whether students can finish a chapter without this exercise.
+    """Return True if students can finish the chapter without this exercise.
 
-    That is true of projects and of going-further exercises, whose ids start with G.
+    This holds for projects and for going-further exercises, whose ids start with G.
     """
     return exercise.kind == "project" or exercise.id.startswith("G")
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return whether the student has yet to write a function of this exercise.
+    """Return True if the student has not yet written all functions of this exercise.
 
-    That is also the case if a file with its functions is missing.
+    A function in a missing file counts as not written.
     """
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
@@ -179,8 +179,8 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
     """Tell the student where to find the chapter's picture, or which command draws it.
 
-    The command is named unless the student's own engine has drawn the picture and the code has not
-    changed since.
+    The text gives the command if the student's own engine has not drawn the picture yet, or if the
+    code has changed since then.
     """
     folder = ROOT / "build" / "plots" / chapter.name
     file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH

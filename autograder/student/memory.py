@@ -1,6 +1,6 @@
-"""Remember the results of checks, so that `watch` reruns them only if a file has changed.
+"""Remember the results of checks, so that `watch` runs them again only if a file has changed.
 
-The results are kept only in memory, because students could edit a file that stores them.
+The results are kept in memory and not in a file, because students could edit a file.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks on a student's code, and remembers the verdicts until the student changes a file.
+    """Runs checks on a student's code, and caches the verdicts until the student changes a file.
 
-    ``run`` is the function that runs the checks. It has the same parameters as ``run_checks``.
+    ``run`` is the function that runs the checks. It takes the same arguments as ``run_checks``.
     """
 
     def __init__(self, seed: str, run: Callable[..., list[Verdict]] = run_checks) -> None:

@@ -1,6 +1,6 @@
-"""Find out whether a student has edited a file that should stay as it is, such as cloth.py.
+"""Find out if a student has edited a file that should stay unchanged, such as cloth.py.
 
-The grader uses our own copy of such a file, so the student's changes would have no effect there.
+The grader uses our own copy of such a file and ignores the student's changes.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from autograder.manifest import ROOT, Chapter
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
-    """Return the files of a chapter that the student has edited but should have left alone.
+    """Return the files of a chapter that the student has edited but should have left unchanged.
 
-    They are recognized by their hashes in stubs.lock. A file that is missing, or not listed there,
+    Each file is compared with its hash in stubs.lock. A file that is missing, or not listed there,
     does not count as changed.
     """
     locked, changed = read_lock(root), []

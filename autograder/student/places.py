@@ -20,10 +20,10 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # a chapter's folder has such a name
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
     """Find the line of code that the student should open to fix a failed check, as path:line.
 
-    If the check's message names a line, we take that one. Otherwise, we take the start of the
-    function that the check calls. We ignore a line in a file that must not be edited. Usually we
-    also ignore a line in a function of another exercise, because that function may be correct. If
-    the check is about data that the student entered, we return the path of the data file.
+    This is the line that the check's message gives or, if it gives none, the start of the function
+    that the check calls. Lines in files that must not be edited are ignored. Lines in functions of
+    other exercises are usually ignored too, because those functions may be correct. If the check is
+    about data that the student entered, the result is the path of the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -47,8 +47,8 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     """Find the line at which one of the student's functions is defined, as path:line.
 
     ``name`` is the function's name in the manifest, such as vector.Vector3.dot. If the file is
-    missing or unreadable, only its path is returned. The path is relative if the file is inside the
-    working folder.
+    missing or unreadable, the result is only the path of the file. A file inside the working folder
+    gets a relative path.
     """
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")
@@ -61,7 +61,7 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Name the function in a student's file that contains a certain line, as in vector.Vector3.dot.
+    """Return the function at a certain line of a student's file, such as vector.Vector3.dot.
 
     The result is None if the line is outside all functions.
     """
@@ -83,7 +83,7 @@ def _read(file: Path) -> ast.Module | None:
 def _file(engine: list[Path], chapter: str, name: str) -> Path:
     """Return the path of a file in the student's engine, such as chapters/ch02_vectors/vector.py.
 
-    The path is relative to the working folder if it lies inside that folder.
+    If the file lies inside the working folder, the path is relative to that folder.
     """
     files = [folder / chapter / name for folder in engine]
     file = next((file for file in files if file.exists()), files[0])

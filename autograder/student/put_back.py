@@ -57,10 +57,11 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert a deleted function or class into a student's code, where the original file has it.
+    """Insert a deleted function or class into a student's code, in its original position.
 
-    It goes after the nearest function above it in that file that the student still has. If there is
-    none, it goes before the nearest one below.
+    The function goes below the one that precedes it in the original file. If the student has
+    deleted that one too, we look further up. If nothing above is left, the function goes before the
+    nearest one that follows it in the original.
     """
     names = [_name(other) for other in body]
     at = [*order].index(node)
@@ -77,7 +78,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the name that a manifest uses for a function or class, such as dot or mass.setter.
+    """Return the name of a function or class in a manifest, such as dot or mass.setter.
 
     For any other statement, return "".
     """

@@ -1,7 +1,7 @@
 """Let a student start an exercise over by restoring its stub, and keep a copy of the old file.
 
-Only the functions of that exercise change in the student's file. If the student has deleted one of
-them, its stub comes from our solution or, in a handout, from the folder stubs/.
+Only the functions of that exercise change in the student's file. If the student has deleted a
+function, its stub comes from our solution. In a handout, it comes from the folder stubs/.
 """
 
 from __future__ import annotations
@@ -25,9 +25,14 @@ COPIES = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """A change to one of a student's files that resets an exercise, planned but not yet made.
+    """A planned change to one of a student's files, which resets an exercise.
 
-    ``names`` lists the functions to restore. If ``gone`` is true, the student has deleted them.
+    Attributes:
+        file: The file to change.
+        before: The content of the file before the change.
+        after: The content of the file after the change.
+        names: The functions to restore.
+        gone: True if the student has deleted these functions.
     """
 
     file: Path
@@ -48,8 +53,8 @@ def reset(
     """Let the student start an exercise over by restoring the stubs of its functions.
 
     If the student has deleted some of these functions, only those are restored. With ``whole``,
-    entire files are restored. The student's previous files are copied into the folder ``copies``
-    first.
+    entire files are restored. Before any change, the student's file is copied to the folder
+    ``copies``.
 
     Returns:
         A text for the student that lists the changes and the copies.
@@ -79,7 +84,7 @@ def reset(
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
     """Write the question that asks a student to confirm the reset of an exercise.
 
-    It names the functions to reset, their files, and the folder in which a copy will be kept.
+    The question lists the functions to reset, their files, and the folder for the copy.
 
     Raises:
         ValueError: The exercise cannot be reset, for example because a file is unreadable.
@@ -188,8 +193,8 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Shorten the path of a student's file for a message.
+    """Make a path short enough to show to a student.
 
-    The path becomes relative to the working folder if it lies inside that folder.
+    If the file is inside the working folder, the path becomes relative to that folder.
     """
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -1,7 +1,7 @@
 """Print what a student sees after a check: the results, one failure in full, and what to do next.
 
-The library rich is slow to import, so we import it only when there is something to print. By then
-the checks are running in a process of their own, and the student does not have to wait.
+The library rich is slow to import, so it is imported only when there is something to print. By then
+the checks are running in a separate process, so the student does not have to wait.
 """
 
 from __future__ import annotations
@@ -43,9 +43,11 @@ BAR = 40
 class Report:
     """The results of checking a student's code for one chapter.
 
-    ``results`` come from a run that uses the student's own earlier chapters. ``on_reference`` comes
-    from a second run with our solutions to those chapters, and is empty if there was no such run.
-    ``suspects`` are earlier chapters that may have caused failures.
+    Attributes:
+        results: The results with the student's own earlier chapters.
+        on_reference: The results with our solutions to those chapters, or [] if there was no such
+            run.
+        suspects: The earlier chapters that may have caused failures.
     """
 
     chapter: Chapter
@@ -90,8 +92,8 @@ def print_report(
 ) -> bool:
     """Print the results of a student's exercises, and explain the first failure in full.
 
-    Unanswered questions are listed but do not count as failures. Return whether all checks pass and
-    no file was edited that should stay as it is.
+    Return True if all checks pass and every file that should stay unchanged is the original.
+    Unanswered questions are listed but do not count as failures.
     """
     for report in reports:
         print_chapter(console, report, engine)
@@ -136,7 +138,7 @@ def passed_words(
 ) -> str:
     """Write the sentence that tells the student that all checks pass.
 
-    If ``changed`` is true, the student has edited a file that should stay as it is. The sentence
+    ``changed`` is True if the student has edited a file that should stay unchanged. The sentence
     then warns that grading uses the original.
     """
     if changed:
@@ -202,10 +204,10 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return the student's points for an exercise, as in "2/3", for a cell of the table.
+    """Return the student's points for an exercise, such as "2/3", for a cell of the table.
 
-    For an optional exercise the cell says "optional", or "needed" if a required exercise builds on
-    it.
+    For an optional exercise the cell contains "optional" instead. It contains "needed" if a
+    required exercise builds on the optional one.
     """
     exercise = result.exercise
     if exercise.optional:
@@ -268,7 +270,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Name some chapters in a message to the student, as in "chapter 2" or "chapters 2-5"."""
+    """Write the numbers of some chapters for a message, as in "chapter 2" or "chapters 2-5"."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
@@ -286,7 +288,7 @@ def _state(result: Result, answered: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return whether a check fails because a function of its exercise is not written yet."""
+    """Return True if a check fails because a function of its exercise is not written yet."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 

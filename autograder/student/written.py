@@ -19,8 +19,8 @@ def print_written(
 ) -> None:
     """Print the question of a written exercise and, once it has been answered, our model answer.
 
-    The rubric follows, so that students can assess their own answers. A handout has neither the
-    model answer nor the rubric, because both are reserved for the instructor.
+    The rubric is printed below the model answer, so that students can assess their own answers. A
+    handout contains neither, because both are reserved for the instructor.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -49,9 +49,9 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """List the questions that the student has not answered, and the files for the answers.
+    """List the questions that the student has not answered, with the files for the answers.
 
-    The list is a single line of text. It is empty if every question has an answer.
+    The list is a single line of text, or "" if every question has an answer.
     """
     groups = [
         open_ones
@@ -89,7 +89,7 @@ def _ids(questions: list[Question]) -> list[str]:
 def flowing(text: str) -> str:
     """Join the lines of each paragraph in an answer, so that the text fits any screen width.
 
-    The lines of a list item are joined as well, and Markdown's markers for quotes (>) are removed.
+    The lines of a list item are joined too, and the markers for quotes (>) in Markdown are removed.
     Indented lines, such as formulas, stay as they are. A text that contains code blocks keeps all
     of its line breaks.
     """

@@ -17,7 +17,10 @@ _Index = defaultdict[str, list[Student]]
 class Member:
     """A member of the class: a student on the roster, the author of a submission, or both.
 
-    ``shown`` is the name used in all reports. ``folder`` is the name on the submission itself.
+    Attributes:
+        shown: The student's name in all reports.
+        student: The entry on the roster, or None if there is none.
+        submission: The submission, or None if the student has not handed anything in.
     """
 
     shown: str
@@ -32,7 +35,7 @@ class Member:
     def aliases(self) -> tuple[str, ...]:
         """All names of this student, both on the submission and on the roster.
 
-        They include the student's id, e-mail address and login.
+        The student's id, e-mail address and login count as names too.
         """
         who = self.student
         known = (who.name, who.id, who.email, who.login) if who else ()
@@ -43,7 +46,7 @@ class Member:
 class ClassList:
     """All students of a class, from the roster and from the submissions.
 
-    If there is no roster, these are the students who handed something in.
+    Without a roster, the class consists of the students who handed something in.
     """
 
     members: list[Member]
@@ -53,7 +56,7 @@ class ClassList:
     def submissions(self) -> list[Submission]:
         """The submissions of the class, sorted by student.
 
-        Each has the student's name as the reports show it.
+        Each submission is listed under the student's name in the reports.
         """
         renamed = [
             replace(member.submission, student=member.shown, aliases=member.aliases)
@@ -76,8 +79,8 @@ class ClassList:
     def names(self) -> dict[str, str]:
         """A map from each name of a student, such as an id or a login, to the name used in reports.
 
-        It leaves out names that two students share, and all students who have not handed anything
-        in.
+        A name that two students share is left out. Students who have not handed anything in are
+        left out too.
         """
         claims = defaultdict(set)
         for member in self.members:
@@ -105,12 +108,12 @@ def match(
 ) -> ClassList:
     """Match each submission with a student on the roster, and return the members of the class.
 
-    The class also includes submissions that match nobody, and students who have not handed anything
+    Submissions that match nobody are members too, and so are students who have not handed anything
     in.
 
     Raises:
         ValueError: A submission matches two students, or a student matches two submissions. The
-            message names the lines of the roster, which was read from ``path``.
+            message gives the lines of the roster, which was read from ``path``.
     """
     if roster is None:
         return ClassList([Member(one.student, None, one) for one in submissions])

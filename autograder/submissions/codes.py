@@ -28,9 +28,9 @@ QUOTED = re.compile(r"'.*'", re.DOTALL)
 def with_codes(people: ClassList, path: Path) -> ClassList:
     """Give each student of a class a code instead of a name, and write the codes to a key file.
 
-    A code is computed from the student's id and a secret in the key file. As long as that file
-    exists, every student keeps the same code. If a submission matches nobody on the roster, its own
-    name is used in place of an id.
+    The codes are computed from the students' ids and a secret in the key file. As long as that file
+    exists, every student keeps the same code. For a submission that matches nobody on the roster,
+    the name of the submission replaces the id.
 
     Returns:
         The class with a code as the name of each student.
@@ -62,10 +62,10 @@ def key_path(roster: Path | None, out: Path) -> Path:
 
 
 def without_names(note: str) -> str:
-    """Remove students' names from a note, so that it can go into an anonymous report.
+    """Remove students' names from a note, so that the note can go into an anonymous report.
 
-    Any quoted part of the note, such as the name of a folder, may identify the student, so we
-    replace it.
+    Quoted parts of the note, such as the name of a folder, may identify a student. They are
+    therefore replaced.
     """
     return QUOTED.sub("one of them", note)
 

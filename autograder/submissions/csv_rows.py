@@ -1,6 +1,6 @@
 """Read a CSV file written by a person or a spreadsheet, such as a roster or marks.csv.
 
-The line number of each row is kept, so that an error message can name the line.
+The line number of each row is kept for use in error messages.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 class Table:
     """The contents of a CSV file such as a roster, with the separator and the column names.
 
-    The column names are in lower case.
+    Column names are converted to lower case.
     """
 
     path: Path
@@ -28,12 +28,13 @@ class Table:
     def rows(self, longest: str) -> Iterator[tuple[int, int, list[str]]]:
         """Yield the rows below the header of a CSV file, each with its first and last line number.
 
-        Blank rows are skipped, and cells missing at the end of a row are empty. If a row has too
-        many cells, somebody has probably forgotten to quote a cell that contains a separator.
+        Blank rows are skipped, and missing cells at the end of a row are empty. A row with too many
+        cells is an error, usually because a cell that contains a separator is not in quotes.
         ``longest`` is the word for such a cell in the error message, for example "comment".
 
         Raises:
-            ValueError: A row is too long, or a quote is never closed. The message names the line.
+            ValueError: A row is too long, or a quote is never closed. The message gives the line
+                number.
         """
         # If this were not strict, a quote that is never closed would hide all rows below it.
         source = io.StringIO(self.text, newline="")
@@ -63,7 +64,7 @@ def read_csv(path: Path) -> Table:
     Semicolons are common in files from European spreadsheets.
 
     Raises:
-        ValueError: The file is not UTF-8. The message names the line.
+        ValueError: The file is not UTF-8. The message gives the line number.
         OSError: The file cannot be read.
     """
     try:

@@ -1,6 +1,6 @@
 """Parse the file names of submissions that an instructor has downloaded from Canvas or Moodle.
 
-Such a name identifies the student and the upload.
+The platform puts the name of the student and the number of the upload into the file name.
 """
 
 from __future__ import annotations
@@ -26,10 +26,13 @@ RESUBMITTED = re.compile(r"-([0-9]+)$")
 class Exported:
     """The parts of the name that Canvas or Moodle gives to a downloaded submission.
 
-    For Canvas, ``name`` is the last name and the first name without a space in between, and
-    ``number`` is the user id. For Moodle, ``name`` is the full name, and ``number`` identifies the
-    student within this assignment only. If a student uploads several times, the later upload has
-    the larger ``order``.
+    Attributes:
+        platform: The platform, "canvas" or "moodle".
+        name: The full name on Moodle. On Canvas, the last and first name without a space.
+        number: The user id on Canvas. On Moodle, a number that is valid for this assignment only.
+        late: True if Canvas marked the submission as late.
+        order: A sort key for several uploads by one student. A later upload has a larger key.
+        is_file: False for text that was typed into the platform.
     """
 
     platform: Literal["canvas", "moodle"]
@@ -48,8 +51,8 @@ class Exported:
 def read_export(name: str) -> Exported | None:
     """Parse the name that Canvas or Moodle has given to a student's submission.
 
-    ``name`` does not include a final .zip. The result is None if it is not from one of these
-    platforms.
+    ``name`` is the name without a final .zip. The result is None if the name does not have the
+    format of either platform.
     """
     if found := MOODLE.fullmatch(name):
         order = 0, _resubmission(found["file"] or "")
@@ -65,9 +68,9 @@ def read_export(name: str) -> Exported | None:
 
 
 def _resubmission(file: str) -> int:
-    """Return the number at the end of the name of a later upload, such as 2 for work-2.zip.
+    """Return the number at the end of the name of a repeated upload, such as 2 for work-2.zip.
 
-    Platforms add it when a student uploads again. A first upload has no number, so the result is 0.
+    The platforms add this number when a student uploads again. For a first upload the result is 0.
     """
     found = RESUBMITTED.search(file)
     return int(found[1]) if found else 0

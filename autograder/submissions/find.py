@@ -25,8 +25,11 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 class Submission:
     """The folder or zip file that a student has handed in.
 
-    If its name comes from Canvas or Moodle, ``export`` holds the parts of that name. ``aliases``
-    are the student's other names, taken from the folder or file and from the roster.
+    Attributes:
+        student: The student's name in the reports.
+        path: The path of the folder or zip file.
+        export: The parts of a file name from Canvas or Moodle, or None for any other name.
+        aliases: The student's other names, from the submission and from the roster.
     """
 
     student: str
@@ -41,16 +44,17 @@ class Submission:
 
     @property
     def late(self) -> bool:
-        """Whether Canvas marked the submission as late. Other platforms add no such mark."""
+        """True if Canvas marked the submission as late. Other platforms do not show this."""
         return self.export is not None and self.export.late
 
 
 def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     """Find the students' submissions in the folder of a class, with notes on everything else in it.
 
-    A submission is a folder or a .zip file. It is named after its student, or has a name from
-    Canvas or Moodle. If a student uploaded several files there, only the last one counts. Links are
-    never followed. Hidden files, caches and the instructor's own files are skipped without a note.
+    A submission is a folder or a .zip file, which has the student's name or a name from Canvas or
+    Moodle. If a student uploaded several files to one of these platforms, only the last one counts.
+    Links are never followed. Hidden files, caches and the instructor's own files are skipped
+    without a note.
 
     Returns:
         The submissions, sorted by student, and the notes.
@@ -106,8 +110,9 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 def file_name(student: str) -> str:
     """Turn a student's name into a safe file name for reports, without a suffix.
 
-    A short and harmless name is used as is. Otherwise we replace unsafe characters, truncate the
-    name, and append a hash of the original, so that no two students share a file.
+    A short and harmless name is not changed. Otherwise unsafe characters are replaced, the name is
+    truncated, and a hash of the original is appended. The hash keeps two students from sharing a
+    file.
     """
     # A name that seems to end with a hash could equal the file name of another student.
     harmless = _clean(student) == student and not HASHED.fullmatch(student)

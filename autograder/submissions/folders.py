@@ -22,21 +22,24 @@ MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of o
 
 
 class NotTakenError(Exception):
-    """Raised when we reject a submitted file or a whole submission.
+    """Raised when a submitted file or a whole submission is rejected.
 
-    Its text gives the reason as part of a sentence, such as "it is a symbolic link".
+    The message gives the reason as part of a sentence, such as "it is a symbolic link".
     """
 
 
 @dataclass(frozen=True)
 class Found:
-    """A file that we have found in a student's submission and want to grade.
+    """A file in a student's submission that may be graded.
 
-    ``place`` lists the folders on the path to it, as in ("work", "ch02_vectors"). ``read`` is a
-    function that returns the contents of the file. Its argument is the largest size to accept, and
-    it raises NotTakenError if it rejects the file. If ``doubtful`` is true, the file's folder is
-    unreadable. The file is then used only if the submission has no other folder for that chapter.
-    If ``other`` is true, we do not grade a file of this name, but the student may have renamed it.
+    Attributes:
+        place: The folders on the path to the file, as in ("work", "ch02_vectors").
+        file: The name of the file.
+        read: A function that takes the largest size to accept, and returns the contents. It raises
+            NotTakenError if the file is rejected.
+        doubtful: True if the folder is unreadable. The file is then used only if the submission has
+            no other folder for that chapter.
+        other: True if no file of this name is graded. The student may have renamed the file.
     """
 
     place: tuple[str, ...]
@@ -90,7 +93,7 @@ def search_folder(
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
     """Read a submitted file, but only if it is a regular file of at most ``largest`` bytes.
 
-    ``what`` is how error messages refer to the file, such as "the zip".
+    Error messages refer to the file as ``what``, for example "the zip".
 
     Raises:
         NotTakenError: The file is too large, or it is a link, a pipe or something else.
@@ -113,7 +116,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 def refuse(reason: str) -> Callable[[int], bytes]:
     """Create a function for ``Found.read`` that rejects a submitted file.
 
-    Whenever somebody tries to read the file, the function raises NotTakenError with this reason.
+    The function raises NotTakenError with this reason whenever it is called.
     """
 
     def read(_: int) -> bytes:
@@ -125,14 +128,14 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
     """Reject all files that a chapter's folder in a submission should contain.
 
-    The reason applies to the whole folder. For example, it may be a symbolic link, or we may not be
-    allowed to read it.
+    The reason applies to the whole folder, for example that it is a symbolic link or that we are
+    not allowed to read it.
     """
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 
 def other_file(place: tuple[str, ...], name: str) -> Found:
-    """Describe a submitted file that is not one of those that we grade."""
+    """Create a record of a submitted file that is not graded."""
     return Found(place, name, refuse("it is not a file of this chapter"), other=True)
 
 
@@ -142,9 +145,10 @@ def too_large(what: str, largest: int) -> NotTakenError:
 
 
 def is_skipped(name: str) -> bool:
-    """Return whether to ignore a folder in a student's submission.
+    """Return True if a folder in a student's submission should be ignored.
 
-    We ignore hidden folders, and folders that programs create, such as __MACOSX and __pycache__.
+    This is the case for hidden folders, and for folders that programs create, such as __MACOSX and
+    __pycache__.
     """
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
@@ -152,7 +156,7 @@ def is_skipped(name: str) -> bool:
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
     """Find the files to be graded in a chapter's folder of a student's submission.
 
-    Links are found too, but rejected later, when the grader tries to read them.
+    Links are included in the result. They are rejected later, when the grader tries to read them.
     """
     found: list[Found] = []
     try:
@@ -181,9 +185,9 @@ def _mode(path: Path) -> int:
 
 
 def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """List the folders inside a submitted folder, looking at no more than ``most`` entries.
+    """List the folders inside a submitted folder, reading at most ``most`` entries.
 
-    Return their names, and the number of entries that we looked at.
+    Return the names of the folders, and the number of entries read.
     """
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
@@ -212,10 +216,10 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Say why a submitted file cannot be read.
+    """Return the reason why a submitted file cannot be read, as words for a message.
 
-    An error that says nothing about the submission is raised again, for example if our own machine
-    has run out of memory.
+    An error that has nothing to do with the submission is raised again. For example, our own
+    machine may have run out of memory.
     """
     if error.errno in OURS:
         raise error

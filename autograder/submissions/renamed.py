@@ -13,11 +13,11 @@ SIMILAR = 0.8  # least similarity, from 0 to 1; "vector (1).py" and "vector.py" 
 
 
 def renamed(place: tuple[str, ...], files: Sequence[str], there: Iterable[str]) -> list[Found]:
-    """Look for files of a chapter that a student has handed in under a similar name.
+    """Find files of a chapter that a student has handed in under a similar name, and reject them.
 
-    ``place`` is the chapter's folder in the submission, ``there`` are the names in it, and
-    ``files`` are the names that the grader looks for. A file with a similar name is rejected, and
-    the reason says so.
+    The reason for each rejection contains the similar name, so that the student can rename the
+    file. ``place`` is the path of the chapter's folder in the submission, and ``there`` are the
+    names in that folder. ``files`` are the names that the grader looks for.
     """
     names = set(there)
     others = [name for name in sorted(names - {*files}) if HARMLESS.fullmatch(name)]

@@ -21,7 +21,7 @@ UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a st
 class Student:
     """A student on the roster of a class.
 
-    ``line`` is the line of the file that lists the student. The ``email`` and the ``login`` may be
+    ``line`` is the number of the student's line in the file. The ``email`` and the ``login`` may be
     empty.
     """
 
@@ -53,11 +53,11 @@ class Student:
 def read_roster(path: Path) -> list[Student]:
     """Read the list of students from the roster of a class, which is a CSV file.
 
-    The columns may be in any order, separated by commas or semicolons, and there may be others too.
+    The columns may be in any order, separated by commas or semicolons. Other columns are ignored.
     The students are returned in the order of the file.
 
     Raises:
-        ValueError: The roster contains a mistake. The message names the line.
+        ValueError: The roster contains a mistake. The message gives the line number.
         OSError: The file cannot be read.
     """
     table = read_csv(path)
@@ -98,7 +98,7 @@ def read_roster(path: Path) -> list[Student]:
 def key(text: str) -> str:
     """Normalize a student's id, e-mail address or login, so that it can be compared.
 
-    Upper and lower case become equal, and so do the two encodings of an accented letter.
+    The comparison then ignores case, and the two encodings of an accented letter are the same.
     """
     return unicodedata.normalize("NFC", text.strip()).casefold()
 

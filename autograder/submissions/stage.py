@@ -25,10 +25,11 @@ LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten
 class Staged:
     """The result of copying the files to be graded from a student's submission.
 
-    ``missing`` maps each rejected module, such as ch02_vectors.vector, to the reason. ``notes`` are
-    for the instructor, and contain no text from the student except for names. ``digest`` depends on
-    everything that was accepted or rejected, so submissions with the same digest get the same
-    grade.
+    Attributes:
+        missing: The reason for each rejected module, such as ch02_vectors.vector.
+        notes: Notes for the instructor, without any text by the student except for names.
+        digest: A hash of everything that was accepted or rejected. Submissions with the same digest
+            get the same grade.
     """
 
     missing: dict[str, str]
@@ -37,12 +38,12 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Put together the engine to be graded in the folder ``box``.
+    """Assemble the engine to be graded in the folder ``box``.
 
-    It consists of the student's files and of our copies of the modules that students do not edit.
-    The submission is a folder or a zip file, and may contain anything. The result says what is
-    wrong with it, if anything. A missing file stays missing, because neither a stub nor our
-    solution would be the student's work.
+    The engine consists of the student's files and of our copies of the modules that students do not
+    edit. A missing file stays missing, because neither a stub nor our solution would be the
+    student's work. The submission is a folder or a zip file, and its contents are not trusted. The
+    result lists any problems.
 
     Raises:
         OSError: The box cannot be written, or a file of the repository cannot be read.
@@ -98,10 +99,10 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
     """Choose one of several folders for a chapter in a submission, and return the files in it.
 
-    We take the least deeply nested folder or, if several are equally deep, the first by name. A
-    folder with the original stubs of a handout is used only if there is no other. If there are
-    several folders, a note for the instructor says which one was used. If the student has renamed a
-    file, it is rejected with the reason.
+    The least deeply nested folder is chosen or, among equals, the first by name. A folder with the
+    original stubs of a handout is chosen only if there is no other. If there are several folders, a
+    note tells the instructor which one was chosen. If the student has renamed a file, the file is
+    rejected with that reason.
     """
     all_of_it = [file for file in found if file.place[-1] == chapter.name]
     mine = [file for file in all_of_it if not file.other]

@@ -1,6 +1,6 @@
 """Unpack the zip with all submissions of a class, as downloaded from Canvas or Moodle.
 
-The new folder is next to the zip. Students uploaded everything in the zip, so we trust none of it.
+The new folder is next to the zip. The contents come from students, so they are not trusted.
 """
 
 from __future__ import annotations
@@ -42,8 +42,10 @@ NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EI
 class Unpacked:
     """A record of the submissions that were unpacked from the zip of a class.
 
-    ``names`` lists the submissions, and ``notes`` describe the files that were skipped. ``zip`` is
-    a hash of the zip, which shows whether the zip has changed since then.
+    Attributes:
+        zip: A hash of the zip, which shows if the zip has changed since then.
+        names: The submissions.
+        notes: The reasons why files were skipped.
     """
 
     zip: str
@@ -55,7 +57,7 @@ class Unpacked:
 class _File:
     """A file in the zip of a class, which contains the submissions of all students.
 
-    ``parts`` are the parts of its path. The first part names the submission that contains the file.
+    ``parts`` are the parts of the file's path. The first part is the name of the submission.
     """
 
     parts: list[str]
@@ -118,7 +120,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
 def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
     """Decide which files from the zip of a class to write to disk.
 
-    Return these files, with notes on those that are left out.
+    Return these files, and notes on the files that are left out.
     """
     if len(file.infolist()) > MOST_FILES:
         raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")

@@ -133,9 +133,9 @@ def path_in_zip(entry: zipfile.ZipInfo) -> str:
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path in a submitted zip is unsafe, because it may lead outside the zip.
+    """Return True if a path in a submitted zip could lead to a file outside the zip.
 
-    A path is unsafe if it is absolute, or if one of its parts is empty or made of dots.
+    This is assumed if the path is absolute, or if a part of the path is empty or consists of dots.
     """
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 

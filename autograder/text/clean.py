@@ -1,7 +1,7 @@
 """Make text from students safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
 
 A student's file or name can contain control characters that do harm as soon as they are displayed.
-This module alone decides which characters may be shown.
+All rules about the characters that may be shown are in this module.
 """
 
 from __future__ import annotations

@@ -31,8 +31,8 @@ def plain_console(file: IO[str] | None = None, width: int | None = None) -> Cons
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
     """Break text into lines that fit the width of a terminal.
 
-    All lines but the first are indented by ``hanging`` columns. A word is split only if it is too
-    long for a whole line.
+    All lines but the first are indented by ``hanging`` columns. A word is split only if it is
+    longer than a whole line.
     """
     lines = []
     for line in words.splitlines():
@@ -73,9 +73,9 @@ def print_rows(console: Console, rows: list[Row]) -> None:
 def few_lines(text: str, lines: int, characters: int) -> str:
     """Shorten a student's long output to its beginning and a note such as "... and 12 more lines".
 
-    If the text has been shortened before, the note also counts the lines that were removed then.
-    Output of LONGEST_PRINTED or more characters was already cut off when it was captured. The note
-    then says "at least", because the true length is unknown.
+    If the text already ends with such a note, the new note also counts the lines removed earlier.
+    Output of LONGEST_PRINTED or more characters was already truncated when it was captured. In that
+    case the note says "at least", because the full length is unknown.
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")
@@ -94,7 +94,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to at most ``room`` lines, by replacing the middle with a note."""
+    """Shorten a list of lines to at most ``room`` lines, with a note in place of the middle."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

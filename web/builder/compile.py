@@ -1,9 +1,11 @@
 """Compile Python's standard library and the course, and pack them into archives for the browser.
 
-The script runs in Pyodide under Node.js. It reads the folder /in and writes to /out. Compiled
-modules are imported five times as fast as source files. The student's modules, the checks and the
-scenes are not compiled, because tracebacks show their source code and the list of scenes is read
-from it. Compiling the checks would save a tenth of a second once per chapter, but would add 0.8 MB.
+This script runs in Pyodide under Node.js, reads the folder /in and writes to /out.
+
+Compiled modules are imported five times as fast as source files. The student's modules, the checks
+and the scenes are left as source files, for two reasons. Tracebacks show their code, and the list
+of scenes is read from it. Compiling the checks would save a tenth of a second once per chapter, but
+would add 0.8 MB.
 """
 
 import importlib.util
@@ -24,8 +26,8 @@ MAGIC = importlib.util.MAGIC_NUMBER + (1).to_bytes(4, "little")  # 1: the source
 def packed(folder: Path, place: str, prefix: str = "", optimize: int = 0) -> dict[str, bytes]:
     """Read the files of a folder, and compile most of the Python modules among them.
 
-    `place` is the path that the folder will have at run time. `optimize` is Python's optimization
-    level. At level 2, docstrings are removed from the modules.
+    `place` is the path of the folder at run time. `optimize` is Python's optimization level. Level
+    2 removes docstrings from the modules.
 
     Returns:
         A dict from the path of each file in the archive to the contents of the file.

@@ -22,9 +22,9 @@ class Edits:
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
         """Find the exercises that the student has edited since the last call.
 
-        Each comes with the names of the functions or data files that have changed. New comments or
-        a new layout do not count. If a module cannot be read at the moment, all of its functions
-        count as edited, because any of them may have changed.
+        For each exercise, the functions or data files that have changed are listed. Changes to
+        comments and layout do not count. If a module is unreadable at the moment, all of its
+        functions count as edited, because any of them may have changed.
         """
         edited = []
         for chapter in self.chapters:
@@ -36,7 +36,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return which functions in one of the student's files have changed since the last call.
+        """Return the functions in one of the student's files that have changed since the last call.
 
         A data file, such as drops.csv, is compared as a whole.
         """
@@ -61,8 +61,8 @@ class Edits:
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
     """Return the code of each function in a student's module, without comments and layout.
 
-    The result is None if the module is unreadable or defines no functions. Some editors empty a
-    file for a moment before they write to it.
+    The result is None if the module is unreadable or defines no functions. This can happen while a
+    file is being saved, because some editors empty the file first.
     """
     try:
         found = functions(ast.parse(text))
@@ -72,5 +72,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Return whether the student has edited a function, or made its whole module unreadable."""
+    """Return True if the student has edited a function, or made its whole module unreadable."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

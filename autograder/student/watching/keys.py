@@ -16,13 +16,13 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether the program can react to single keys, which requires a terminal."""
+    """Return True if the program can react to single keys, which requires a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Make the terminal deliver each key as soon as the student presses it, without echoing it.
+    """Make the terminal pass on each key at once, without waiting for Enter and without echo.
 
     When the context ends, the terminal returns to its previous mode.
     """

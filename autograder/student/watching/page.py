@@ -21,9 +21,12 @@ Line = tuple[str, str]  # a text and its style
 class Page:
     """The page that the command `watch` prints: the explanation of a failed check, and other lines.
 
-    The lines in ``top`` come before the explanation, and those in ``bottom`` after it. If the
-    explanation does not fit on the terminal, the page names ``whole``, the command that prints all
-    of it.
+    Attributes:
+        top: The lines above the explanation.
+        failure: The explanation of a failed check, or None.
+        bottom: The lines below the explanation.
+        whole: The command that prints the full explanation, shown if there is not enough space.
+        note: A short message at the end of the page.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -54,8 +57,8 @@ class Page:
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
         """Shorten the page of the command `watch` to ``width`` columns and ``height`` lines.
 
-        If the explanation of the failed check is too long, lines are cut from its middle, so that
-        the heading and the keys stay visible.
+        If the explanation of the failed check is too long, lines are removed from its middle, so
+        that the heading and the keys stay visible.
         """
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]

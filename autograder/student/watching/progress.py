@@ -54,23 +54,23 @@ class Progress:
         return None
 
     def works(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Return whether the student's code passed an exercise's physics checks at the last run."""
+        """Return True if the student's code passed an exercise's physics checks at the last run."""
         result = self.last.get((chapter.name, exercise.id))
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Return whether the student's code passed all physics checks of a chapter at the last run.
+        """Return True if the student's code passed all physics checks of a chapter at the last run.
 
-        Optional exercises count only if a required exercise builds on them.
+        An optional exercise counts only if a required exercise builds on it.
         """
         wanted = asked_for(chapter)
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Say how far the student is in a chapter, as in "3 of 8 exercises work".
+        """Describe how far the student is in a chapter, as in "3 of 8 exercises work".
 
-        An exercise works if its physics checks pass. Once all of them work, the robust checks count
-        too, as in "3 of 8 are complete".
+        An exercise works if its physics checks pass. Once all exercises work, the robust checks
+        count too, as in "3 of 8 are complete".
         """
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
@@ -86,17 +86,16 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether an exercise still has physics checks that fail on the student's code.
+    """Return True if some of an exercise's physics checks fail on the student's code.
 
-    For a written exercise the answer is False, because it has no checks.
+    A written exercise has no checks, so the result is False.
     """
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether an exercise still has any checks that fail on the student's code.
+    """Return True if some of an exercise's checks, physics or robust, fail on the student's code.
 
-    They may be physics checks or robust checks. For a written exercise the answer is False, because
-    it has no checks.
+    A written exercise has no checks, so the result is False.
     """
     return result.status not in ("passed", "waiting")

@@ -46,7 +46,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """Run the checks again if the student has changed a file, and return whether they ran."""
+        """Run the checks again if the student has changed a file. Return True if they ran."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -98,7 +98,7 @@ class Session:
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check the student's current exercise, show the result, and return whether it is done.
+        """Check the student's current exercise, show the result, and return True if it is done.
 
         At first, an exercise is done as soon as its physics checks pass. Its robust checks count
         only after all required physics checks of the chapter pass. If the physics checks of a
@@ -124,7 +124,8 @@ class Session:
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
         """Show the student a failed check of an exercise, and how many of its checks pass.
 
-        ``tier`` contains only physics checks or only robust checks, and ``kind`` says which.
+        ``tier`` contains only physics checks or only robust checks. ``kind`` is the word for these
+        checks in the message, such as "robust checks".
         """
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):
@@ -161,8 +162,8 @@ class Session:
         """Find the next exercise that is not done yet, and offer it to the student.
 
         The student accepts by pressing Enter or by editing the code for that exercise. If there is
-        no current exercise, as when `watch` starts, we move on at once. We do the same if single
-        keys cannot be read, because Enter would not work.
+        no current exercise, as when `watch` starts, the next one begins at once. It also begins at
+        once if single keys cannot be read, because Enter would not work.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

@@ -63,8 +63,8 @@ class Keyboard:
     def press(self, key: str) -> None:
         """React to a key that the student has pressed, for example by showing a hint for h.
 
-        Other keys do nothing. If we have just asked whether to reset an exercise, the key is the
-        answer.
+        Other keys do nothing. If the student has just been asked to confirm a reset, the key is the
+        answer to that question.
         """
         try:
             if self.asking:
@@ -84,7 +84,7 @@ class Keyboard:
     def note(self, words: str, style: str = "") -> None:
         """Show a short message, such as a hint, at the end of the student's page.
 
-        It replaces the previous message.
+        The message replaces the previous one.
         """
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()

@@ -36,7 +36,7 @@ class Progress(ProgressBar):
     def show(self, done: int, of: int) -> None:
         """Tell the page how many checks have finished.
 
-        Checks that an earlier worker has already run are not reported again.
+        While the reports of an earlier worker are being replayed, nothing is sent.
         """
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
@@ -47,8 +47,8 @@ class Runs:
     """Runs the checks that a student requested, and remembers the results of other chapters.
 
     Checking the other chapters takes seconds, so the page first shows the failure found in the
-    requested chapter. If the student's code contains an endless loop, no other chapter is checked
-    at all. The failure already names the line, and the other chapters would run into the same loop.
+    requested chapter. After an endless loop, no other chapter is checked. The failure already shows
+    the line, and the other chapters would run into the same loop.
     """
 
     def __init__(

@@ -13,9 +13,9 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 
 
 class Folder:
-    """The folder in the browser's file system that holds the student's chapters.
+    """The folder in the browser's file system that contains the student's chapters.
 
-    If the page has not sent a certain file, the folder holds the stub that students start from.
+    If the page has not sent a file, the folder contains the original stub of that file.
     """
 
     def __init__(self, folder: Path = CHAPTERS) -> None:

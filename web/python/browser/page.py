@@ -17,10 +17,10 @@ def post(kind: str, **values: Any) -> None:
 
 
 def start_clock(seconds: float) -> None:
-    """Ask the web worker to send Python the signal SIGALRM in this many seconds."""
+    """Ask the web worker to send the signal SIGALRM to Python after this many seconds."""
     worker.startClock(seconds)
 
 
 def stop_clock() -> None:
-    """Cancel the signal SIGALRM that start_clock asked for."""
+    """Cancel the signal SIGALRM that was requested with start_clock."""
     worker.stopClock()

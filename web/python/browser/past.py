@@ -1,8 +1,8 @@
-"""Resume a run of checks that was cut short because one check never ended.
+"""Resume a run of checks that was stopped because one check never ended.
 
-The page has to stop the web worker that runs the endless check, but it keeps the results that the
-worker reported. A new worker then starts the run over, and reuses these results instead of running
-those checks again.
+The page has to end the web worker that runs the endless check, but it keeps the results that the
+worker has sent. A new worker then starts the run again. It uses the stored results instead of
+running those checks a second time.
 """
 
 from __future__ import annotations
@@ -30,11 +30,16 @@ from web.python.browser.watchdog import watchdog
 
 @dataclass(frozen=True)
 class Past:
-    """A record of one process of checks that an earlier web worker ran, to be replayed later.
+    """A record of the checks that an earlier web worker ran in one process, for replaying.
 
-    ``run`` names the chapter and the exercises that the process was meant to check. ``lines`` are
-    the reports that it sent. When the process began, ``left`` seconds remained for all checks. The
-    process itself took ``seconds`` seconds.
+    Attributes:
+        run: The chapter and the exercises that were to be checked.
+        lines: The reports that the process sent.
+        left: The time that remained for all checks when the process began, in seconds.
+        seconds: How long the process took.
+        stack: What the process was doing when it ran out of time, as a stack trace.
+        silent: True if the process stopped responding and had to be killed.
+        code: The exit code of the process.
     """
 
     run: str
@@ -47,7 +52,7 @@ class Past:
 
 
 class Processes:
-    """Runs the check processes for one request, or replays those that an earlier worker ran."""
+    """Runs the checks for one request, or replays the reports of an earlier web worker."""
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
@@ -55,7 +60,7 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether checks are running now, rather than being replayed from an earlier web worker."""
+        """True if checks are running now, False if an earlier web worker's reports are replayed."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
@@ -94,9 +99,9 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Describe a check that never finished as a failed check, which the page can show at once.
+    """Describe a check that never finished as a failure that the page can show at once.
 
-    If no check was running, return None.
+    Return None if no check was running.
     """
     if not isinstance(run.current, Started):
         return None

@@ -1,7 +1,7 @@
 """Run checks as if in a new process, although a browser cannot start one.
 
-When a real process ends, its imported modules, its sys.path and its working folder disappear with
-it. Here, each run ends by removing the modules and restoring sys.path and the working folder.
+The end of a process discards its imported modules, its sys.path and its working folder. Each run
+therefore ends by removing the modules and by restoring sys.path and the working folder.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ def install_limits() -> None:
 
 
 def compile_once() -> None:
-    """Cache the compiled code of every module, since each check reimports up to 40 modules.
+    """Cache the compiled code of every module, because each check reimports up to 40 modules.
 
-    This cuts the time of a short check by a third. Call it only once.
+    The cache cuts the time of a short check by a third. Call this function only once.
     """
     compiled = lru_cache(maxsize=1000)(compile)
 
@@ -60,9 +60,9 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """Imports the student's modules in a browser, where there is no separate process to kill.
+    """Imports the student's modules in a browser, without a separate process that could be killed.
 
-    A watchdog reports code that runs for too long.
+    Instead, a watchdog reports code that runs for too long.
     """
 
     def surround(self) -> None:
@@ -97,10 +97,10 @@ class BrowserRecorder(Recorder):
 
 
 def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
-    """Run the checks named by ``config`` in this interpreter, and send an event for each step.
+    """Run the checks listed in ``config`` in this interpreter, and send an event for each step.
 
-    If ``shallow`` is true, the student's code gets a lower recursion limit than in the grader,
-    because some browsers have a small stack.
+    Some browsers have a small stack. If ``shallow`` is true, the student's code gets a lower
+    recursion limit than in the grader.
     """
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
@@ -121,9 +121,10 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
 
 @contextlib.contextmanager
 def as_a_process() -> Iterator[None]:
-    """Run a with block, and then undo its changes to this interpreter.
+    """Restore the state of the interpreter at the end of a with block.
 
-    These are the imported modules, sys.path, the recursion limit and the working folder.
+    The state consists of the imported modules, sys.path, the recursion limit and the working
+    folder.
     """
     path, limit = list(sys.path), sys.getrecursionlimit()
     forget_modules()
@@ -148,9 +149,9 @@ def forget_modules() -> None:
 
 
 def forget_folders() -> None:
-    """Clear Python's cache of the course's folders.
+    """Clear the cache in which Python stores the contents of the course's folders.
 
-    The page may have changed the files in them.
+    The page may have changed the files in these folders.
     """
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):

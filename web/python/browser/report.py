@@ -78,7 +78,7 @@ def _results(report: Report, engine: list[Path]) -> list[dict[str, Any]]:
 def failure_to_page(failure: Failure) -> dict[str, Any]:
     """Convert a failed check to data that the page can display.
 
-    In the result, "line" is the line of the student's code that the page can open, or 0 if there is
+    In the result, "line" is the number of the line to open in the student's code, or 0 if there is
     none.
     """
     file, _, line = failure.place.removeprefix("chapters/").partition(":")

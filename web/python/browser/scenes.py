@@ -1,8 +1,8 @@
-"""Run several of the page's scenes in one Python interpreter, each on an engine of its own.
+"""Run several of the page's scenes in one Python interpreter, each with an engine of its own.
 
-The modules of all engines have the same names, so they cannot all be in sys.modules at once. Each
-Link therefore keeps the modules that its scene has imported, and puts them into sys.modules only
-while it answers a message.
+The modules of all engines have the same names, so sys.modules can contain only one engine at a
+time. Each Link therefore stores the modules that its scene has imported. They are in sys.modules
+only while the link answers a message.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SHARED = set(sys.modules)  # modules that all links share
 
 
 class Link:
-    """The connection between one of the scenes on the page and the engine that runs it."""
+    """The connection between a scene on the page and the engine that runs the scene."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
@@ -44,7 +44,7 @@ class Link:
     def receive(self, message: Message) -> list[Message]:
         """Answer a message from the page about this scene.
 
-        A message that loads a scene also carries the student's files, from which its engine is
+        A message that loads a scene also contains the student's files, from which the engine is
         built.
         """
         try:
@@ -86,7 +86,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Let a with block import this scene's engine, under the limits for student code."""
+        """Let a with block import the engine of this scene, under the limits for student code."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

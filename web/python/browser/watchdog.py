@@ -1,12 +1,12 @@
 """Interrupt student code when its time is up, although a web worker has only one thread.
 
-Neither another thread nor an alarm can interrupt that thread. However, Python checks thousands of
-times per second whether the worker has sent a signal. When the time is up, the worker sends
-SIGALRM, and Python calls ``Watchdog.hear`` at the current line of the student's code. ``hear``
-reports the line, and the page then ends the worker.
+Neither another thread nor an alarm can interrupt that thread. However, Python checks for signals
+from the worker thousands of times per second. When the time is up, the worker sends SIGALRM, and
+Python calls ``Watchdog.hear``. That method reports the current line of the student's code, and the
+page then ends the worker.
 
-A loop inside a C function, such as sum, never checks for signals. The page then ends the worker one
-second later without knowing the line.
+A loop inside a C function, such as sum, never checks for signals. In that case the page ends the
+worker one second later, and the line remains unknown.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Tells the page that a student's code has not finished in time, and which line it is on.
+    """Reports student code that has not finished in time, and the line that it is on.
 
-    The caller sets `explain` to a function that turns a stack trace into an explanation.
+    Set `explain` to a function that turns a stack trace into an explanation for the page.
     """
 
     def __init__(self) -> None:

@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A question that asks the reader to predict what a scene will do before it runs.
 
-    ``answer`` is a function that takes the scene and returns the index of the correct option. The
-    text ``why`` explains what happened once the scene has run for ``seconds``.
+    ``answer`` is a function that takes the scene and returns the index of the correct option.
+    ``why`` is an explanation to show when the scene has run for ``seconds``.
     """
 
     words: str

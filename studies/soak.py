@@ -59,8 +59,8 @@ def soak(
 ) -> tuple[bool, str]:
     """Simulate a scene for ``minutes`` minutes, and check its energy after every step.
 
-    ``rate`` is the number of steps per second. Return whether the scene passed, and a sentence for
-    the report, such as "its energy varies by 0.02 % over the last minute".
+    ``rate`` is the number of steps per second. Return True if the scene passed, along with a
+    sentence for the report, such as "its energy varies by 0.02 % over the last minute".
     """
     start = energy()
     last: list[float] = []

@@ -1,4 +1,4 @@
-"""Plots of chapter 4: shots, all types of fireworks, and the error of the book's integrator."""
+"""Plots for chapter 4: shots, all types of fireworks, and the error of the book's integrator."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the path of each type of shot, and plot how much of its energy the shot keeps."""
+    """Draw the path of each type of shot, and plot how much of its energy each shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )
@@ -160,8 +160,8 @@ def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
     """Fire a shot of the type ``name``, and follow all of its pieces until the last one is gone.
 
     Yields:
-        For each frame, a list with the type, position and velocity of every piece. Most shots stay
-        in one piece, but a grenade bursts into fragments.
+        For each frame, a list with the type, position and velocity of every piece. A grenade bursts
+        into fragments, but other shots stay in one piece.
     """
     at = BallisticRange()
     at.fire(name)

@@ -126,7 +126,7 @@ def arithmetic(frames: list[float]) -> Numbers:
     """Compute the motion of Particle.integrate with plain arithmetic in local variables.
 
     The time that this takes shows how fast a step could be without any objects. The comparison is
-    not quite fair. This function computes damping**frame in every step, while Particle.integrate
+    not quite fair, because this function computes damping**frame in every step. Particle.integrate
     reuses the last power if the duration is the same. Return the final position.
     """
     x, y, z = PROJECTILE.start.position

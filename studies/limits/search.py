@@ -43,7 +43,7 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """An integrator's stability limit for a spring or for drag, both as found and in theory.
+    """The stability limit of an integrator for a spring or for drag, as measured and in theory.
 
     Infinity means that there is no limit. ``steps`` is how many time steps an oscillation takes to
     grow by the factor HUGE at slightly more than the limit. It is NaN if nothing grows.
@@ -176,7 +176,7 @@ def ground_limit() -> Bound:
 
 
 def thrown(kappa: float) -> int:
-    """Find the number of the time step in which a resting body leaves the penalty ground.
+    """Find the index of the time step in which a resting body leaves the penalty ground.
 
     Return 0 if it does not leave the ground within 2000 steps. The body starts slightly too low, by
     1 / HUGE of the depth at which it would rest. It leaves the ground when this displacement has
@@ -265,9 +265,9 @@ def first(growth: Growth) -> float:
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
     """Measure how the energy of a spring drifts over many oscillations with each integrator.
 
-    ``swings`` lists numbers of oscillations in ascending order. For each of them, return the energy
-    as a fraction of the initial energy. Explicit Euler is left out, because it explodes at this
-    stiffness.
+    ``swings`` lists numbers of oscillations in ascending order. For each of these numbers, return
+    the energy as a fraction of the initial energy. Explicit Euler is omitted, because it explodes
+    at this stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]

@@ -1,7 +1,7 @@
-"""Plots of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
+"""Plots for chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there. For the computing time of each force generator, see cost.py.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine. For the computing time of each force generator, see cost.py.
 """
 
 from __future__ import annotations
@@ -199,8 +199,8 @@ def _fall(
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
     """Simulate an orbit that starts at the point farthest from the center.
 
-    The gravitational parameter mu is 1. Return the position and velocity at the start, and then
-    after each interval of ``every`` frames.
+    The gravitational parameter mu is 1. Return the position and velocity at the start and after
+    every ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)

@@ -1,4 +1,4 @@
-"""The sniper range of chapter 5 (project 4.2): ten shots in a wind that changes with each shot."""
+"""The sniper range for chapter 5 (project 4.2): ten shots in a wind that changes with each shot."""
 
 from __future__ import annotations
 
@@ -154,5 +154,5 @@ def seen(x: float, y: float, z: float) -> tuple[float, float]:
 
 
 def limited(angle: float) -> float:
-    """Clamp an aiming angle to the range that the rifle can turn through."""
+    """Clamp an aiming angle to the range through which the rifle can turn."""
     return max(-SWING, min(SWING, angle))

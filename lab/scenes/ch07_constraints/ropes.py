@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 7 that simulates the same rope of rods by three methods."""
+"""An interactive scene for chapter 7 that simulates the same rope of rods by three methods."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 8: a platform that tilts on a pivot, and a blob that can tear."""
+"""Interactive scenes for chapter 8: a platform that tilts on a pivot, and a blob that can tear."""
 
 from __future__ import annotations
 
@@ -116,9 +116,10 @@ class Platform(WorldScene):
 
 
 class Blob(WorldScene):
-    """A scene of a blob of particles that are held together by bonds, which break and heal.
+    """A scene of a blob of particles that are held together by bonds.
 
-    The reader can push the blob around, and use cables to keep it together.
+    The bonds can break and heal. The reader can push the blob around, and use cables to keep it
+    together.
     """
 
     chapter = 8

@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 8: a trebuchet, and where its energy goes (project 8.2)."""
+"""An interactive scene for chapter 8: a trebuchet, and where its energy goes (project 8.2)."""
 
 from __future__ import annotations
 
@@ -60,9 +60,9 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record where the projectile is after a time step, and how the energies have changed.
+        """Record the position of the projectile and the changes in energy after a time step.
 
-        Once the projectile has reached the ground, say where it landed.
+        Once the projectile has reached the ground, also record a message that says where it landed.
         """
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile

@@ -35,7 +35,7 @@ class Host:
         self.cost = 0.0  # microseconds per frame, a running mean
 
     def receive(self, message: Message) -> list[Message]:
-        """Carry out one message from the page, and return the messages that answer it.
+        """Process one message from the page, and return the messages to send back.
 
         If the message is invalid or the student's code raises an exception, the scene stops and the
         answer explains why.
@@ -184,7 +184,7 @@ class Host:
 def _numbers(items: list[list[Any]]) -> list[float]:
     """Collect all numbers in a drawing, such as coordinates and sizes.
 
-    They show if the scene has exploded, because at least one of them is then huge or not finite.
+    If one of these numbers is huge or not finite, the scene has exploded.
     """
     found: list[float] = []
     for item in items:

@@ -66,7 +66,7 @@ def draw(lines: list[Line], png: Path) -> None:
     """Draw the cost of each feature as a bar, with the most expensive feature on top.
 
     The cost is the time per frame with the feature divided by the time without it. Whiskers show
-    the quartiles. A feature that costs nothing would end at the dashed line at 1.
+    the quartiles. If a feature cost nothing, its bar would end at the dashed line at 1.
     """
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")

@@ -28,9 +28,9 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Run part of a simulation, and return the message of any error that stopped it.
+    """Run part of a simulation, and return the text of any error that stopped it.
 
-    For example, "ZeroDivisionError: division by zero". If there was no error, the message is empty.
+    An example is "ZeroDivisionError: division by zero". If there was no error, the text is empty.
     """
     try:
         act()

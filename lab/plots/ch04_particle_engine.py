@@ -160,8 +160,8 @@ def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
     """Fire a shot of the type ``name``, and follow all of its pieces until the last one is gone.
 
     Yields:
-        For each frame, a list with the type, position and velocity of every piece. A grenade bursts
-        into fragments, but other shots stay in one piece.
+        For each frame, a list with the type, position and velocity of every piece. Most shots stay
+        in one piece, but a grenade bursts into fragments.
     """
     at = BallisticRange()
     at.fire(name)

@@ -1,4 +1,4 @@
-"""Measure how much longer the step of a particle takes when forces act on it.
+"""Measure how much longer the time step of a particle takes when forces act on it.
 
 A particle of chapter 5, which accepts forces, is compared with one of chapter 3, which does not. It
 is also compared with plain arithmetic.

@@ -27,8 +27,8 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 class Tried:
     """A method of simulation that was tried on the user's scene, and the results of its runs.
 
-    ``runs`` holds the values measured in each run, and ``times`` holds the processor times of each
-    run in s. ``halved`` contains the estimated errors. If a run failed, ``failure`` says why.
+    ``runs`` contains the values measured in each run, and ``times`` contains the processor times of
+    each run in s. ``halved`` contains the estimated errors. If a run failed, ``failure`` says why.
     """
 
     model: Model

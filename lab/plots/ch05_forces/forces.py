@@ -218,8 +218,9 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 def _momentum_drift(h: float) -> float:
     """Predict how much angular momentum the book's integrator adds per orbit.
 
-    Each step changes r x v by h^2 (v x a), because r x a is 0. On an exact orbit, v x a is L / r^3.
-    Here L = (1 - e^2)^(1/2) is the angular momentum, and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
+    A step of length h changes the angular momentum r x v by h^2 (v x a), because r x a is 0. On an
+    exact orbit, v x a is L / r^3. Here L = (1 - e^2)^(1/2) is the angular momentum, and the mean of
+    1 / r^3 is (1 - e^2)^(-3/2).
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
@@ -227,9 +228,9 @@ def _momentum_drift(h: float) -> float:
 def _energy_drift(h: float) -> float:
     """Predict how much energy the book's integrator adds per orbit.
 
-    Each step adds (h^2 / 2) (a^2 + v . H v), where H is the Hessian of -1 / r. On an exact orbit,
-    the second factor is 1 / r^4 + (v^2 - 3 v_r^2) / r^3. This function integrates it over one
-    orbit.
+    A step of length h adds (h^2 / 2) (a^2 + v . H v), where H is the Hessian of the potential -1 /
+    r. On an exact orbit, a^2 + v . H v is 1 / r^4 + (v^2 - 3 v_r^2) / r^3. This function integrates
+    that expression over one orbit.
     """
     p = 1.0 - ECCENTRICITY**2
     count = 2000

@@ -231,8 +231,8 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
     """Measure how fast Euler angles change near gimbal lock, in a rotation about the worst axis.
 
-    ``distance`` is how far away gimbal lock is, in degrees. Return the magnitude of the Euler rates
-    in rad/s for a rotation of 1 rad/s, and the text of any error.
+    ``distance`` is the angle to gimbal lock in degrees. Return the magnitude of the Euler rates in
+    rad/s for a rotation of 1 rad/s, and the text of any error.
     """
     left = math.radians(distance)
     found: list[float] = []

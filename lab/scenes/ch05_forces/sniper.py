@@ -115,9 +115,9 @@ class Sniper(Scene):
         self.shoot(-x / 1000.0, y / 1000.0)
 
     def shoot(self, azimuth: float, elevation: float) -> None:
-        """Turn the rifle to two angles in rad, and fire unless another bullet is in flight.
+        """Aim the rifle at two angles in rad, and fire unless another bullet is in flight.
 
-        The angles are clamped to the range that the rifle can turn through.
+        The angles are clamped to the range through which the rifle can turn.
         """
         self.aim = (limited(azimuth), limited(elevation))
         self.range.shoot(*self.aim)

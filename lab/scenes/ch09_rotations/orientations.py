@@ -98,9 +98,10 @@ class Orientations(Scene):
         return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 
     def turns(self) -> dict[str, list[Vector3]]:
-        """Compute where the three axes of each box point.
+        """Compute the directions of the three axes of each box.
 
-        The keys are "matrix", "quaternion" and "Euler angles", the ways to store an orientation.
+        The keys of the result are the ways to store an orientation: "matrix", "quaternion" and
+        "Euler angles".
         """
         angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
         q = self.quaternion.copy()

@@ -145,7 +145,7 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 def _few_colors(picture: Image.Image) -> Image.Image:
     """Reduce the colors of a picture as far as possible without a visible change.
 
-    Fewer colors make the file smaller.
+    With fewer colors, the file is smaller.
     """
     full = picture.convert("RGB")
     reduced = functools.cache(functools.partial(_palette, full))

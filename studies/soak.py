@@ -1,7 +1,7 @@
 """Simulate chapter 8's rope bridge and tilting platform for ten minutes, and check their energy.
 
-Each of them runs at 30, 60 and 120 steps per second. A run passes if its energy is always finite
-and never above its initial value. In the last minute, the energy must not vary by more than 0.1 %.
+Both scenes run at 30, 60 and 120 steps per second. A run passes if its energy is always finite and
+never above its initial value. In the last minute, the energy must not vary by more than 0.1 %.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Compare how long our engine and pymunk take to simulate a scene with the same accuracy.
 
 Each result is pymunk's time divided by the time of one of our models. A model is a way to simulate
-a scene, for example with a certain integrator. In every frame, the error of the positions must be
-below a given fraction of the scene's size. Both sides use the fewest steps per frame that achieve
+a scene, for example with a certain integrator. The error of the positions must not exceed a given
+fraction of the scene's size in any frame. Both sides use the fewest steps per frame that achieve
 this, out of 1, 2, 4 and so on.
 
 If even MOST steps are too few for pymunk, its time is extrapolated from its order of convergence,
@@ -147,7 +147,7 @@ def fastest_exact(scene: Scene) -> Model:
 
 
 def is_exact(model: Model) -> bool:
-    """Return True if a model is exact, such as a closed form, and needs no number of steps."""
+    """Return True if a model is exact, like a closed form, so that it takes one step per frame."""
     return tuple(model.steps) == (1,)
 
 

@@ -234,10 +234,10 @@ def error_against_work() -> Picture:
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Compute one component of the force that a force generator exerts on a particle.
+    """Compute the component of a generator's force along one coordinate axis.
 
-    ``axis`` is 0 for x, 1 for y or 2 for z. The particle lies on this axis at ``place``, and the
-    component along the same axis is returned.
+    ``axis`` is 0 for x, 1 for y or 2 for z. The particle on which the force acts lies on the same
+    axis, at ``place``.
     """
     particle = Particle(Vector3(*(place if i == axis else 0.0 for i in range(3))))
     generator.update_force(particle, FRAME)

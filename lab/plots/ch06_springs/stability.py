@@ -89,7 +89,7 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Plot the motion of a fake spring next to that of a true spring, both of them stiff.
+    """Compare the motion of a faked stiff spring with that of a true one.
 
     The fake spring computes where a true one would move the particle, and adds a constant force
     that takes it there. A second plot shows for which time steps the oscillations of the fake grow.

@@ -123,7 +123,7 @@ class Throw(Scene):
                 self.land()
 
     def land(self) -> None:
-        """End the throw, and report by how much the ball and the exact path missed the hoop."""
+        """End the throw, and report how far the ball and the exact path missed the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)

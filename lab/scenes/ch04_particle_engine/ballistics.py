@@ -209,7 +209,7 @@ class Artillery(Scene):
     def place_after(self, time: float, elevation: float) -> tuple[float, float]:
         """Compute the exact position of a shell ``time`` s after it was fired.
 
-        ``elevation`` is in degrees.
+        ``elevation`` is the angle of the gun in degrees.
         """
         position, _ = state_after(self.shot(elevation), time)
         return position.x, position.y

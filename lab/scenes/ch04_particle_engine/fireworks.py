@@ -18,7 +18,7 @@ WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), da
 
 
 class Fireworks(Scene):
-    """A fireworks display that goes on as long as the player keeps clicking on its rockets.
+    """A fireworks display that goes on as long as the player keeps hitting its rockets.
 
     Next to the rockets, a Catherine wheel throws sparks.
     """

@@ -163,5 +163,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Project a 3D point onto the picture, as seen from the side and slightly from above."""
+    """Project a 3D point onto the picture, as seen from one side and slightly from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

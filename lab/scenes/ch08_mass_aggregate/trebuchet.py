@@ -20,7 +20,7 @@ Point = tuple[float, float]
 class Trebuchet(WorldScene):
     """A scene of the trebuchet that the student has designed.
 
-    The reader can change its counterweight and its release angle.
+    The reader can change the counterweight and the release angle.
     """
 
     chapter = 8

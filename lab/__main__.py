@@ -125,10 +125,10 @@ def settings_of(options: argparse.Namespace) -> dict[str, str]:
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Build the query that tells the lab's page which scene to open first.
+    """Build the query string that makes the lab's page open a certain scene first.
 
-    An example is "scene=one-spring&mass=2", where mass=2 comes from ``settings``. If ``scene`` is
-    empty, the query names the first scene of ``chapter``.
+    For the scene "one-spring" and the setting mass=2, it is "scene=one-spring&mass=2". If ``scene``
+    is empty, the page opens the first scene of ``chapter``.
 
     Raises:
         ValueError: The scene does not exist, or the chapter has no scenes.

@@ -19,10 +19,10 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """An entry in the lab's list of scenes, with the module and the class that define the scene.
+    """A scene in the lab's catalog, with the module and the class that define it.
 
-    The lab finds the entries by reading the source code of the scene modules. It can therefore list
-    the scenes without importing an engine.
+    Entries are read from the source code of the scene modules, so listing them does not import an
+    engine.
     """
 
     name: str

@@ -50,7 +50,7 @@ def main() -> None:
 def answered(host: Host, line: bytes) -> list[str]:
     """Answer one message from the lab's server, and return the answers as lines of JSON.
 
-    If the line is not valid JSON, the only answer is an error message that says so.
+    If the message is not valid JSON, the only answer is an error message.
     """
     try:
         message = json.loads(line)

@@ -1,4 +1,4 @@
-"""Start and stop the processes that run a student's engine for the lab's page, and talk to them."""
+"""Start and stop the processes that run a student's engine, and send messages to them."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ LONGEST_RECORDING = 120.0  # s
 class EngineProcess:
     """The process that runs an engine for one open page of the lab.
 
-    It starts when the page sends its first message. If the student's code never ends, the process
-    can be killed while the server keeps running.
+    The process starts when the page sends its first message. If the student's code never ends, the
+    process can be killed while the server keeps running.
     """
 
     def __init__(self, engine: str, given: str = "") -> None:

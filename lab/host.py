@@ -1,7 +1,7 @@
 """Run one interactive scene, controlled by messages from a web page.
 
-The host knows nothing about web pages, sockets or processes, so the lab's local server and the
-course's website can share it. A message is a dict with a ``kind``. It holds only numbers, strings,
+The host does not depend on web pages, sockets or processes. The lab's local server and the course's
+website can therefore share it. A message is a dict with a ``kind``. It holds only numbers, strings,
 lists and dicts, so that it can be sent as JSON.
 """
 
@@ -22,9 +22,9 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """Runs one scene and answers messages about it, for example that a key has been pressed.
+    """Runs one scene and responds to messages about it, such as a key press.
 
-    ``explain`` turns an exception raised by the student's code into an explanation.
+    ``explain`` is a function that turns an exception from the student's code into an explanation.
     """
 
     def __init__(self, explain: Callable[[BaseException], str]) -> None:
@@ -35,7 +35,7 @@ class Host:
         self.cost = 0.0  # microseconds per frame, a running mean
 
     def receive(self, message: Message) -> list[Message]:
-        """Carry out one message from the page, and return the messages that answer it.
+        """Process one message from the page, and return the messages to send back.
 
         If the message is invalid or the student's code raises an exception, the scene stops and the
         answer explains why.
@@ -79,7 +79,7 @@ class Host:
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
         """Build the scene called ``name``, and return its description and its first frame.
 
-        ``peer`` selects another method of running the scene, such as "exact" or "pymunk". If the
+        ``peer`` selects another way to simulate the scene, such as "exact" or "pymunk". If the
         value of a parameter is invalid, the scene uses the default, and one of the answers says so.
         """
         self.scene = None
@@ -117,7 +117,8 @@ class Host:
     def _keep(self, name: str, value: object) -> list[Message]:
         """Check and store the value of a parameter.
 
-        Return an empty list, or a list with a message that says why the value was rejected.
+        If the value is rejected, return a list with one message that says why. Otherwise return an
+        empty list.
         """
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
@@ -139,7 +140,7 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Collect what the page shows for the current frame, such as the drawing and the chart.
+        """Collect the data that the page shows for the current frame, such as the drawing.
 
         Raises:
             ArithmeticError: The scene has exploded, so a number is far too large or not finite.
@@ -183,7 +184,7 @@ class Host:
 def _numbers(items: list[list[Any]]) -> list[float]:
     """Collect all numbers in a drawing, such as coordinates and sizes.
 
-    If one of them is far too large or not finite, the scene has exploded.
+    If one of these numbers is huge or not finite, the scene has exploded.
     """
     found: list[float] = []
     for item in items:

@@ -12,7 +12,7 @@ class Parameter:
 
     Define a parameter as an attribute of a scene's class. In an instance of the scene, the
     attribute is the current value, so ``self.stiffness`` is a number. A ``live`` parameter can
-    change while the scene runs. Changing any other parameter rebuilds the scene.
+    change while the scene runs. If any other parameter changes, the scene is rebuilt.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -111,7 +111,7 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Find the option that the reader means by a value such as "runge-kutta-4".
+        """Find the option that matches a value such as "runge-kutta-4".
 
         Hyphens may stand for spaces, and case does not matter, so that options are easy to type on
         a command line.

@@ -1,7 +1,7 @@
 """Play a scene in a window, or record a scripted run of it to files.
 
-A recording consists of an animation, an overview made of still pictures, and a table of the values
-in the scene's chart.
+A recording consists of an animation, an image that shows several of its frames, and a table of the
+values in the scene's chart.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ SIZE = (8.0, 5.0)  # inches
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:
     """Record a scripted run of ``scene`` to files in ``folder``, and return their paths.
 
-    The files are an animated GIF, a PNG overview of still pictures, and a CSV table of the values
-    in the scene's chart. Files of an earlier recording are deleted first, so that none of them
-    remain if the scene fails.
+    The files are an animated GIF, a PNG image that shows several frames, and a CSV table of the
+    values in the scene's chart. Files of an earlier recording are deleted first, so that none of
+    them remain if the scene fails.
     """
     name = name_of(type(scene))
     folder.mkdir(parents=True, exist_ok=True)
@@ -115,9 +115,9 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the recording's table: the time, the charted values and the scene's error.
+    """Return a row of the table in a recording: the time, the charted values and the scene's error.
 
-    The error is left out if the scene has no exact solution.
+    The error is omitted if the scene has no exact solution.
     """
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
@@ -132,7 +132,7 @@ def _image_of(figure: Figure) -> Any:
 
 
 def _sheet_of(tiles: list[Any]) -> Figure:
-    """Arrange still pictures of a recording in a grid, so that they can be seen at a glance."""
+    """Arrange several frames of a recording in a grid, so that they can be seen at a glance."""
     columns = 3
     rows = -(-len(tiles) // columns)
     sheet, places = pyplot.subplots(rows, columns, figsize=(12, 2.6 * rows), layout="constrained")

@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A question that asks the reader to predict what a scene will do before it runs.
 
-    ``answer`` is a function that takes the scene and returns the index of the correct option. The
-    text ``why`` explains what happened once the scene has run for ``seconds``.
+    ``answer`` is a function that takes the scene and returns the index of the correct option.
+    ``why`` is an explanation to show when the scene has run for ``seconds``.
     """
 
     words: str
@@ -95,7 +95,7 @@ class Scene:
         return ""
 
     def facts(self) -> str:
-        """Sum up the settings in one line, such as "k h^2 / m = 0.028, stable below 4"."""
+        """Summarize the settings in one line, such as "k h^2 / m = 0.028, stable below 4"."""
         return ""
 
     def press(self, key: str) -> None:
@@ -144,7 +144,7 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return the name of a scene for addresses and commands: OneSpring becomes "one-spring"."""
+    """Return the name of a scene for addresses and commands, such as "one-spring" for OneSpring."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 

@@ -124,7 +124,7 @@ class EngineSocket(WebSocketHandler):
     async def saved(self, files: list[str]) -> None:
         """Stop the engine process, and tell the page which files the student has saved.
 
-        The page then reloads its scene, and a new process starts with the saved files.
+        The page then reloads its scene, which starts a new process with the saved files.
         """
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:

@@ -36,7 +36,7 @@ class Stepped(Scene):
     def step(self, duration: float) -> None:
         """Advance the scene by a frame of ``duration`` s, at the step rate that the reader chose.
 
-        A frame is not always a whole number of steps. The time that is left over is added to the
+        A frame is not always a whole number of steps. The remaining time is carried over to the
         next frame.
         """
         length = 1.0 / self.rate

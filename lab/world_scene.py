@@ -18,15 +18,18 @@ from studies.runs.links import ends_of
 
 
 class WorldScene(Scene):
-    """A scene that runs a particle world. The ``build`` method of a subclass must call ``run``."""
+    """A scene that simulates a particle world.
+
+    The ``build`` method of a subclass must call ``run``.
+    """
 
     rate = Choice(60, "steps per second", [30, 60, 120, 240], "Hz", live=True)
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """From now on, advance ``world`` with the function ``step``, and record its contacts.
+        """Set the world that the scene simulates, and the function that advances it by one step.
 
-        The contacts are recorded so that the scene can draw them.
+        From now on, the contacts of ``world`` are recorded, so that the scene can draw them.
         """
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
@@ -36,7 +39,7 @@ class WorldScene(Scene):
     def step(self, duration: float) -> None:
         """Advance the scene by a frame of ``duration`` s, at the step rate that the reader chose.
 
-        A frame is not always a whole number of steps. The time that is left over is added to the
+        A frame is not always a whole number of steps. The remaining time is carried over to the
         next frame.
         """
         length = 1.0 / self.rate
@@ -57,7 +60,7 @@ class WorldScene(Scene):
 
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
-    """Draw the cables of a particle world, black where they are taut and gray where slack."""
+    """Draw the cables of a particle world, in black if they are taut and in gray if slack."""
     anchors: list[tuple[float, float]] = []
     taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
     slack: list[tuple[tuple[float, float], tuple[float, float]]] = []

@@ -1,7 +1,7 @@
 """Run one of the studies of the physics engine, for example with python -m studies plot.
 
-The first argument names the study. Each study is a module with a function ``main``, which gets the
-other arguments.
+The first argument is the name of the study. Each study is a module with a function ``main``, which
+gets the remaining arguments.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy",
 
 
 def main() -> int:
-    """Run the study that the first command-line argument names, and return its exit status.
+    """Run the study named by the first command-line argument, and return its exit status.
 
-    The status is 2 if the study could not run, for example because there is no study of that name.
+    The status is 2 if the study could not run, for example because no study has that name.
     """
     there = [name for name in COMMANDS if importlib.util.find_spec(f"studies.{name}")]
     name = sys.argv[1] if len(sys.argv) > 1 else ""

@@ -58,7 +58,7 @@ def every(console: Console) -> list[Measurement]:
     """Set up all benchmarks of the engine, in the order in which the report lists them.
 
     Some of them compare the engine with other libraries, such as NumPy. If a library is not
-    installed, its benchmarks are left out, and a message on ``console`` shows how to install it.
+    installed, its benchmarks are skipped, and a message on ``console`` shows how to install it.
     """
     # These modules import chapters.
     from studies.benchmarks import (
@@ -85,8 +85,8 @@ def every(console: Console) -> list[Measurement]:
 def told(line: Line) -> str:
     """Format the result of a benchmark, as in "1.32 (1.30 to 1.35), target at most 1.6: met".
 
-    The numbers are the median and the quartiles of its rounds. The target is left out if there is
-    none.
+    The numbers are the median and the quartiles of the benchmark's rounds. If there is no target,
+    that part is omitted.
     """
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread

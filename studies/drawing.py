@@ -58,7 +58,7 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write below a plot why some of its simulations stopped early.
+    """Explain below a plot why some of its simulations stopped early.
 
     Each of the ``notes`` is the reason for one simulation, such as an error in the student's code.
     At most three notes are shown, and a last line says how many others there are.

@@ -1,6 +1,6 @@
 """Measure what it costs to simulate falling particles with features that they do not need.
 
-Two hundred particles fall, and nothing else happens. Each bar of the chart is for one feature, such
+The scene consists of two hundred falling particles. Each bar of the chart is for one feature, such
 as a search for collisions. It shows the time per frame with the feature divided by the time without
 it. The two times are measured one right after the other.
 """
@@ -66,7 +66,7 @@ def draw(lines: list[Line], png: Path) -> None:
     """Draw the cost of each feature as a bar, with the most expensive feature on top.
 
     The cost is the time per frame with the feature divided by the time without it. Whiskers show
-    the quartiles. A feature that costs nothing would end at the dashed line at 1.
+    the quartiles. If a feature cost nothing, its bar would end at the dashed line at 1.
     """
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
@@ -183,8 +183,8 @@ def parts() -> list[tuple[str, Move, Move]]:
 def plain(dimensions: int) -> Move:
     """Return a function that moves two hundred falling particles by a frame with plain arithmetic.
 
-    ``dimensions`` is the number of coordinates, 2 or 3. The difference between the two times is the
-    cost of a third dimension.
+    ``dimensions`` is the number of coordinates, 2 or 3, so that the cost of a third dimension can
+    be measured.
     """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 

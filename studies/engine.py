@@ -1,4 +1,4 @@
-"""Choose whether plots, scenes and measurements run a student's engine or the reference.
+"""Choose the engine for plots, scenes and measurements: a student's work or the reference solution.
 
 An engine is a folder with one package for each chapter of the course.
 """

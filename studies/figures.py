@@ -101,14 +101,14 @@ def main(arguments: list[str]) -> int:
 
 
 def _file(out: Path, name: str) -> Path:
-    """Return where a picture is stored, such as ch02_vectors/pictures/addition.png."""
+    """Return the path of a picture, such as ch02_vectors/pictures/addition.png."""
     return out / Path(name).parent / "pictures" / Path(name).name
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
     """Reduce an animation in size and colors, and return one frame for every PICTURE_TIME ms.
 
-    The frames are WIDTH px wide. All of them have the same small palette. If each had its own, the
+    The frames are WIDTH px wide. They share one small palette, because with separate palettes the
     parts that do not move would flicker.
     """
     pictures: list[Image.Image] = []
@@ -131,7 +131,7 @@ def _shrunk(animation: Path) -> list[Image.Image]:
 def _still(animation: Path, seconds: float) -> Image.Image:
     """Return the frame that an animation shows at ``seconds``, in full size.
 
-    The lesson shows this still picture, with a link to the animation.
+    The lesson shows this frame, with a link to the animation.
     """
     left = 1000.0 * seconds
     with Image.open(animation) as frames:
@@ -145,7 +145,7 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 def _few_colors(picture: Image.Image) -> Image.Image:
     """Reduce the colors of a picture as far as possible without a visible change.
 
-    Fewer colors make the file smaller.
+    With fewer colors, the file is smaller.
     """
     full = picture.convert("RGB")
     reduced = functools.cache(functools.partial(_palette, full))
@@ -162,7 +162,7 @@ def _palette(picture: Image.Image, count: int) -> Image.Image:
     """Reduce ``picture`` to ``count`` colors that are as different from one another as possible.
 
     The most frequent colors would be a bad choice. Most of them are grays along the edges of
-    letters, and the few colored lines of a plot would turn gray.
+    letters, so the few colored lines of a plot would turn gray.
     """
     few = picture.quantize(
         count, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=3

@@ -63,7 +63,7 @@ def note_engine(folder: Path, engine: Path) -> None:
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
-    """Draw all plots of a chapter, and return whether that worked for all of them.
+    """Draw all plots of a chapter, and return True if none of them failed.
 
     For each plot, print the names of its files, or the reason why it failed.
     """

@@ -16,7 +16,7 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Check whether a student has already written all the functions that ``call`` runs.
+    """Return True if a student has already written all the functions that ``call`` runs.
 
     A function counts as unwritten as long as it raises NotImplementedError.
     """
@@ -28,9 +28,9 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Run part of a simulation, and return the message of any error that stopped it.
+    """Run part of a simulation, and return the text of any error that stopped it.
 
-    For example, "ZeroDivisionError: division by zero". If there was no error, the message is empty.
+    An example is "ZeroDivisionError: division by zero". If there was no error, the text is empty.
     """
     try:
         act()
@@ -42,7 +42,7 @@ def stopped(act: Callable[[], object]) -> str:
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
     """Run all simulations whose code the student has written, and return the results by key.
 
-    Simulations that need unwritten code are left out. In this way even an unfinished engine can be
+    Simulations that need unwritten code are skipped, so that even an unfinished engine can be
     plotted.
 
     Raises:
@@ -108,5 +108,5 @@ def angle_between(a: Numbers, b: Numbers) -> float:
 
 
 def is_drawable(*vectors: Numbers) -> bool:
-    """Check whether all components of the vectors are finite, so that matplotlib can draw them."""
+    """Return True if all components of the vectors are finite, so that matplotlib can draw them."""
     return all(math.isfinite(value) for vector in vectors for value in vector)

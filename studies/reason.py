@@ -1,4 +1,4 @@
-"""Explain to students why their code failed when it was run by a plot or a scene of the lab."""
+"""Explain to students why their code failed in a plot or in a scene of the lab."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def reason(error: BaseException) -> str:
 
 
 def shown(path: Path) -> Path:
-    """Shorten a path for a message, by making it relative to the current folder.
+    """Make a path relative to the current folder, so that it is short enough for a message.
 
     A path outside the current folder is not changed.
     """

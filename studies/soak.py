@@ -1,7 +1,7 @@
 """Simulate chapter 8's rope bridge and tilting platform for ten minutes, and check their energy.
 
-Each of them runs at 30, 60 and 120 steps per second. A run passes if its energy is always finite
-and never above its initial value. In the last minute, the energy must not vary by more than 0.1 %.
+Both scenes run at 30, 60 and 120 steps per second. A run passes if its energy is always finite and
+never above its initial value. In the last minute, the energy must not vary by more than 0.1 %.
 """
 
 from __future__ import annotations
@@ -59,8 +59,8 @@ def soak(
 ) -> tuple[bool, str]:
     """Simulate a scene for ``minutes`` minutes, and check its energy after every step.
 
-    ``rate`` is the number of steps per second. Return whether the scene passed, and a sentence for
-    the report, such as "its energy varies by 0.02 % over the last minute".
+    ``rate`` is the number of steps per second. Return True if the scene passed, along with a
+    sentence for the report, such as "its energy varies by 0.02 % over the last minute".
     """
     start = energy()
     last: list[float] = []

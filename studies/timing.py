@@ -1,9 +1,9 @@
 """Measure how long two pieces of code take, and report the ratio of their times.
 
 A ratio is almost the same on every machine, unlike a time in seconds. The two times are measured
-one right after the other, in several rounds. The rounds of all benchmarks are shuffled. If the
-machine is slow for a minute, every benchmark then suffers a little, and none of them suffers a lot.
-The report shows the median and the quartiles of the rounds.
+one right after the other, in several rounds. The rounds of all benchmarks are shuffled. A minute in
+which the machine is slow therefore affects every benchmark a little, and none of them a lot. The
+report shows the median and the quartiles of the rounds.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Check whether a benchmark's result meets the bound, which may also be equal to it."""
+        """Return True if a benchmark's result meets the bound or is equal to it."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
@@ -71,7 +71,7 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """Whether the median meets the target: "met" or "missed", or "" without a target."""
+        """The verdict on the median: "met" or "missed", or an empty string without a target."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
@@ -108,7 +108,7 @@ def warm(timed: Timer) -> float:
     """Measure how long a piece of code takes, and average over several runs if it is fast.
 
     If the first run takes less than LEAST, the code is run again and again for that long. The first
-    run is then left out, because cold caches would distort a short measurement.
+    run is then not counted, because cold caches would distort a short measurement.
     """
     taken = timed()
     if taken >= LEAST:
@@ -166,9 +166,9 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 def mixed(rounds: Sequence[int]) -> list[int]:
     """Shuffle the rounds of all benchmarks, so that each benchmark is spread over the whole run.
 
-    The result is a list of benchmark indices, in which index ``i`` occurs ``rounds[i]`` times. To
-    spread a benchmark, the run is divided into as many equal parts as the benchmark has rounds.
-    Each part gets one round at a random time.
+    The result is a list of benchmark indices, in which index ``i`` occurs ``rounds[i]`` times. For
+    a benchmark with n rounds, the whole run is divided into n equal parts. Each part gets one of
+    the rounds, at a random time.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]

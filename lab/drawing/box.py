@@ -21,11 +21,11 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a box in 3D that has been rotated.
+    """Draw a rotated box in 3D.
 
-    ``sides`` are the lengths of its sides in m. ``turn`` is a function that rotates a vector from
-    the axes of the box to those of the world. ``center`` is where the center of the box appears in
-    the picture.
+    ``sides`` are the lengths of its sides in m. ``turn`` is a function that converts a vector from
+    the box's own axes to those of the world. ``center`` is the position of the box's center in the
+    picture.
     """
     x0, y0 = center
     for face, axis in _faces(sides):

@@ -1,4 +1,4 @@
-"""Record the contacts and impulses of a contact resolver, so that a scene can draw them."""
+"""Record the contacts that a resolver handles and their impulses, so that a scene can draw them."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Record what a scene draws as plain data, for a web page or matplotlib to draw later.
 
 Coordinates are in the scene's own units, with +x to the right and +y up. A point is either a
-Vector3 or a pair (x, y). Colors are names rather than values, so that a page can pick shades that
-suit a light or a dark background.
+Vector3 or a pair (x, y). Colors are stored by name, so that a page can choose shades that suit a
+light or a dark background.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ Item = list[Any]
 
 
 class Pen:
-    """The pen that a scene draws with. It records each shape instead of drawing it right away.
+    """Records the shapes that a scene draws, without drawing them yet.
 
-    A recorded shape is a list such as ["ground", "gray", 0.0]: its kind, its color and more values
-    that depend on the kind.
+    Each shape is stored as a list of its kind, its color and further values that depend on the
+    kind. An example is ["ground", "gray", 0.0].
     """
 
     def __init__(self) -> None:
@@ -47,14 +47,15 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle. The reader can drag it if ``grab`` gives it a name.
+        """Draw a circle.
 
-        When the reader drags the circle, ``Scene.drag`` is called with that name.
+        To let the reader drag the circle, pass a name as ``grab``. ``Scene.drag`` is called with
+        that name when the circle is dragged.
         """
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots whose ``size`` is in pixels, so that zooming the view does not change it."""
+        """Draw dots. Their ``size`` is in pixels, so it stays the same when the view is zoomed."""
         self._add("dots", color, _flat(centers), size)
 
     def line(
@@ -71,13 +72,13 @@ class Pen:
     def segments(
         self, pairs: Iterable[tuple[Point, Point]], color: str = "black", width: float = 1.0
     ) -> None:
-        """Draw many separate lines, each between two points."""
+        """Draw separate line segments, each between two points."""
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
         """Fill a polygon with a color.
 
-        The color is translucent, as for water, unless ``solid`` is true.
+        The color is translucent, for example for water, unless ``solid`` is true.
         """
         self._add("area", color, _flat(corners), solid)
 
@@ -88,7 +89,8 @@ class Pen:
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
         """Draw an arrow from ``start`` to ``start + vector``.
 
-        The reader can show or hide all arrows of a kind, such as "velocity" or "force".
+        Every arrow has a kind, such as "velocity" or "force". The reader can show or hide all
+        arrows of one kind.
         """
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
@@ -116,8 +118,8 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round ``value`` to five significant digits, to keep messages short.
+    """Round ``value`` to five significant digits.
 
-    A picture does not need more digits.
+    This keeps messages short, and is exact enough for drawing.
     """
     return float(f"{value:.5g}")

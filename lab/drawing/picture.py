@@ -1,7 +1,6 @@
 """Draw a scene of the lab with matplotlib, for windows and recordings.
 
-A scene does not draw by itself. It tells a ``Pen`` which lines, circles and texts to show, and this
-module draws them.
+A scene only records its shapes with a ``Pen``. This module draws the recorded shapes.
 """
 
 from __future__ import annotations

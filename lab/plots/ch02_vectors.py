@@ -1,7 +1,7 @@
-"""Plots of chapter 2, drawn with the vectors of a student's engine.
+"""Plots for chapter 2, drawn with the vectors of a student's engine.
 
-The title of each plot says how exact the drawn vectors are. Their errors are computed without the
-engine, so a bug in the engine shows up there. The command is `make plot CH=2`.
+The title of each plot reports the error of the drawn vectors. It is computed without the engine, so
+that it reveals bugs in the engine. To draw the plots, run `make plot CH=2`.
 """
 
 from __future__ import annotations
@@ -127,8 +127,8 @@ PLOTS = (addition, projection, cross_product, basis)
 def _product_length(angle: float) -> float:
     """Compute the length of the vector product of a and b, with |a| = 2 and |b| = 3.
 
-    The student's engine computes the product. ``angle`` is the angle between the two vectors, which
-    lie in a tilted plane.
+    ``angle`` is the angle between the two vectors, which lie in a tilted plane. The product is
+    computed by the student's engine.
     """
     along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
     a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)

@@ -1,7 +1,7 @@
-"""Plots of chapter 3, drawn with the particle of a student's engine.
+"""Plots for chapter 3, drawn with the particle of a student's engine.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the engine
-shows up there. The command is `make plot CH=3`.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the engine. To draw the plots, run `make plot CH=3`.
 """
 
 from __future__ import annotations
@@ -148,7 +148,7 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
     """Measure the fraction of the velocity that each form of damping removes in a fall of 1 s.
 
-    The frames vary at random in length around 1 / ``rate`` s. Each fraction is the mean of several
+    The duration of each frame is random, about 1 / ``rate`` s. Each fraction is the mean of several
     runs.
     """
     gravity = Vector3(*GRAVITY)

@@ -1,4 +1,4 @@
-"""Plots of chapter 4: shots, all types of fireworks, and the error of the book's integrator."""
+"""Plots for chapter 4: shots, all types of fireworks, and the error of the book's integrator."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the path of each type of shot, and plot how much of its energy the shot keeps."""
+    """Draw the path of each type of shot, and plot how much of its energy each shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )

@@ -1,9 +1,9 @@
 """Compare how long our engine and pymunk take to simulate a scene with the same accuracy.
 
-Each result is pymunk's time divided by the time of one of our models. A model is one way to
-simulate the scene, for example with a certain integrator. The positions must be accurate in every
-frame, to within a fraction of the scene's size. To achieve this, both sides use the fewest steps
-per frame that are enough, out of 1, 2, 4 and so on.
+Each result is pymunk's time divided by the time of one of our models. A model is a way to simulate
+a scene, for example with a certain integrator. The error of the positions must not exceed a given
+fraction of the scene's size in any frame. Both sides use the fewest steps per frame that achieve
+this, out of 1, 2, 4 and so on.
 
 If even MOST steps are too few for pymunk, its time is extrapolated from its order of convergence,
 and the report says so. If its error does not fall steadily, the result is only a lower bound.
@@ -147,15 +147,15 @@ def fastest_exact(scene: Scene) -> Model:
 
 
 def is_exact(model: Model) -> bool:
-    """Check whether a model is exact, like a closed form, with no number of steps to choose."""
+    """Return True if a model is exact, like a closed form, so that it takes one step per frame."""
     return tuple(model.steps) == (1,)
 
 
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
     """Find the fewest steps per frame, as a power of two, with which a model meets ``tolerance``.
 
-    Return that number and the error. If even MOST steps per run are not enough, return the largest
-    number that was tried.
+    Return the number of steps and the error. If even MOST steps per run are not enough, return the
+    largest number that was tried, with its error.
     """
     finest = tried_steps(scene, model, tolerance)[-1]
     return finest.steps, finest.error

@@ -12,7 +12,8 @@ from studies.timing import Measurement, Target, Timer, timer, versus
 def lines() -> list[Measurement]:
     """Set up the benchmark of `make check`, the command with which students check their work.
 
-    The result is its time for one chapter, divided by the time that Python takes to import pytest.
+    The result is the time that `make check` takes for one chapter, divided by the time that Python
+    takes to import pytest.
     """
     check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles the modules
@@ -23,7 +24,7 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a function that measures how long Python takes, in s, with these arguments.
+    """Return a function that measures how long a run of Python with these arguments takes, in s.
 
     For example, ``running("-c", "import pytest")`` measures how long it takes to import pytest.
     """

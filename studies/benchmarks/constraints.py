@@ -1,7 +1,7 @@
 """Measure how long it takes to find contacts, resolve them, and simulate a chain of rods.
 
-Two resolvers are compared: one keeps the contacts in a heap, and the other scans all of them each
-time. Two solvers for chains are compared with each other, and one of them with pymunk.
+A resolver that keeps the contacts in a heap is compared with one that scans all of them each time.
+Two solvers for chains are compared with each other, and one of them is also compared with pymunk.
 """
 
 from __future__ import annotations
@@ -154,9 +154,9 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 def matching_rate() -> int:
     """Find how many steps per second pymunk needs to be as accurate as DirectChain.
 
-    The two are compared by the final position of a swinging chain's tip. The search starts from
-    four times our rate, and doubles the rate until pymunk is accurate enough. DirectChain at 16
-    times our rate is used as the exact solution, since its error is 256 times smaller.
+    Accuracy is judged by the final position of a swinging chain's tip. The search starts at four
+    times our rate, and doubles the rate until pymunk is accurate enough. DirectChain at 16 times
+    our rate serves as the exact solution, since its error is 256 times smaller.
     """
     true = by_direct_solve(16 * RATE)
     ours = math.dist(by_direct_solve(RATE), true)

@@ -1,4 +1,4 @@
-"""Measure how much longer the step of a particle takes when forces act on it.
+"""Measure how much longer the time step of a particle takes when forces act on it.
 
 A particle of chapter 5, which accepts forces, is compared with one of chapter 3, which does not. It
 is also compared with plain arithmetic.
@@ -88,8 +88,8 @@ def generator_steps(frames: list[float]) -> Numbers:
 def forced_arithmetic(frames: list[float]) -> Numbers:
     """Compute the same motion as ``forced_steps`` with plain arithmetic in local variables.
 
-    Each step adds the force to a sum, uses the sum, and clears it, as the engine does. The
-    difference between the two times is the cost of the engine's objects and calls. Return the final
+    As in the engine, each step adds the force to a sum, uses the sum, and clears it. The extra time
+    of ``forced_steps`` is therefore the cost of the engine's objects and calls. Return the final
     position.
     """
     x, y, z = PROJECTILE.start.position

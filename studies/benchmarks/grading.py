@@ -35,8 +35,8 @@ def lines() -> list[Measurement]:
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
     """Set up a benchmark of how many milliseconds longer a check takes in an isolated worker.
 
-    All checks of a chapter are run both ways. The extra time, including the start of the worker
-    process, is divided by the number of checks.
+    All checks of a chapter are run with and without isolation. The extra time, including the start
+    of the worker process, is divided by the number of checks.
     """
 
     def checked(where: Behind | None) -> int:

@@ -64,7 +64,7 @@ def lines() -> list[Measurement]:
 def stepping(integrator: Integrator) -> Callable[[], None]:
     """Return a function that moves a particle on a spring by STEPS time steps.
 
-    Every call continues the motion of the call before.
+    Each call continues from the state in which the previous call ended.
     """
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0), mass=MASS)
     registry = ForceRegistry()
@@ -81,8 +81,8 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
 def arithmetic() -> tuple[float, float, float]:
     """Compute STEPS steps of semi-implicit Euler with plain arithmetic in local variables.
 
-    The integrator computes the same steps but takes longer. The difference is the cost of its
-    objects and calls. Return the final position.
+    The integrator computes the same steps with objects. Its extra time is the cost of these
+    objects. Return the final position.
     """
     x, y, z = 1.0, 2.0, 3.0
     u, v, w = 1.0, 2.0, 3.0

@@ -44,7 +44,7 @@ def rounded(figure: float) -> float:
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Load the medians of the last `make bench`, as a dict from descriptions to medians.
+    """Load the median of every benchmark in the last `make bench`, by its description.
 
     The dict is empty if no results are stored yet.
     """

@@ -18,7 +18,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of how long a particle takes for one time step.
+    """Set up the benchmarks of how long one time step of a particle takes.
 
     They compare Particle.integrate with plain arithmetic, with vector operators and with pymunk.
     """
@@ -126,7 +126,7 @@ def arithmetic(frames: list[float]) -> Numbers:
     """Compute the motion of Particle.integrate with plain arithmetic in local variables.
 
     The time that this takes shows how fast a step could be without any objects. The comparison is
-    not quite fair. This function computes damping**frame in every step, while Particle.integrate
+    not quite fair, because this function computes damping**frame in every step. Particle.integrate
     reuses the last power if the duration is the same. Return the final position.
     """
     x, y, z = PROJECTILE.start.position

@@ -65,7 +65,7 @@ RIVALS = (  # two statements, the description of their ratio, and its target
 def lines(console: Console) -> list[Measurement]:
     """Set up the benchmarks of quaternions and matrices.
 
-    If pyglet or NumPy is not installed, its benchmarks are left out, and a message on ``console``
+    If pyglet or NumPy is not installed, its benchmarks are skipped, and a message on ``console``
     shows how to install it.
     """
     found = [

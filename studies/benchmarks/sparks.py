@@ -1,4 +1,4 @@
-"""Compare two ways to compute a firework's sparks: step by step, and with a closed form.
+"""Compare two ways to compute a firework's sparks: in time steps and with a closed form.
 
 Both ways return the coordinates of the sparks as lists, ready for drawing.
 """
@@ -24,7 +24,7 @@ RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare sparks in time steps with sparks from a closed form."""
+    """Set up the benchmarks that compare the two ways to compute sparks."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)
@@ -73,7 +73,7 @@ def burst() -> FireworksShow:
 def speeds_of(show: FireworksShow) -> list[list[float]]:
     """List the velocities of all sparks as three lists, one each for x, y and z.
 
-    This is the form in which the function ``positions`` takes them.
+    The function ``positions`` expects velocities in this form.
     """
     velocities = [firework.particle.velocity for firework in show.fireworks]
     return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]
@@ -82,7 +82,7 @@ def speeds_of(show: FireworksShow) -> list[list[float]]:
 def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
     """Advance a fireworks show by ``frames`` frames, and return the coordinates of its sparks.
 
-    ``axes`` is "xy" or "xyz". The result has one list of coordinates per axis.
+    ``axes`` is "xy" or "xyz". The result has one list of coordinates for each of these axes.
     """
     for _ in range(frames):
         show.update(FRAME)

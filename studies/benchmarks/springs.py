@@ -1,7 +1,7 @@
 """Compare the speed of three ways to simulate the springs of a cloth.
 
-The first way calls ``connect`` for each spring. The second one creates two ``Spring`` objects, one
-for each end. The third one is a loop that does the same arithmetic without any objects.
+The first way calls ``connect`` for each spring, and the second creates two ``Spring`` objects, one
+for each end. The third way is a loop that does the same arithmetic without any objects.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ ROUNDS = 21
 def lines() -> list[Measurement]:
     """Set up the benchmarks that compare three ways to simulate a cloth of springs.
 
-    Each cloth is built only once, and continues to fall from round to round.
+    Each cloth is built only once, and each round continues its fall.
     """
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
@@ -87,8 +87,8 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 def cloth_arithmetic() -> float:
     """Simulate a cloth of springs with plain arithmetic, and return its lowest knot's height.
 
-    Each step computes the forces of all springs before it moves the knots, as the engine does. The
-    difference between the two times is the cost of the engine's objects.
+    As in the engine, each step computes the forces of all springs before it moves the knots. The
+    extra time that the engine takes is therefore the cost of its objects.
     """
     count = KNOTS * KNOTS
     x = [REST_LENGTH * (i % KNOTS) for i in range(count)]

@@ -11,7 +11,7 @@ def lines(console: Console) -> list[Measurement]:
     """Set up one benchmark per library that compares its vectors with Vector3.
 
     The result is the library's time divided by ours, averaged over all operations that both have,
-    such as the cross product. If a library is not installed, it is left out, and a message on
+    such as the cross product. A library that is not installed is skipped, and a message on
     ``console`` shows how to install it.
     """
     peers = (

@@ -1,4 +1,4 @@
-"""Measure how much time a ParticleWorld takes, and how much it saves to put balls to sleep.
+"""Measure how much time a ParticleWorld takes, and how much time it saves to put balls to sleep.
 
 Two ways to simulate a rope are also compared: as rods in a ParticleWorld, and as a DirectChain.
 """
@@ -106,7 +106,7 @@ def flying() -> list[Particle]:
 def integrate(particles: Sequence[Particle]) -> None:
     """Advance particles by one frame in a plain loop, without a world.
 
-    The difference between this time and that of a ParticleWorld is the cost of the world itself.
+    The extra time that a ParticleWorld takes is the cost of the world itself.
     """
     for particle in particles:
         particle.integrate(FRAME)
@@ -117,7 +117,7 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that moves particles by one frame with an integrator, but no world."""
+    """Return a function that moves particles by one frame with an integrator, without a world."""
     return lambda: step(particles, no_forces, FRAME)
 
 

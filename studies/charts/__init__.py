@@ -1,8 +1,8 @@
-"""Compare speed and accuracy: simulate every scene with all of our models and with pymunk.
+"""Compare the speed and accuracy of our models and pymunk in every scene of the study.
 
-The results are written to build/charts/: a page with all charts, a picture and its numbers for each
-scene, and a table of all scenes. A full run also updates the page and the overview in the
-repository. If a run is interrupted, start it again. It resumes where it stopped.
+The results are written to build/charts/. They consist of a page with all charts, a picture and a
+file of numbers for each scene, and a table of all scenes. A full run also updates the page and the
+overview in the repository. If you start an interrupted run again, it resumes where it stopped.
 """
 
 from __future__ import annotations

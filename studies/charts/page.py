@@ -63,9 +63,9 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
 
 
 def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
-    """Format the measured points as a CSV text, which readers can download from the page.
+    """Format the measured points as CSV text, which readers can download from the page.
 
-    ``own`` holds the points of each scene, by the name of the scene.
+    ``own`` maps the name of each scene to its points.
     """
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")

@@ -56,8 +56,8 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 def _mark(row: Row) -> tuple[float | None, str]:
     """Choose the value and the kind of a row's mark, such as 5.51 and "exact".
 
-    The value is the ratio of pymunk's time to ours, or a bound on it. It is None if neither is
-    known.
+    The value is the ratio of pymunk's time to ours, or a bound on the ratio. If neither is known,
+    the value is None.
     """
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"

@@ -26,7 +26,7 @@ def build() -> ParticleWorld:
 
 
 def measure(world: ParticleWorld) -> Vector3:
-    """Return the value that `make choose` compares between runs: the position of the lamp.
+    """Return the position of the lamp, which `make choose` compares between runs.
 
     This function is called after every frame. If a scene file does not define it, `make choose`
     compares the positions of all particles that can move.

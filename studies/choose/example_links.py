@@ -14,7 +14,7 @@ DURATION = 1.0  # s
 
 
 def build() -> ParticleWorld:
-    """Create two hanging balls that have been moved to the side and are released now."""
+    """Create two balls that hang from rods and have been moved to the side, ready to swing."""
     gravity = Vector3(0.0, -9.81, 0.0)
     light = Particle(Vector3(0.6, -0.8, 0.0), acceleration=gravity, mass=1.0)
     heavy = Particle(Vector3(0.6, -1.8, 0.0), acceleration=gravity, mass=20.0)

@@ -1,11 +1,11 @@
 """Estimate the error of a simulation that has no exact solution (Richardson extrapolation).
 
-The simulation is run several times, each time with half the time step. If the method has order p,
-each halving divides the error by 2^p. Let d be the difference between two successive runs. It is
-close to the error of the first one, and d / (2^p - 1) is close to the error of the second one.
+The simulation is run several times, and the time step is halved each time. If the method has order
+p, each halving divides the error by 2^p. Let d be the difference between two successive runs. The
+first run has an error of about d, and the second run has an error of about d / (2^p - 1).
 
-This works only if the differences shrink at a steady rate. They do not if bodies collide or if the
-motion is chaotic. The error then cannot be estimated.
+This works only if the differences shrink at a steady rate. The error cannot be estimated if bodies
+collide or if the motion is chaotic.
 """
 
 from __future__ import annotations
@@ -42,10 +42,10 @@ def halved(
 ) -> Halved:
     """Estimate the error of each run of a simulation by comparing the runs with one another.
 
-    All runs are of the same scene with the same method. Each time step is shorter than the one of
-    the run before by the factor ``ratio``. The error of a run is its distance from the last run,
-    plus the estimated error of the last run. A run that failed is None. It has an infinite error,
-    and so do all runs before it.
+    All runs simulate the same scene with the same method. From one run to the next, the time step
+    is divided by ``ratio``. The error of a run is its distance from the last run, plus the
+    estimated error of the last run. A run that failed is None. It has an infinite error, and so do
+    all runs before it.
 
     ``order`` is the method's order of convergence in theory. If the observed order is higher, that
     is a coincidence, and the estimate uses ``order``.
@@ -76,7 +76,7 @@ def halved(
 
 
 def _is_steady(orders: Sequence[float], order: float) -> bool:
-    """Decide whether the observed orders of convergence are steady enough to estimate an error.
+    """Return True if the observed orders of convergence are steady enough to estimate an error.
 
     They are steady if the last two are close to the order known from theory. They are also steady
     if the last three are close to each other.

@@ -36,9 +36,9 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 class Model:
     """A method of simulation, such as Runge-Kutta 4, and the step sizes to try.
 
-    ``step_of`` takes a newly built world, and returns a function that advances it by one time step.
-    ``order`` is the order of convergence in theory. ``choices`` lists the numbers of steps per
-    frame to try.
+    ``step_of`` is a function that takes a newly built world. It returns a function that advances
+    this world by one time step. ``order`` is the order of convergence in theory. ``choices`` lists
+    the numbers of steps per frame to try.
 
     If ``takes_tolerance`` is true, the method chooses its own steps. The ``choices`` are then 1 /
     tolerance, and the error is proportional to the tolerance.

@@ -1,6 +1,6 @@
 """Print the report of `make choose` on a scene that the user wrote.
 
-The report names the fastest method of simulation that is accurate enough. It warns the user if the
+The report says which method is the fastest one that is accurate enough. It warns the user if the
 estimated errors cannot be trusted.
 """
 
@@ -143,8 +143,8 @@ def _contradicting(found: list[Tried], chosen: Point) -> str:
     """Compare the model that the report chose with the most accurate other model.
 
     If their results differ by more than three times the sum of their estimated errors, at least one
-    of the estimates is wrong. Return a warning in that case, or if there is no other model to
-    confirm the error. Otherwise return an empty string.
+    estimate is wrong. Return a warning in that case, or if there is no other model to compare with.
+    Otherwise return an empty string.
     """
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     run = mine.runs[mine.model.choices.index(chosen.steps)]

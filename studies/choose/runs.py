@@ -27,8 +27,8 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 class Tried:
     """A method of simulation that was tried on the user's scene, and the results of its runs.
 
-    ``runs`` holds the values measured in each run, and ``times`` holds the processor times of each
-    run in s. ``halved`` contains the estimated errors. If a run failed, ``failure`` says why.
+    ``runs`` contains the values measured in each run, and ``times`` contains the processor times of
+    each run in s. ``halved`` contains the estimated errors. If a run failed, ``failure`` says why.
     """
 
     model: Model
@@ -40,8 +40,8 @@ class Tried:
     def add(self, run: Run | str, taken: float) -> None:
         """Add the next run, which has shorter time steps, and update all estimated errors.
 
-        ``run`` holds the measured values. If the run failed, it is a text that says why. ``taken``
-        is the processor time in s.
+        ``run`` contains the measured values, or a text that says why the run failed. ``taken`` is
+        the processor time in s.
         """
         if isinstance(run, str):
             self.failure = run
@@ -54,7 +54,7 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Check whether a model needs no further runs with shorter time steps.
+        """Return True if a model needs no further runs with shorter time steps.
 
         That is the case if the last runs are exact. It is also the case if the estimates are
         reliable and the errors of the last three runs are within ``tolerance``.
@@ -64,7 +64,7 @@ class Tried:
         return found.is_exact or (found.is_steady and within)
 
     def has_order(self) -> bool:
-        """Check whether there are enough runs to judge if the order of convergence is steady."""
+        """Return True if there are enough runs to judge if the order of convergence is steady."""
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
@@ -91,9 +91,9 @@ class Tried:
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
     """Simulate the scene with each model, in shorter and shorter steps until it is accurate enough.
 
-    A model is given up if a run takes longer than SLOWEST, but not before its order of convergence
-    can be judged. Before each run, ``hear`` is called with a description of it, to show the
-    progress.
+    A model is abandoned if a run takes longer than SLOWEST, but not before its order of convergence
+    can be judged. To show the progress, ``hear`` is called before each run with a description of
+    the run.
 
     Raises:
         SceneError: The scene cannot be run, or none of the measured values changes.
@@ -154,11 +154,11 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Measure further times of all runs from which the report may choose.
+    """Repeat the timing of all runs from which the report may choose.
 
     For each model with reliable errors, these are the runs up to the first one that is accurate
-    enough. They are timed in several rounds, each in random order. A moment in which the computer
-    is busy then affects more than one model.
+    enough. They are timed in several rounds, each in random order. If the computer is busy for a
+    moment, this affects several models rather than only one.
     """
     every = []
     for tried in found:
@@ -175,7 +175,7 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
 
 
 def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
-    """Measure the processor time of a run in s. A short run is repeated and averaged."""
+    """Measure the processor time of a run in s, as the mean of several runs if it is short."""
     total, count = 0.0, 0
     while total < LEAST:
         total += run_once(scene, model, choice)[1]

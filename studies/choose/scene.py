@@ -70,7 +70,7 @@ class OwnScene:
     def check(self) -> Values:
         """Check that the scene can be built twice, and that both copies start in the same state.
 
-        Otherwise different runs could not be compared. Return the values measured at the start.
+        Different runs could not be compared otherwise. Return the values measured at the start.
 
         Raises:
             SceneError: The two copies differ or share a particle, nothing is measured, or a
@@ -164,7 +164,7 @@ def _run(path: Path) -> ModuleType:
 
 
 def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Find a function in the user's file by its name. Return None if there is none."""
+    """Return the function of this name in the user's file, or None if it does not exist."""
     found = getattr(module, name, None)
     if found is not None and not callable(found):
         raise SceneError(f"{path}: {name} must be a function, got {found!r}")

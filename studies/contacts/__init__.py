@@ -1,6 +1,6 @@
 """Compare how fast the contact solvers of chapter 7 are on stacks of spheres and on ropes.
 
-A heavy body that rests on a light one, or hangs from it, is hard for a solver. Each scene is
+A heavy body that rests on a light one, or hangs from it, is hard to simulate. Each scene is
 therefore run with several mass ratios. The command prints how much time per frame each solver needs
 to keep the error small. A complete run also stores its measurements, from which `make figures`
 draws the picture in the lesson.

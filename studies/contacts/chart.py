@@ -1,7 +1,7 @@
-"""Draw the picture and build the table in which the contact solvers of chapter 7 are compared.
+"""Compare the contact solvers of chapter 7 in a picture and a table.
 
 Both are based on measured points. A point consists of the error and the computing time of one
-solver at one number of steps per frame.
+solver with a certain number of steps per frame.
 """
 
 from __future__ import annotations

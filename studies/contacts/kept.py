@@ -1,6 +1,6 @@
 """Store the measurements of the last complete `make contacts`, and load them again.
 
-They are stored in the project as a JSON file. The lesson's picture can therefore be redrawn without
+They are stored as a JSON file in the project, so that the lesson's picture can be redrawn without
 measuring again.
 """
 

@@ -53,8 +53,8 @@ Move = Callable[[float], object]
 class Bodies:
     """A stack or a rope: its particles, the sources of its contacts, and its error.
 
-    ``error`` returns the current error as a plain number without a unit. It takes the duration of a
-    time step in s.
+    ``error`` is a function that takes the duration of a time step in s. It returns the current
+    error as a plain number without a unit.
     """
 
     particles: list[Particle]
@@ -76,7 +76,8 @@ class ColdStart(SequentialImpulses):
 def by_book(particles: list[Particle], generators: Iterable[ContactGenerator]) -> Move:
     """Return a function that advances the particles with the book's contact resolver.
 
-    The resolver keeps its contacts in a heap, which is faster and gives the same results.
+    This version of the resolver keeps its contacts in a heap, which is faster and gives the same
+    results.
     """
     world = ParticleWorld(particles, generators)
     world.resolver = HeapResolver()
@@ -173,9 +174,9 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return 0, which is the error that an exact contact solver has at any time.
+    """Return 0, the error that an exact contact solver has at any time.
 
-    Simulations are compared with it, as other scenes are compared with an exact solution.
+    It takes the place of the exact solution with which other scenes are compared.
     """
     return (0.0,)
 

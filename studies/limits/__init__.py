@@ -1,8 +1,8 @@
 """Find how stiff a spring, or how strong a drag, makes each integrator unstable.
 
-The limits are found by bisection and compared with theory. Just beyond a limit, the command
-computes how many time steps an oscillation takes to grow by a factor of a million. For a spring
-well below the limits, it measures how the energy changes over ten thousand oscillations.
+The limits are found by bisection and compared with theory. For a spring just beyond a limit, the
+command computes how many time steps an oscillation takes to grow by a factor of a million. For a
+spring well below the limits, it measures how the energy changes over ten thousand oscillations.
 
 It also draws two pictures. One maps the growth of oscillations around the limits, and the other
 shows how soon a simulation diverges beyond them.

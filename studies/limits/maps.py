@@ -118,10 +118,10 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the time steps in which an oscillation on a too stiff spring grows by a factor of 1e6.
+    """Count the time steps in which the oscillation of an unstable spring grows by a factor of 1e6.
 
     The size of an oscillation combines x and v / sqrt(k / m). ``predicted`` is the expected number
-    of steps. It decides how long the simulation runs.
+    of steps, which decides how long the simulation runs.
 
     Returns:
         Two counts. The first one starts when the body is released. The second one starts when the

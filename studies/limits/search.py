@@ -43,7 +43,7 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """An integrator's stability limit for a spring or for drag, both as found and in theory.
+    """The stability limit of an integrator for a spring or for drag, as measured and in theory.
 
     Infinity means that there is no limit. ``steps`` is how many time steps an oscillation takes to
     grow by the factor HUGE at slightly more than the limit. It is NaN if nothing grows.
@@ -122,10 +122,11 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 def theory_at(name: str, damping: float) -> float:
     """Return the largest k h^2 / m at which a spring is stable in theory, where h is the time step.
 
-    ``damping`` has the same meaning as in ``stepping``. Pymunk's spring takes the step p' = p + v
-    h, v' = (v + a' h) e^(-c h / m). That is semi-implicit Euler with D = e^(-c h / m). If the force
-    is applied by hand, pymunk's step is explicit Euler. Its matrix has the determinant 1 - c h / m
-    + kappa, which is 1 at kappa = c h / m. This is the limit as long as c h / m is at most 2.
+    ``damping`` has the same meaning as in ``stepping``. A step with pymunk's own spring computes p'
+    = p + v h and v' = (v + a' h) e^(-c h / m). That is semi-implicit Euler with D = e^(-c h / m).
+    If the force is applied by hand, pymunk's step is explicit Euler. Its matrix has the determinant
+    1 - c h / m + kappa, which is 1 at kappa = c h / m. This is the limit as long as c h / m is at
+    most 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -176,7 +177,7 @@ def ground_limit() -> Bound:
 
 
 def thrown(kappa: float) -> int:
-    """Find the number of the time step in which a resting body leaves the penalty ground.
+    """Count the time steps until a resting body leaves the penalty ground.
 
     Return 0 if it does not leave the ground within 2000 steps. The body starts slightly too low, by
     1 / HUGE of the depth at which it would rest. It leaves the ground when this displacement has
@@ -265,9 +266,9 @@ def first(growth: Growth) -> float:
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
     """Measure how the energy of a spring drifts over many oscillations with each integrator.
 
-    ``swings`` lists numbers of oscillations in ascending order. For each of them, return the energy
-    as a fraction of the initial energy. Explicit Euler is left out, because it explodes at this
-    stiffness.
+    ``swings`` lists numbers of oscillations in ascending order. For each of these numbers, return
+    the energy as a fraction of the initial energy. Explicit Euler is omitted, because it explodes
+    at this stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]

@@ -1,4 +1,4 @@
-"""The plots of chapter 5."""
+"""The plots for chapter 5."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A plot of chapter 5 that shows how much computing time each force generator costs."""
+"""A plot for chapter 5 that shows how much computing time each force generator costs."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ DOWN = (0.0, -G, 0.0)
 def cost_of_a_generator() -> Picture:
     """Plot how much longer a frame takes to compute when a force generator acts on a particle.
 
-    Each time is divided by that of a particle of chapter 3, whose acceleration is gravity.
+    Each time is divided by the time for a particle of chapter 3, which has gravity as a constant
+    acceleration.
     """
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = Airbrake(0.5)

@@ -1,7 +1,7 @@
-"""Plots of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
+"""Plots for chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there. For the computing time of each force generator, see cost.py.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine. For the computing time of each force generator, see cost.py.
 """
 
 from __future__ import annotations
@@ -199,8 +199,8 @@ def _fall(
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
     """Simulate an orbit that starts at the point farthest from the center.
 
-    The gravitational parameter mu is 1. Return the position and velocity at the start, and then
-    after each interval of ``every`` frames.
+    The gravitational parameter mu is 1. Return the position and velocity at the start and after
+    every ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
@@ -218,8 +218,9 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 def _momentum_drift(h: float) -> float:
     """Predict how much angular momentum the book's integrator adds per orbit.
 
-    Each step changes r x v by h^2 (v x a), because r x a is 0. On an exact orbit, v x a is L / r^3.
-    Here L = (1 - e^2)^(1/2) is the angular momentum, and the mean of 1 / r^3 is (1 - e^2)^(-3/2).
+    A step of length h changes the angular momentum r x v by h^2 (v x a), because r x a is 0. On an
+    exact orbit, v x a is L / r^3. Here L = (1 - e^2)^(1/2) is the angular momentum, and the mean of
+    1 / r^3 is (1 - e^2)^(-3/2).
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
@@ -227,9 +228,9 @@ def _momentum_drift(h: float) -> float:
 def _energy_drift(h: float) -> float:
     """Predict how much energy the book's integrator adds per orbit.
 
-    Each step adds (h^2 / 2) (a^2 + v . H v), where H is the Hessian of -1 / r. On an exact orbit,
-    the second factor is 1 / r^4 + (v^2 - 3 v_r^2) / r^3. This function integrates it over one
-    orbit.
+    A step of length h adds (h^2 / 2) (a^2 + v . H v), where H is the Hessian of the potential -1 /
+    r. On an exact orbit, a^2 + v . H v is 1 / r^4 + (v^2 - 3 v_r^2) / r^3. This function integrates
+    that expression over one orbit.
     """
     p = 1.0 - ECCENTRICITY**2
     count = 2000

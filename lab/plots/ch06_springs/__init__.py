@@ -1,4 +1,4 @@
-"""The plots of chapter 6."""
+"""The plots for chapter 6."""
 
 from __future__ import annotations
 

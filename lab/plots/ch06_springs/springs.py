@@ -1,8 +1,8 @@
-"""Plots of chapter 6: the forces of springs, and the energy and error of oscillations.
+"""Plots for chapter 6: the forces of springs, and the energy and error of oscillations.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there. A curve is left out if the student has not yet written the function
-that it needs. For the stability limits, see stability.py.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine. A curve is omitted if the student has not yet written the function that it
+needs. For the stability limits, see stability.py.
 """
 
 from __future__ import annotations
@@ -234,10 +234,10 @@ def error_against_work() -> Picture:
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Compute one component of the force that a force generator exerts on a particle.
+    """Compute the component of a generator's force along one coordinate axis.
 
-    The particle lies on a coordinate axis, at ``place``. ``axis`` is 0 for x, 1 for y or 2 for z.
-    It selects both this axis and the component of the force.
+    ``axis`` is 0 for x, 1 for y or 2 for z. The particle on which the force acts lies on the same
+    axis, at ``place``.
     """
     particle = Particle(Vector3(*(place if i == axis else 0.0 for i in range(3))))
     generator.update_force(particle, FRAME)

@@ -1,7 +1,7 @@
-"""Plots of chapter 6: when springs, cloths and penalty forces become unstable.
+"""Plots for chapter 6: when springs, cloths and penalty forces become unstable.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine.
 """
 
 from __future__ import annotations
@@ -89,10 +89,10 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Plot the motion of a faked stiff spring next to that of a true spring.
+    """Compare the motion of a faked stiff spring with that of a true one.
 
-    The fake computes where a true spring would move the particle, and adds a constant force that
-    takes it there. A second plot shows for which time steps the fake's oscillations grow.
+    The fake spring computes where a true one would move the particle, and adds a constant force
+    that takes it there. A second plot shows for which time steps the oscillations of the fake grow.
     """
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90

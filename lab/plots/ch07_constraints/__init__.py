@@ -1,4 +1,4 @@
-"""The plots of chapter 7."""
+"""The plots for chapter 7."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Plots of chapter 7: bounces, resting contacts, and the restitution of dropped balls.
+"""Plots for chapter 7: bounces, resting contacts, and the restitution of dropped balls.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine. A curve is omitted if the student has not yet solved its exercise.
 """
 
 from __future__ import annotations
@@ -219,7 +219,7 @@ def _resting(
 ) -> Callable[[], Track]:
     """Return a function that simulates a ball released one micrometer above the ground.
 
-    Because of this gap, explicit Euler finds no contact in its first step.
+    The small gap keeps explicit Euler from finding a contact in its first step.
     """
     return lambda: ball(STEPS[name], 1e-6, restitution, 120, rule, generated)
 
@@ -229,12 +229,12 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Keep only the heights that fit in a picture, since a faulty engine may lose a ball."""
+    """Keep only the heights that fit into a plot, since a faulty engine may compute huge ones."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
 def _highest(run: Track) -> float:
-    """Find the greatest height of a ball, ignoring heights that are too large for a picture."""
+    """Find the greatest height of a ball, ignoring heights that are too large to plot."""
     return max((height for height in run.values[1:] if abs(height) < 1e3), default=math.nan)
 
 

@@ -1,7 +1,7 @@
-"""Plots of chapter 7: errors that the contact resolver leaves in a pile, and how far stacks sink.
+"""Plots for chapter 7: errors that the contact resolver leaves in a pile, and how far stacks sink.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine. A curve is omitted if the student has not yet solved its exercise.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def resolver_convergence() -> Picture:
 def stack_height() -> Picture:
     """Plot how far stacks of 3 and 10 spheres sink, and how far the spheres overlap.
 
-    Both depend on how many iterations the resolver may make per contact.
+    Both depend on the resolver's limit of iterations per contact.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)

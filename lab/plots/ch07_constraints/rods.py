@@ -1,4 +1,4 @@
-"""Plots of chapter 7: how well chains of rods keep their length, and the energy of a pendulum."""
+"""Plots for chapter 7: how well chains of rods keep their length, and the energy of a pendulum."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plots of chapter 8."""
+"""The plots for chapter 8."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""Plots of chapter 8: the energy of scenes at rest, and how scenes react to uneven frames.
+"""Plots for chapter 8: the energy of scenes at rest, and how scenes react to uneven frames.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there. A curve is left out if the student has not yet solved its exercise.
-For cables and ropes, see ropes.py. For the projects, see projects.py.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine. A curve is omitted if the student has not yet solved its exercise. For cables
+and ropes, see ropes.py. For the projects, see projects.py.
 """
 
 from __future__ import annotations
@@ -117,8 +117,8 @@ def variable_frames() -> Picture:
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
     """Plot the energy of several runs of a scene, and how constant it is once the scene rests.
 
-    A second panel shows only the time at rest. There, the energy is plotted as its difference in
-    percent from the middle of its range.
+    A second panel shows only the time at rest. It plots by what percentage the energy differs from
+    the middle of its range.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(

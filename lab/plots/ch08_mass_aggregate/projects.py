@@ -1,4 +1,4 @@
-"""Plots of chapter 8: a trebuchet, a wheel, a blob that breaks apart, and sleeping balls."""
+"""Plots for chapter 8: a trebuchet, a wheel, a blob that breaks apart, and sleeping balls."""
 
 from __future__ import annotations
 
@@ -205,8 +205,8 @@ def blob_bonds() -> Picture:
 def sleeping_balls() -> Picture:
     """Plot how much work the engine saves by letting balls at rest sleep.
 
-    The last ball arrives late and wakes all the others. The work in a frame is the number of balls
-    that are moved, and the number of contacts that are resolved.
+    The last ball arrives late and wakes all the others. The work in a frame is measured as the
+    number of balls moved and the number of contacts resolved.
     """
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     kinds: dict[type[ParticleWorld], tuple[str, str]] = {
@@ -248,7 +248,7 @@ def sleeping_balls() -> Picture:
 def _released(found: Sequence[Release], angle: float) -> Release | None:
     """Find the throw that a trebuchet makes if its release angle is set to ``angle``.
 
-    ``found`` lists the possible throws of one swing. Return None if the swing never reaches the
+    ``found`` lists the possible throws of one swing. Return None if the swing does not reach the
     angle.
     """
     return next((release for release in found if release.angle <= angle), None)

@@ -1,7 +1,7 @@
-"""Plots of chapter 8: how accurate simulated ropes and bridge cables are, and at what cost.
+"""Plots for chapter 8: how accurate simulated ropes and bridge cables are, and at what cost.
 
-The title of each plot reports a measured result, such as the largest error, so a bug in the
-student's engine shows up there.
+The title of each plot reports a measured result, such as the largest error, which reveals bugs in
+the student's engine.
 """
 
 from __future__ import annotations
@@ -91,8 +91,8 @@ def mass_ratios() -> Picture:
 def hanging_rope() -> Picture:
     """Plot how accurately each method simulates the sag of a rope between two nails.
 
-    The error of the sag is plotted against the work of the simulation. Work does not depend on the
-    computer, because it is a count of the contacts resolved or the rods solved.
+    The error of the sag is plotted against the work of the simulation. The work is the number of
+    contacts resolved or rods solved, so it is the same on every computer.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
@@ -180,7 +180,8 @@ def _ended(
 ) -> Callable[[], Hanging | None]:
     """Wrap the simulation of a rope, so that an exception in one run does not stop the whole plot.
 
-    If the simulation raises an exception, it returns None and a note in the picture says why.
+    If the simulation raises an exception, the wrapped function returns None, and the message is
+    added to the notes in the plot.
     """
 
     def run() -> Hanging | None:

@@ -1,4 +1,4 @@
-"""The plots of chapter 9."""
+"""The plots for chapter 9."""
 
 from __future__ import annotations
 

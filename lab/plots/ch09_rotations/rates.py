@@ -1,4 +1,4 @@
-"""Plots of chapter 9: the errors of the book's rotation step, and Euler angles near gimbal lock."""
+"""Plots for chapter 9: errors of the book's rotation step, and Euler angles near gimbal lock."""
 
 from __future__ import annotations
 
@@ -202,10 +202,10 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Write the part of a plot's title that judges the student's function first_order_drift.
+    """Describe the error of the student's function first_order_drift for the title of a plot.
 
-    It says by how much the errors that the function predicts differ from the measured ones. The
-    text is empty if the student has not written the function yet.
+    The text says how much the errors that the function predicts differ from the measured ones. It
+    is empty if the student has not written the function yet.
     """
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
@@ -231,8 +231,8 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
     """Measure how fast Euler angles change near gimbal lock, in a rotation about the worst axis.
 
-    ``distance`` is how far away gimbal lock is, in degrees. Return the magnitude of the Euler rates
-    in rad/s for a rotation of 1 rad/s, and the text of any error.
+    ``distance`` is the angle to gimbal lock in degrees. Return the magnitude of the Euler rates in
+    rad/s for a rotation of 1 rad/s, and the text of any error.
     """
     left = math.radians(distance)
     found: list[float] = []

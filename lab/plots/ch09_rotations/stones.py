@@ -1,4 +1,4 @@
-"""A plot of chapter 9: the lines on which a box of stones would balance.
+"""A plot for chapter 9: the lines on which a box of stones would balance.
 
 It also shows how much mass the student's code finds on either side of each line.
 """

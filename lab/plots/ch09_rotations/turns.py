@@ -1,8 +1,8 @@
-"""Plots of chapter 9: a disc that spins as it flies, and the order of two rotations.
+"""Plots for chapter 9: a disc that spins as it flies, and the order of two rotations.
 
-The title of each plot reports errors that are computed without the student's engine, so a bug in
-the engine shows up there. A curve is left out if the student has not yet written the functions that
-it needs. For Eq. 9.5 and gimbal lock, see rates.py. For the box of stones, see stones.py.
+The title of each plot reports errors that are computed without the student's engine, so that they
+reveal bugs in it. A curve is omitted if the student has not yet written the functions that it
+needs. For Eq. 9.5 and gimbal lock, see rates.py. For the box of stones, see stones.py.
 """
 
 from __future__ import annotations
@@ -163,7 +163,7 @@ def order_of_turns() -> Picture:
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Let the student's engine rotate the vectors X, Y and Z by a quaternion.
+    """Rotate the vectors X, Y and Z by a quaternion of the student's engine.
 
     If the engine raises an exception, add its text to ``notes``, and return NOWHERE, which consists
     of NaNs.
@@ -177,8 +177,8 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
     """Rotate the vectors X, Y and Z twice with matrices of the student's engine.
 
-    Return them before the first rotation, after it, and after both. If the engine fails or its
-    matrices are not written yet, return an empty list.
+    Return the three vectors before the first rotation, after it, and after both rotations. If the
+    engine fails or its matrices are not written yet, return an empty list.
     """
     found: list[Arrows] = []
 
@@ -195,8 +195,8 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
 def _letter(space: Any, found: Arrows) -> None:
     """Draw a letter L that has been rotated.
 
-    Before the rotation, it stands upright and faces along Z. ``found`` says where its axes X, Y and
-    Z point now.
+    Before the rotation, it stands upright and faces along Z. ``found`` contains the directions of
+    its X, Y and Z axes after the rotation.
     """
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
@@ -206,8 +206,8 @@ def _letter(space: Any, found: Arrows) -> None:
 def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
     """Draw a rectangular block that has been rotated.
 
-    ``sides`` are the intervals that the block covers along its own axes X, Y and Z. ``found`` says
-    where these axes point now.
+    ``sides`` are the intervals that the block covers along its own X, Y and Z axes. ``found``
+    contains the directions of these axes after the rotation.
     """
     corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
     faces = []
@@ -222,7 +222,8 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
     """Draw a rotated disc at ``place``, with a radius of 0.45 m.
 
-    ``found`` says where its axes X, Y and Z point. Y is perpendicular to the disc.
+    ``found`` contains the directions of its X, Y and Z axes. The Y axis is perpendicular to the
+    disc.
     """
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]
@@ -235,7 +236,7 @@ def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
     """Convert a point of a rotated object to world coordinates.
 
     ``own`` is the point in the object's own coordinates. The object is at ``place``, and ``found``
-    says where its axes X, Y and Z point.
+    contains the directions of its X, Y and Z axes.
     """
     x, y, z = (
         at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 2 about the scalar and vector products of two draggable vectors."""
+"""Interactive scenes for chapter 2 about the scalar and vector products of two vectors."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
 
 
 class Projection(Scene):
-    """A scene that shows how much of one vector points along another.
+    """A scene that shows how far one vector extends along the direction of another.
 
-    That length is the scalar product of the first vector and a unit vector along the second. The
-    reader drags both vectors.
+    This length is the scalar product of the first vector and a unit vector along the second. The
+    reader can drag both vectors.
     """
 
     chapter = 2

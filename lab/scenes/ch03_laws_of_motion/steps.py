@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 3: how the length of a time step affects a throw and damping."""
+"""Interactive scenes for chapter 3: how the length of a time step affects a throw and damping."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ COLORS = ("red", "orange", "blue")
 class FrameRates(Scene):
     """A scene that simulates the same throw at three step rates, next to its exact path.
 
-    The book's integrator moves the balls. The longer its steps, the farther they stray from the
-    exact path.
+    The balls are moved by the book's integrator. The longer its steps are, the farther the balls
+    stray from the exact path.
     """
 
     chapter = 3

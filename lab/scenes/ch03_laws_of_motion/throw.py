@@ -1,4 +1,4 @@
-"""A game of chapter 3 in which the student's own Particle.integrate throws a ball at a hoop."""
+"""A game for chapter 3 in which the student's own Particle.integrate throws a ball at a hoop."""
 
 from __future__ import annotations
 
@@ -123,17 +123,17 @@ class Throw(Scene):
                 self.land()
 
     def land(self) -> None:
-        """End the throw, and report by how much the ball and the exact path missed the hoop."""
+        """End the throw, and report how far the ball and the exact path missed the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Measure how far past the center of the hoop's rim a path comes down, in m.
+        """Measure in m how far beyond the hoop's center a path comes down to the height of the rim.
 
-        The distance is measured at the height of the rim. It is negative if the path falls short of
-        the center, and None if the path never comes down through that height.
+        The distance is negative if the path falls short of the center. It is None if the path never
+        comes down to that height.
         """
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):
@@ -142,7 +142,7 @@ class Throw(Scene):
         return None
 
     def is_in(self, beyond: float | None) -> bool:
-        """Return whether a ball goes through the hoop.
+        """Return True if a ball goes through the hoop.
 
         ``beyond`` is the result of ``past_hoop``: how far beyond the center of the rim the ball
         comes down.

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 4: a shooting range, and a shell with a predicted landing point."""
+"""Interactive scenes for chapter 4: a shooting range, and a prediction of where a shell lands."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ class Ballistics(Scene):
     def muzzle(self) -> float:
         """Return the elevation of the gun in radians.
 
-        Until the reader aims, it is the usual elevation for the type of shot.
+        Until the reader aims, the gun has the usual elevation for the type of shot.
         """
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))
@@ -209,7 +209,7 @@ class Artillery(Scene):
     def place_after(self, time: float, elevation: float) -> tuple[float, float]:
         """Compute the exact position of a shell ``time`` s after it was fired.
 
-        ``elevation`` is in degrees.
+        ``elevation`` is the angle of the gun in degrees.
         """
         position, _ = state_after(self.shot(elevation), time)
         return position.x, position.y
@@ -265,7 +265,7 @@ class Artillery(Scene):
 
 
 def can_throw() -> bool:
-    """Return whether the student has already written the code for grenades."""
+    """Return True if the student has already written the code for grenades."""
     return is_written(lambda: grenade_after(Shot("grenade", Particle())))
 
 

@@ -1,4 +1,4 @@
-"""A fireworks game of chapter 4, which lasts as long as the player hits rockets (project 4.1)."""
+"""A fireworks game for chapter 4, in which the player keeps a display going (project 4.1)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), da
 
 
 class Fireworks(Scene):
-    """A fireworks display that lasts for as long as the player keeps clicking on its rockets.
+    """A fireworks display that goes on as long as the player keeps hitting its rockets.
 
     Next to the rockets, a Catherine wheel throws sparks.
     """
@@ -56,7 +56,7 @@ class Fireworks(Scene):
             self.display.show.update(duration)
 
     def ended(self) -> bool:
-        """Return whether the fireworks game is over.
+        """Return True if the fireworks game is over.
 
         The game never ends if the student has not written its rules yet.
         """
@@ -116,7 +116,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return whether the student has written enough of the Catherine wheel to throw sparks."""
+    """Return True if the student has written enough of the Catherine wheel to throw sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 5: two balls that fall in air, and a planet's orbit."""
+"""Interactive scenes for chapter 5: two balls that fall in air, and a planet's orbit."""
 
 from __future__ import annotations
 
@@ -99,8 +99,7 @@ class FallInAir(Scene):
     def exact(self, time: float) -> list[float]:
         """Compute the exact heights of both balls, in m.
 
-        For a ball that has landed, the simulated height is returned, so that the ball no longer
-        adds to the error.
+        A ball that has landed must no longer add to the error, so its simulated height is returned.
         """
         heights = []
         for ball, landed, (mass, k2, _) in zip(

@@ -1,4 +1,4 @@
-"""The sniper range of chapter 5 (project 4.2): ten shots in a wind that changes with each shot."""
+"""The sniper range for chapter 5 (project 4.2): ten shots in a wind that changes with each shot."""
 
 from __future__ import annotations
 
@@ -115,9 +115,9 @@ class Sniper(Scene):
         self.shoot(-x / 1000.0, y / 1000.0)
 
     def shoot(self, azimuth: float, elevation: float) -> None:
-        """Turn the rifle to two angles in rad, and fire unless another bullet is in flight.
+        """Aim the rifle at two angles in rad, and fire unless another bullet is in flight.
 
-        The angles are clamped to the range that the rifle can turn through.
+        The angles are clamped to the range through which the rifle can turn.
         """
         self.aim = (limited(azimuth), limited(elevation))
         self.range.shoot(*self.aim)
@@ -154,5 +154,5 @@ def seen(x: float, y: float, z: float) -> tuple[float, float]:
 
 
 def limited(angle: float) -> float:
-    """Clamp an aiming angle to the range that the rifle can turn through."""
+    """Clamp an aiming angle to the range through which the rifle can turn."""
     return max(-SWING, min(SWING, angle))

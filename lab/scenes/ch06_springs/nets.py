@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 6 with many springs: a bridge and a cloth that may explode."""
+"""Interactive scenes for chapter 6 with many springs: a bridge and a cloth that may explode."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from lab.stepped import STEPS, Stepped
 
 
 class SpringBridge(Stepped):
-    """A scene of a bridge whose planks hang from springs, with a walker on it (exercise G6.2).
+    """A scene of a person walking across a bridge whose planks hang from springs (exercise G6.2).
 
     If the springs are too stiff for the time step, the bridge explodes.
     """
@@ -48,7 +48,7 @@ class SpringBridge(Stepped):
     def step(self, duration: float) -> None:
         """Advance the bridge by ``duration`` s, at the step rate that the reader chose.
 
-        Before each step, the walker's weight is added to the nearest planks.
+        Before each step, the person's weight is added to the nearest planks.
         """
         length = 1.0 / self.rate
         self.owed += duration
@@ -70,7 +70,7 @@ class SpringBridge(Stepped):
         pen.arrow((self.x, ground), (0.0, -0.002 * self.WEIGHT), "red", "force")
 
     def ground(self) -> float:
-        """Compute the height of the bridge under the walker, in m."""
+        """Compute the height of the bridge where the person stands, in m."""
         places = [plank.position for plank in self.particles]
         for a, b in pairwise(places):
             if a.x <= self.x <= b.x and b.x > a.x:
@@ -163,5 +163,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Project a 3D point onto the picture, as seen from the side and slightly from above."""
+    """Project a 3D point onto the picture, as seen from one side and slightly from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 6 that compares how seven integrators move a ball on a spring."""
+"""An interactive scene for chapter 6 that compares seven integrators on the motion of a spring."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class IntegratorRace(Scene):
     def phase(self, ball: Particle) -> tuple[float, float]:
         """Return the position and the scaled velocity of a ball.
 
-        In an exact motion, this point moves on a circle.
+        In the exact motion, these are the coordinates of a point that moves on a circle.
         """
         return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
 

@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 6: a ball on a spring, with time steps that may be too long."""
+"""An interactive scene for chapter 6: a ball on a spring, with time steps that may be too long."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Predict whether the ball will swing wider and wider, from the stability limits of chapter 6.
+    """Predict from the stability limits of chapter 6 if the ball will swing wider and wider.
 
     Returns:
         1 if the swings will grow, 0 otherwise.
@@ -105,7 +105,7 @@ class OneSpring(Stepped):
 
 
 class ExactSpring(OneSpring):
-    """The scene OneSpring, in which the exact solution moves the ball instead of an integrator."""
+    """The scene OneSpring, with the ball moved by the exact solution instead of an integrator."""
 
     def step(self, duration: float) -> None:
         passed = self.time + duration - self.since
@@ -115,7 +115,7 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """The scene OneSpring simulated by the library pymunk, which has a damped spring of its own."""
+    """The scene OneSpring, simulated by pymunk with its own damped spring."""
 
     def build(self) -> None:
         import pymunk  # not needed by the other scenes

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 7: a bouncing ball, and a stack of spheres that should not sink."""
+"""Interactive scenes for chapter 7: a bouncing ball, and a stack that should not sink."""
 
 from __future__ import annotations
 
@@ -27,9 +27,10 @@ def no_forces(duration: float) -> None:
 
 
 def rises(scene: Bounce) -> int:
-    """Find out whether the last bounces were as high as the drop.
+    """Compare the height of the last bounces with the height of the drop.
 
-    The result is 0 for the same height within 2 %, 1 for higher, or 2 for lower.
+    The result is 0 if they are equal to within 2 %, 1 if the bounces are higher, or 2 if they are
+    lower.
     """
     share = max(y for _, y in scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
@@ -132,7 +133,7 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The scene Bounce simulated by the library pymunk, with a segment as the ground."""
+    """The scene Bounce, simulated by pymunk with a segment as the ground."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -233,7 +234,7 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """The scene Stack simulated by the library pymunk, with circles and a segment as the ground."""
+    """The scene Stack, simulated by pymunk with circles and a segment as the ground."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 7 that simulates the same rope of rods by three methods."""
+"""An interactive scene for chapter 7 that simulates the same rope of rods by three methods."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def no_forces(duration: float) -> None:
 
 
 class Ropes(Scene):
-    """A scene of three copies of a rope, each made of rods and simulated by a different method.
+    """A scene of three copies of a rope of rods, each simulated by a different method.
 
     The methods are one step per frame, substeps, and a direct solve. A rope should not stretch, so
     the picture shows by how much each copy is too long.

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 8: a platform that tilts on a pivot, and a blob that can tear."""
+"""Interactive scenes for chapter 8: a platform that tilts on a pivot, and a blob that can tear."""
 
 from __future__ import annotations
 
@@ -116,9 +116,10 @@ class Platform(WorldScene):
 
 
 class Blob(WorldScene):
-    """A scene of a blob of particles that are held together by bonds, which break and heal.
+    """A scene of a blob of particles that are held together by bonds.
 
-    The reader can push the blob around, and use cables to keep it together.
+    The bonds can break and heal. The reader can push the blob around, and use cables to keep it
+    together.
     """
 
     chapter = 8
@@ -179,7 +180,7 @@ class Blob(WorldScene):
         self.contacts.draw(pen, 2.0)
 
     def holding(self) -> int:
-        """Count the bonds of the blob that are intact."""
+        """Count the intact bonds of the blob."""
         return sum(bond.holds for bond in self.blob.bonds)
 
     def chart(self) -> dict[str, float]:

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 8 with a rope bridge: a ball walking across it, and a ball game."""
+"""Interactive scenes for chapter 8 with a rope bridge: a ball that crosses it, and a game."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LATE = 0.5  # s, duration of a late frame
 class Bridge(WorldScene):
     """A scene of a rope bridge that has to carry a heavy ball.
 
-    The reader can walk the ball across it, and let some of the frames arrive late.
+    The reader can move the ball across the bridge, and make some of the frames arrive late.
     """
 
     chapter = 8
@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Compute by what percentage the worst cable of the bridge exceeds its length."""
+        """Compute by what percentage the most stretched cable of the bridge exceeds its length."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:

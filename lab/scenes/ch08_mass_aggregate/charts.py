@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 8 that replays the test scenes of the accuracy study."""
+"""An interactive scene for chapter 8 that replays the test scenes of the accuracy study."""
 
 from __future__ import annotations
 
@@ -53,7 +53,8 @@ class Charts(Scene):
     def chosen(self) -> Model:
         """Find the simulation method that the reader chose.
 
-        If the study has not run that method on this test, use the first method that it has run.
+        If the study has not run the chosen method on this test, return the first method that it has
+        run.
         """
         models = {model.name: model for model in self.scene.models}
         return models.get(self.method, self.scene.models[0])

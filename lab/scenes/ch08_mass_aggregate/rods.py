@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 8 with bodies made of rods: a driven wheel and a falling cube."""
+"""Interactive scenes for chapter 8 with bodies made of rods: a driven wheel and a falling cube."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ class Wheel(WorldScene):
 
 
 class PymunkWheel(Wheel):
-    """The scene Wheel simulated by the library pymunk, with pin joints as the rods."""
+    """The scene Wheel, simulated by pymunk with pin joints as the rods."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

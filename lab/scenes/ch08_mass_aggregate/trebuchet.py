@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 8: a trebuchet, and where its energy goes (project 8.2)."""
+"""An interactive scene for chapter 8: a trebuchet, and where its energy goes (project 8.2)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Point = tuple[float, float]
 class Trebuchet(WorldScene):
     """A scene of the trebuchet that the student has designed.
 
-    The reader can change its counterweight and its release angle.
+    The reader can change the counterweight and the release angle.
     """
 
     chapter = 8
@@ -60,9 +60,9 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record where the projectile is after a time step, and how the energies have changed.
+        """Record the position of the projectile and the changes in energy after a time step.
 
-        Once the projectile has reached the ground, say where it landed.
+        Once the projectile has reached the ground, also record a message that says where it landed.
         """
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile

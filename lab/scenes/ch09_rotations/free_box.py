@@ -1,4 +1,4 @@
-"""An interactive scene of chapter 9: a freely spinning box that may keep flipping over."""
+"""An interactive scene for chapter 9: a freely spinning box that may keep flipping over."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A scene of a box shaped like a thick book, which spins about one of its axes as if thrown.
+    """A scene of a box shaped like a thick book, which spins freely about one of its axes.
 
-    A small spin about another axis disturbs it. If the box spins about its middle axis, the
-    disturbance makes it turn over again and again.
+    A small spin about another axis is added as a disturbance. If the box spins about its middle
+    axis, the disturbance makes it flip over again and again.
     """
 
     chapter = 9

@@ -1,4 +1,4 @@
-"""Interactive scenes of chapter 9: three ways to store an orientation, and the book's Eq. 9.5."""
+"""Interactive scenes for chapter 9: three ways to store an orientation, and the book's Eq. 9.5."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Orientations(Scene):
     """A scene of three boxes that rotate with the same angular velocity.
 
     One box stores its orientation as a matrix, one as a quaternion, and one as Euler angles. The
-    scene shows which of them stays accurate over many steps.
+    scene shows which boxes stay accurate over many steps.
     """
 
     chapter = 9
@@ -98,9 +98,10 @@ class Orientations(Scene):
         return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 
     def turns(self) -> dict[str, list[Vector3]]:
-        """Compute where the three axes of each box point.
+        """Compute the directions of the three axes of each box.
 
-        The keys are "matrix", "quaternion" and "Euler angles", the ways to store an orientation.
+        The keys of the result are the ways to store an orientation: "matrix", "quaternion" and
+        "Euler angles".
         """
         angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
         q = self.quaternion.copy()
@@ -115,8 +116,8 @@ class Orientations(Scene):
     def errors(self) -> list[float]:
         """Compute how far the axes of each box are from the exact ones.
 
-        The result holds one error per box: the largest distance between the tip of an axis and the
-        exact tip, in percent of the length of an axis.
+        The error of a box is the largest distance between the tip of an axis and its exact
+        position. It is given in percent of the length of an axis.
         """
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
@@ -156,8 +157,8 @@ class Orientations(Scene):
     def state(self) -> list[float]:
         """Return the error of the box that stores its orientation as a quaternion.
 
-        Each axis of the box has the length 1. The error is the largest distance between the tip of
-        an axis and the exact tip.
+        It is the largest distance between the tip of an axis and its exact position. The axes have
+        a length of 1.
         """
         return [0.01 * self.errors()[1]]
 
@@ -181,7 +182,7 @@ class FirstOrder(Scene):
     """A scene of a clock hand that rotates by Eq. 9.5, next to one that rotates steadily.
 
     Eq. 9.5 is the book's formula for rotating a quaternion by one time step. It moves the
-    quaternion in a straight line, so the hand falls behind.
+    quaternion along a straight line, so the hand falls behind.
     """
 
     chapter = 9
@@ -226,7 +227,7 @@ class FirstOrder(Scene):
         return math.atan2(self.q.k, self.q.r)
 
     def passed(self) -> float:
-        """Return the time in s that has been simulated so far."""
+        """Return how much time has been simulated so far, in s."""
         passed: float = self.steps / self.rate
         return passed
 

@@ -16,7 +16,7 @@ Point = tuple[float, float]  # the cost (counted work) and the error, on an open
 class Verdict:
     """The outcome of one check: whether it passed and, if not, the message for the student.
 
-    A ``robust`` check tries bad arguments, overflow or NaN instead of testing the physics.
+    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics.
     """
 
     name: str

@@ -37,13 +37,13 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Test a sandbox by trying forbidden operations in it, and name those that it fails to prevent.
+    """Test a sandbox by trying forbidden operations in it, and report those that succeed.
 
     The operations include reading a file and reaching the network.
 
     Returns:
         A text such as "it does not prevent writing a file", or the reason why the sandbox cannot be
-        started. If the sandbox passes the test, the text is empty.
+            started. If the sandbox passes the test, the text is empty.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

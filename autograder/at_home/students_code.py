@@ -51,8 +51,9 @@ class StudentsCode:
     ) -> None:
         """Replace the folders whose code counts as the student's.
 
-        The browser needs this because one process runs the checks there many times, but can set up
-        the restrictions on imports and operations only once.
+        In the browser, a single process runs the checks many times, but it can set up the
+        restrictions on imports and operations only once. It calls this method to adapt them to the
+        next run.
         """
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded

@@ -63,7 +63,7 @@ class Depth:
         """Set Python's recursion limit just before a check calls the student's code.
 
         ``more`` is the number of calls between this method's caller and the student's code. If the
-        student's code has changed the limit, the new limit stays.
+        student's code has changed the limit, this method does nothing.
         """
         if sys.getrecursionlimit() != self.limit:
             return

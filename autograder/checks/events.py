@@ -12,10 +12,10 @@ from autograder.records import from_json, to_json
 
 @dataclass(frozen=True)
 class Check:
-    """A check that is about to run, as the check process announces it.
+    """A check that the check process is going to run.
 
-    ``rationale`` is None unless the check is hidden. Of a hidden check, students see only this
-    text.
+    ``rationale`` is None unless the check is hidden. It is the only part of a hidden check that
+    students see.
     """
 
     name: str

@@ -66,8 +66,9 @@ class SilentError(Exception):
 class Judge:
     """A process that runs the checks described in a configuration file.
 
-    After the process has ended, ``code`` holds its exit code and ``stderr`` the last part of its
-    standard error.
+    Attributes:
+        code: The exit code, once the process has ended.
+        stderr: The last part of the process's standard error, once the process has ended.
     """
 
     def __init__(self, config: Path, folder: Path, *, behind: bool) -> None:

@@ -32,7 +32,7 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory diff
 class Limits:
     """The time limits, in seconds, for a single check and for all checks of a chapter together.
 
-    The limit for a single check is generous, since most checks finish within milliseconds.
+    The limit for a single check is generous, because most checks finish within milliseconds.
     """
 
     check: float = 3.0

@@ -30,7 +30,7 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Collect all prerequisites of an exercise, whether it needs them directly or indirectly."""
+    """Collect all prerequisites of an exercise, both direct and indirect."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 

@@ -110,7 +110,7 @@ class Recorder:
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
         """Run the checks of each exercise in a forked copy of this process.
 
-        Exercises then cannot affect each other through a counter or a cache in the student's code.
+        Then one exercise cannot affect another through a counter or a cache in the student's code.
         If the student's code runs in a sandbox, or the system cannot fork, pytest runs the checks
         as usual.
         """

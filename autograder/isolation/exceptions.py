@@ -1,7 +1,7 @@
 """Recreate an exception that a student's code raised in a worker, so that a check can catch it.
 
-The worker process is not trusted and could send anything, so the data is validated. If it does not
-describe an exception, BrokenProtocolError is raised.
+The worker process is not trusted and could send anything. Data that does not describe an exception
+is therefore rejected with a BrokenProtocolError.
 """
 
 from __future__ import annotations

@@ -206,7 +206,7 @@ class InWorker:
         return printed
 
     def _on_hang(self) -> NoReturn:
-        """Save a stack trace of student code that does not return, and exit this process.
+        """Save a stack trace of student code that has taken too long, and exit this process.
 
         The runner then shows the student where the code was stuck, and starts another process for
         the remaining checks.

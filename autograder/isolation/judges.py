@@ -1,4 +1,4 @@
-"""Start processes that run checks, without importing pytest anew in each of them.
+"""Start processes that run checks, without importing pytest in each of them.
 
 A process that runs checks is called a judge. Because importing pytest takes a while, a helper
 process imports it once and then waits for requests. For each run of checks it forks a judge, which
@@ -107,7 +107,7 @@ def _ask(order: Order, descriptors: list[int]) -> int:
 
 
 def main() -> None:
-    """Fork a process that runs checks for each such request, until the grader ends."""
+    """Handle the grader's requests, such as to start a check process, until the grader ends."""
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting

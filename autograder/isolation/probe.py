@@ -43,7 +43,7 @@ def what_fails(level: Level) -> str:
 
     Returns:
         A text such as "it does not prevent writing a file", or the reason why the sandbox cannot be
-            started. If the sandbox passes the test, the text is empty.
+        started. If the sandbox passes the test, the text is empty.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

@@ -95,7 +95,7 @@ def landlock_rules(readable: Sequence[str]) -> int:
     all.
 
     Returns:
-        The file descriptor that stands for the rules.
+        A file descriptor for the rules.
 
     Raises:
         SandboxError: The kernel does not accept the rules.

@@ -52,7 +52,7 @@ def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> b
 
     Returns:
         True if the request was sent. If not, no helper process is waiting, and the template must be
-            started in another way.
+        started in another way.
     """
     for waiting in _waiting:
         with contextlib.suppress(OSError):

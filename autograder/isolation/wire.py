@@ -141,8 +141,8 @@ def _message(line: bytes) -> dict[str, Any]:
 def pack(value: Any, refer: Refer) -> Any:
     """Convert a value to a form that can be sent as JSON between the checks and the student's code.
 
-    ``refer`` is called for every object that is not plain data, and returns a reference such as
-    ``{"object": 3}`` to send in its place.
+    ``refer`` is called for every object that is not plain data. It returns a reference such as
+    ``{"object": 3}``, which is sent in place of the object.
 
     Raises:
         UnsendableError: The value is too large or too deeply nested.
@@ -175,9 +175,10 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Rebuild a value from the JSON data into which ``pack`` converted it.
+    """Rebuild a value from the JSON data that ``pack`` created.
 
-    ``find`` is called for every reference in the data, and returns the object it stands for.
+    ``find`` is called for every reference in the data, and returns the object that the reference
+    stands for.
 
     Raises:
         BrokenProtocolError: The data does not have the form that ``pack`` produces.

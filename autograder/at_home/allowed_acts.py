@@ -1,12 +1,12 @@
 """Keep a student's code from writing files, starting programs or threads, and opening sockets.
 
-The grader runs submissions in a sandbox that blocks all of these operations. There is no sandbox
-when students run the checks at home, so this module relies on Python's audit events. Just before
-Python opens a file, for example, it raises such an event. This module then raises the same error
-that the sandbox would cause.
+The grader's sandbox blocks all of these operations. Students run the checks at home without a
+sandbox, so this module uses Python's audit events instead. For example, Python raises an audit
+event just before it opens a file. If the student's code caused the event, this module raises the
+same error that the sandbox would cause.
 
-The purpose is to warn students early about anything that the grader will block. This is no defense
-against hostile code, and operations without an audit event, such as os.pipe, slip through.
+The purpose is to warn students early about operations that the grader will block. This does not
+stop hostile code, because some operations, such as os.pipe, have no audit event.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ WITHOUT = (
 def limit_acts(code: StudentsCode) -> None:
     """Block every operation of the student's code that the grader's sandbox would not allow.
 
-    Examples are writing files and starting threads. There is no way to lift these restrictions
+    For example, the code cannot write files or start threads. The restrictions cannot be removed
     again.
     """
     refusals: dict[str, Callable[..., None]] = {
@@ -97,7 +97,7 @@ def _list(code: StudentsCode, path: Any) -> None:
 def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
     """Raise a PermissionError if the sandbox would not let the student's code read this file.
 
-    The code may read only Python's library and the files in the folders of ``more``.
+    The code may read only Python's library and files inside the folders listed in ``more``.
     """
     inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):

@@ -1,8 +1,8 @@
 """Let a student's code import only Python's standard library and the chapters.
 
-The grader has no other packages. It also has only those chapter files that students hand in or
-receive from us. An import that would fail there should fail at home too, on the same line and with
-the same message. Students then notice the problem in time.
+The grader has no other packages. Of the chapters, it has only the files that students hand in or
+receive from us. Any other import fails at home with the same message and on the same line as in the
+grader. Students then notice the problem before they hand in their work.
 """
 
 from __future__ import annotations
@@ -53,8 +53,7 @@ def limit_imports(code: StudentsCode) -> None:
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
     """Raise ImportError if an import in the student's code would fail in the grader.
 
-    The student sees the same error as in the grader. If the import would work there, nothing
-    happens.
+    The student sees the same error as in the grader.
     """
     if name.startswith("."):
         try:

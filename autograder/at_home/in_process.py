@@ -1,8 +1,7 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-This is how checks run on a student's own machine. The student's code can import only the modules
-and perform only the operations that the grader allows. Otherwise, code that works at home could
-fail when it is graded.
+This is how checks run on a student's own machine. The student's code is limited to the imports and
+operations that the grader allows. Otherwise, code that works at home could fail when it is graded.
 """
 
 from __future__ import annotations
@@ -83,9 +82,9 @@ class InProcess:
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Exempt all objects that exist now from garbage collection.
+        """Exclude all objects that exist now from garbage collection.
 
-        Forked copies of this process can then share more memory with it.
+        This lets a forked copy of the process share more of its memory with the original.
         """
         gc.freeze()
 

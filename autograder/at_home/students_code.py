@@ -1,6 +1,6 @@
-"""Find out whether the student's code, rather than ours, made the current call.
+"""Find out whether a call comes from the student's code or from ours.
 
-On the student's machine, some imports and operations are blocked for the student's code only.
+On a student's machine, some imports and operations are blocked, but only for the student's code.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """List the files of each chapter's folder that the grader will have too.
+    """List the files of each chapter that will also be available in the grader.
 
     These are the files that students hand in and the ones that we supply.
     """
@@ -28,11 +28,11 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 
 
 class StudentsCode:
-    """Recognizes the student's code by the folder that contains its file.
+    """Recognizes a student's code by the folder that its file is in.
 
-    ``graded`` maps the folder of each chapter to the files that the grader has too. If a folder is
-    not in ``graded``, all of its files count as graded. ``ours`` lists files that are in the
-    student's folders but were not written by the student, such as ch06_springs/cloth.py.
+    ``graded`` lists, for each chapter's folder, the files that the grader has too. If a folder is
+    not in ``graded``, all of its files count as graded. ``ours`` lists the files in the student's
+    folders that the student did not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -49,10 +49,11 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """From now on, treat only the code in ``folders`` as the student's.
+        """Replace the folders whose code counts as the student's.
 
-        The browser needs this, because there a single process runs the checks again and again. It
-        can set up the restrictions on imports and operations only once.
+        In the browser, a single process runs the checks many times, but it can set up the
+        restrictions on imports and operations only once. It calls this method to adapt them to the
+        next run.
         """
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
@@ -60,7 +61,7 @@ class StudentsCode:
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return whether the student's code made the current call, such as a call of open.
+        """Return True if the student's code made the current call, such as a call of open.
 
         The caller is the first function on the stack that is not part of Python's library. The
         steps that Python itself performs during an import do not count as calls by the student.
@@ -76,7 +77,7 @@ class StudentsCode:
         return False
 
     def _is_students(self, file: str) -> bool | None:
-        """Return whether the student wrote a file, or None if it is part of Python's library."""
+        """Return True if the student wrote a file, or None if it is part of Python's library."""
         if file.startswith("<"):  # such as <string>, from exec, and <frozen os>
             return False if file.startswith("<frozen importlib") else None
         if is_inside(file, self.folders):
@@ -85,7 +86,7 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether the grader will also have this file from the folder of a chapter.
+        """Return True if a file in a chapter's folder will also be available in the grader.
 
         ``package`` is the name of the folder, such as ch02_vectors. Files that end in probes.py
         always count as graded, because they belong to our checks.

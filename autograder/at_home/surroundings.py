@@ -1,8 +1,8 @@
-"""Give a student's code at home the same environment as when it is graded.
+"""Give a student's code the same environment at home as in the grader.
 
-The code runs in the folder /, with no command-line arguments and without the user's environment
-variables. Memory and the depth of recursion are limited as in the grader. A program that needs too
-much of either therefore fails at home too.
+The code runs in the folder /, without command-line arguments or the user's environment variables.
+Memory and recursion depth are limited as in the grader, so a program that exceeds these limits
+fails at home too.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ FIRST_CALLS = 9  # how many of these calls the grader's own code uses up
 
 
 def leave_home() -> None:
-    """Remove the user's own settings from this process for good, and limit its memory.
+    """Permanently remove the user's own settings from this process, and limit its memory.
 
     The settings are the command line, the environment variables and the working directory. The
     memory limit works only on Linux.
@@ -49,10 +49,10 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Lets a student's code recurse exactly as deeply as it could when it is graded.
+    """Lets a student's code recurse exactly as deeply at home as in the grader.
 
-    At home, more functions may already be running when a check calls the student's code. To make up
-    for these, the recursion limit is raised by the difference.
+    When a check calls the student's code at home, more functions may already be running than in the
+    grader. The recursion limit is raised by the difference.
     """
 
     def __init__(self, deepest: int = DEPTH) -> None:
@@ -63,7 +63,7 @@ class Depth:
         """Set Python's recursion limit just before a check calls the student's code.
 
         ``more`` is the number of calls between this method's caller and the student's code. If the
-        student's code has changed the limit, the new limit stays.
+        student's code has changed the limit, this method does nothing.
         """
         if sys.getrecursionlimit() != self.limit:
             return

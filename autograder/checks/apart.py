@@ -1,9 +1,9 @@
 """Run checks in a forked copy of this process, so that exercises cannot affect each other.
 
-A student's module may contain a counter or a cache, and whatever one check leaves in it could
-change the result of the next. The grader prevents that with a new process for each check. On a
-student's machine that would take too long, since even forking once per check doubles the run time.
-That is why all checks of an exercise share one copy.
+A check may change a counter or a cache in the student's module, which could affect the result of
+the next check. The grader prevents this by starting a new process for each check. On a student's
+machine that would take too long, because even a fork for each check doubles the run time. All
+checks of an exercise therefore share one forked copy.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ DONE = 87  # exit code of a copy that has finished its work
 def run_in_a_copy(work: Callable[[], object]) -> None:
     """Fork this process, and call ``work`` in the child process.
 
-    If the child crashes, this process deliberately ends in the same way. The runner of the checks
-    notices that, and starts a new process for the remaining checks.
+    If the child ends early, this process ends with the same signal or exit code. The runner of the
+    checks notices that, and starts a new process for the remaining checks.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
@@ -47,10 +47,10 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Explain to a student why the process that ran the code ended early, given its exit code.
+    """Explain to a student why the process that ran the code ended early.
 
-    A negative code means that Python crashed. Any other code suggests that the student's code calls
-    os._exit.
+    If the exit code ``code`` is negative, Python crashed. Otherwise the student's code probably
+    called os._exit.
     """
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"

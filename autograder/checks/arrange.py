@@ -1,6 +1,6 @@
 """Assemble the files and settings for a check process.
 
-A check process is the program that runs one chapter's checks on one student's code.
+A check process runs the checks of one chapter on the code of one student.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ class Behind:
 
     Attributes:
         level: The layers of protection to use, as a dictionary with the fields of sandbox.Level.
-        fresh: Whether every check runs in a new Python interpreter.
-        missing: The modules of the submission that were rejected, each with the reason.
+        fresh: True if every check runs in a new Python interpreter.
+        missing: The rejected modules of the submission, each with the reason.
         hidden: A folder of hidden checks, of which students see only a short rationale.
-        for_instructor: Whether to include the full messages of hidden checks. Set this only if no
-            student will see the result.
-        compiled: A folder in which compiled code of the submission is kept between runs.
+        for_instructor: True if the results include the full messages of hidden checks. Set this
+            only if no student will see the results.
+        compiled: A folder that stores the submission's compiled code between runs.
     """
 
     level: dict[str, bool]
@@ -40,8 +40,10 @@ class Behind:
 class Workers:
     """Settings for the sandboxed worker processes that run a student's code.
 
-    ``probes`` is the folder of our probes. A probe is a part of a check that has to run in the same
-    process as the student's code. ``compiled`` is the folder that caches compiled code.
+    Attributes:
+        probes: The folder of our probes. A probe is a part of a check that has to run in the same
+            process as the student's code.
+        compiled: The folder that caches compiled code.
     """
 
     level: dict[str, bool]
@@ -53,14 +55,14 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """Where a check process finds the code and the checks, and what it must know about the chapter.
+    """The paths that a check process needs, and what it must know about the chapter.
 
     Attributes:
         known: The ids of the chapter's exercises.
         edits: The functions that students write, listed by exercise.
         modules: The student's modules to import before the checks.
         complete: The files that students use but did not write.
-        graded: The files that the grader has too, listed by the folder of their chapter.
+        graded: The files that will also be available in the grader, listed by chapter folder.
     """
 
     root: str
@@ -77,10 +79,10 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """Everything that a check process reads when it starts: its files, settings and checks.
+    """The configuration that a check process reads when it starts: its files, settings and checks.
 
     Attributes:
-        apart: Whether each exercise's checks run in a forked copy of the process.
+        apart: True if each exercise's checks run in a forked copy of the process.
         broken: The modules that cannot be imported, each with the reason.
         done: The checks that already have a verdict and need not run again.
     """
@@ -119,8 +121,8 @@ def arrange(
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
     """Return the folder from which pytest runs the checks.
 
-    That is normally the folder of this project. If there are hidden checks, it is a temporary copy
-    of the tests that includes them.
+    This is normally the project's own folder. If there are hidden checks, it is a temporary folder
+    that contains both the public and the hidden tests.
     """
     return folder / "root" if behind and behind.hidden else root
 

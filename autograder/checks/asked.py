@@ -1,4 +1,4 @@
-"""Remember what a check is testing, so that its failure message can say so.
+"""Store the texts that a check's failure message will show.
 
 Before a check calls the student's code, it stores three texts: the call, the likely mistake behind
 a wrong result, and the section to read. The message shows all three if the result is wrong or the
@@ -20,9 +20,9 @@ LONG = re.compile(r"\b\d{1,5}\.\d{10,}\b(?![eE])")  # a computed number with all
 class Words(TypedDict, total=False):
     """Texts for the failure message of a single expectation in a check.
 
-    ``call``, ``cause`` and ``read`` replace the texts that the check has stored, and ``then`` is
-    added to the end of the call. ``unit`` is shown after the returned number and after the expected
-    one. It can be a unit such as "m/s" or a plural such as "contacts".
+    ``call``, ``cause`` and ``read`` override the texts that the check has stored, and ``then`` is
+    appended to the call. ``unit`` is shown after both the returned and the expected number. It can
+    be a unit such as "m/s" or a plural such as "contacts".
     """
 
     call: str
@@ -50,9 +50,9 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the texts for one expectation: the call, the likely mistake, and what to read.
+        """Return the call, the likely mistake and the section to read, for one expectation.
 
-        If ``words`` contains one of these texts, it replaces the text that the check has stored.
+        A text in ``words`` overrides the one that the check has stored.
         """
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
@@ -75,9 +75,9 @@ def short_numbers(text: str) -> str:
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Decorate a helper of the checks, so that it restores the texts in ``about`` when it returns.
+    """Decorate a helper function so that it restores the texts in ``about`` when it returns.
 
-    The helper can then change these texts for failure messages without affecting the code that
+    The helper can then set its own texts for failure messages without affecting the check that
     called it. If the helper raises an exception, its own texts stay, because the failure message
     needs them.
     """

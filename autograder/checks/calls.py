@@ -1,6 +1,6 @@
 """Find out whether a check calls a certain function of the student.
 
-To do so, examine the expression in the check's failure message, such as "v.dot(w)".
+The answer depends on the expression in the check's failure message, such as "v.dot(w)".
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ OPERATORS = {  # for each special method, the operator that calls it
 
 
 def calls(expression: str, name: str) -> bool:
-    """Return whether a check's expression, such as "v.dot(w)", calls the function ``name``.
+    """Return True if a check's expression, such as "v.dot(w)", calls the function ``name``.
 
     ``name`` is the function's full name in the manifest, such as vector.Vector3.dot.
     """
@@ -39,10 +39,10 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return whether a check's expression creates an object of the class that defines a method.
+    """Return True if a check's expression creates an object of the class that has a given method.
 
-    For example, "Vector3(1, 2, 3)" creates an object of the class that defines vector.Vector3.dot.
-    If the function does not belong to a class, return True.
+    For example, "Vector3(1, 2, 3)" creates an object of the class that has the method
+    vector.Vector3.dot. If the function does not belong to a class, the result is always True.
     """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

@@ -12,10 +12,10 @@ from autograder.records import from_json, to_json
 
 @dataclass(frozen=True)
 class Check:
-    """A check that is about to run, as the check process announces it.
+    """A check that the check process is going to run.
 
-    ``rationale`` is None unless the check is hidden. Of a hidden check, students see only this
-    text.
+    ``rationale`` is None unless the check is hidden. It is the only part of a hidden check that
+    students see.
     """
 
     name: str
@@ -47,7 +47,7 @@ class Importing:
 
 @dataclass(frozen=True)
 class Imported:
-    """An event sent when an import has finished. It follows an ``Importing`` event."""
+    """An event sent when the import that an ``Importing`` event announced has finished."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,10 @@ class Broken:
 
 @dataclass(frozen=True)
 class Started:
-    """An event sent when a check begins. If the process then dies, we know which check to blame."""
+    """An event sent when a check begins.
+
+    If the process dies afterwards, this event shows which check was running.
+    """
 
     name: str
 

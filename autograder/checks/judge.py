@@ -43,7 +43,7 @@ _stopping = threading.Event()
 def stopping() -> Iterator[None]:
     """Create a context that stops the check processes of all threads and prevents new ones.
 
-    Each run of checks that is stopped raises GraderError.
+    Every run of checks that is stopped in this way raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -55,7 +55,7 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return whether a thread is using ``stopping`` now, so that no check process may run."""
+    """Return True while any thread is using ``stopping``, so that no check process may run."""
     return _stopping.is_set()
 
 
@@ -66,8 +66,9 @@ class SilentError(Exception):
 class Judge:
     """A process that runs the checks described in a configuration file.
 
-    After the process has ended, ``code`` holds its exit code and ``stderr`` the last part of its
-    standard error.
+    Attributes:
+        code: The exit code, once the process has ended.
+        stderr: The last part of the process's standard error, once the process has ended.
     """
 
     def __init__(self, config: Path, folder: Path, *, behind: bool) -> None:
@@ -124,9 +125,11 @@ class Judge:
 class Ending:
     """How a check process ended and, if known, why.
 
-    If the process ran out of time, ``stack`` shows what it was doing at that moment. ``silent`` is
-    true if it stopped responding and had to be killed. ``stderr`` is the last part of its standard
-    error.
+    Attributes:
+        stack: A stack trace of what the process was doing, if it ran out of time.
+        silent: True if the process stopped responding and had to be killed.
+        code: The exit code.
+        stderr: The last part of the process's standard error.
     """
 
     stack: str = ""
@@ -205,7 +208,7 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 def environment() -> dict[str, str]:
     """Return the environment variables for a check process.
 
-    They keep pytest from loading the plugins and options of the user's machine, which could change
+    They prevent pytest from loading plugins and options of the user's machine, which could change
     how the checks run.
     """
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))

@@ -11,7 +11,7 @@ LONGEST = 4000  # characters
 class CappedText(io.TextIOBase):
     """A text stream that captures the first 4000 characters that student code prints.
 
-    It discards the rest, so an endless loop that prints cannot fill the memory.
+    The rest is discarded, so a print statement in an endless loop cannot fill the memory.
     """
 
     def __init__(self, keep: Callable[[str], object]) -> None:

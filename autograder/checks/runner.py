@@ -1,7 +1,7 @@
 """Run a chapter's checks in a separate process, and return the verdict on each.
 
 Each check has a time limit. If a check hangs or its process dies, the remaining checks run in a new
-process. Without a sandbox, this works on Windows too.
+process. All of this also works on Windows, but only without a sandbox.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory diff
 class Limits:
     """The time limits, in seconds, for a single check and for all checks of a chapter together.
 
-    The limit for a single check is generous, since most checks finish within milliseconds.
+    The limit for a single check is generous, because most checks finish within milliseconds.
     """
 
     check: float = 3.0
@@ -48,12 +48,15 @@ class GraderError(Exception):
 
 @dataclass(frozen=True)
 class Order:
-    """Which checks of a chapter to run, and on which student's code.
+    """A request to run some of a chapter's checks on a student's code.
 
-    ``engine`` lists the folders to search for the student's code. If several of them have a module,
-    the first one wins. ``behind`` describes the sandbox for the student's code. If it is None, the
-    code runs in the same process as the checks. ``apart`` then says whether each exercise's checks
-    run in a forked copy of that process.
+    Attributes:
+        engine: The folders to search for the student's code. If several of them contain a module,
+            the first one is used.
+        behind: The sandbox for the student's code, or None to run the code in the same process as
+            the checks.
+        apart: True to run each exercise's checks in a forked copy of the check process. This has no
+            effect in a sandbox.
     """
 
     chapter: Chapter
@@ -106,7 +109,7 @@ class Run:
     """One run of a chapter's checks, which may take several processes to finish.
 
     ``judge`` is the function that starts such a process and passes its events to the run. It
-    returns an ``Ending``, which says how the process ended.
+    returns an ``Ending`` that describes how the process ended.
     """
 
     def __init__(
@@ -150,9 +153,9 @@ class Run:
 
     @property
     def progress(self) -> tuple[int, int]:
-        """How many verdicts there are so far, and how many modules are known to be broken.
+        """The number of verdicts so far, and the number of modules known to be broken.
 
-        If neither number has grown by the time a process ends, starting another one is pointless.
+        If a process ends and neither number has grown, starting another process is pointless.
         """
         return len(self.verdicts), len(self.broken)
 
@@ -278,7 +281,7 @@ class Run:
 
 
 def presentable(message: Message) -> Message:
-    """Make a failure message safe to show to people.
+    """Make a failure message safe to display.
 
     Special characters are escaped, memory addresses are removed because they differ in every run,
     and long texts are shortened. All text that comes from a student's code passes through this

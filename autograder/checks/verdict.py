@@ -16,7 +16,7 @@ Point = tuple[float, float]  # the cost (counted work) and the error, on an open
 class Verdict:
     """The outcome of one check: whether it passed and, if not, the message for the student.
 
-    A ``robust`` check tries bad arguments, overflow or NaN instead of testing the physics.
+    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics.
     """
 
     name: str
@@ -30,7 +30,7 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Collect all prerequisites of an exercise, whether it needs them directly or indirectly."""
+    """Collect all prerequisites of an exercise, both direct and indirect."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 

@@ -50,8 +50,7 @@ class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
     ``engine`` is the object that runs the student's code, either in this process or in a sandbox.
-    By default the configuration determines which of the two it is. Our own tests can pass another
-    object.
+    It is chosen by the configuration unless our own tests pass another one.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -65,11 +64,11 @@ class Recorder:
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Get ready to run the student's code, now that pytest has collected all checks."""
+        """Prepare to run the student's code, now that pytest has collected all checks."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """If a file of checks cannot be imported, print the reason to stderr for the runner."""
+        """Print the reason to stderr, for the runner, if a file of checks cannot be imported."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
@@ -111,7 +110,7 @@ class Recorder:
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
         """Run the checks of each exercise in a forked copy of this process.
 
-        Exercises then cannot affect each other through a counter or a cache in the student's code.
+        Then one exercise cannot affect another through a counter or a cache in the student's code.
         If the student's code runs in a sandbox, or the system cannot fork, pytest runs the checks
         as usual.
         """
@@ -244,12 +243,12 @@ def _marker(item: pytest.Item) -> pytest.Mark:
 
 
 def _is_robust(item: pytest.Item) -> bool:
-    """Return whether a check tries bad arguments, overflow or NaN rather than the physics."""
+    """Return True if a check tests bad arguments, overflow or NaN rather than the physics."""
     return item.get_closest_marker("robust") is not None
 
 
 def main() -> int:
-    """Run the checks described in the configuration file named on the command line."""
+    """Run the checks described in the configuration file that is given on the command line."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts

@@ -1,1 +1,1 @@
-"""Explain why a check failed: the mistake in the student's code, or in an earlier chapter."""
+"""Find the mistake behind a failed check, in the student's code or in an earlier chapter."""

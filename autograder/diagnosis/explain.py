@@ -1,4 +1,4 @@
-"""Explain to a student why the code failed in a check, and suggest how to fix it."""
+"""Explain to a student why a check failed, and suggest how to fix the code."""
 
 from __future__ import annotations
 
@@ -26,12 +26,11 @@ def explain_exception(
 ) -> Message:
     """Build the message that explains to a student why an exception ended a check.
 
-    If the student's code returned a wrong value, the exception already carries its message. For any
-    other exception, the message shows the check's call, the exception, the student's line and a
-    likely mistake.
+    An exception about a wrong value already contains its message. For any other exception, the
+    message shows the check's call, the exception, the student's line and a likely mistake.
 
-    If Python's error is a common one, the likely mistake explains it. For any other error, and for
-    one that the student's own code raises, the message shows the mistake that the check suggests.
+    If the exception is a common Python error, we explain it. For any other error, and for one that
+    the student's own code raises, we show the mistake that the check suggests.
 
     ``complete`` lists modules that the student uses but did not write, such as
     ch02_vectors/arguments.py. If the exception comes from a worker process, its attribute ``fault``
@@ -73,8 +72,8 @@ def explain_import(
 ) -> Message:
     """Build the message that explains to a student why a module cannot be imported.
 
-    ``complete`` lists the modules that the student did not write. The message points to a line in
-    one of them only if no line of the student's own is involved.
+    ``complete`` lists the modules that the student did not write. The message points to a line of
+    these modules only if the error involves no line that the student wrote.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -96,7 +95,7 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Build the message for a check that ran out of time, and point to the line that was running.
+    """Build the message for a check that ran out of time, with the line that was running.
 
     ``stack`` is the stack trace that the process wrote to a file. It may contain anything, because
     the student's code can write to that file too.
@@ -135,10 +134,10 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether a line that raised an exception is in code that the student was given.
+    """Return True if the line that raised an exception is in code that the student was given.
 
-    If so, the mistake is in the code that called it. Constructors count as given, because students
-    never write them.
+    In that case, the mistake is in the code that called it. Constructors count as given, because
+    students never write them.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 

@@ -47,9 +47,11 @@ class StudentLeft(BaseException):
 class Fault:
     """A description of an exception in a student's code that can be sent to another process.
 
-    ``frames`` lists the lines of the traceback that are in the student's files. For a syntax error,
-    ``syntax`` holds the file, the line number and the text that Python could not parse. If the
-    exception is about a name that does not exist, ``unknown`` describes that name.
+    Attributes:
+        frames: The lines of the traceback that are in the student's files.
+        syntax: For a syntax error, the file, the line number and the text that Python could not
+            parse.
+        unknown: The name that does not exist, if that caused the exception.
     """
 
     type: str

@@ -1,7 +1,8 @@
 """Find out which failures in a chapter come from mistakes in earlier chapters.
 
-To do so, run the chapter's checks a second time, with our solutions of the earlier chapters. If a
-check passes this time, an earlier chapter was to blame, and the check is marked as inherited.
+The chapter's checks run a second time, with our solutions in place of the student's earlier
+chapters. If a failed check now passes, an earlier chapter was to blame, and the check is marked as
+inherited.
 """
 
 from __future__ import annotations
@@ -28,11 +29,11 @@ def with_given(
 ) -> Iterator[list[Path]]:
     """Create a context in which our solutions serve as the code of the ``given`` chapters.
 
-    The with statement yields the folders to search for code. The first of them is a temporary
-    folder with copies of our solutions. The folders of ``engine`` follow it.
+    The context manager yields the folders to search for code. The first is a temporary folder with
+    copies of our solutions, and the folders of ``engine`` come after it.
 
     Raises:
-        ValueError: ``root`` does not contain our solution of a given chapter. No handout does.
+        ValueError: ``root`` does not contain our solution of a given chapter, as in every handout.
     """
     if not given:
         yield engine
@@ -51,7 +52,7 @@ def with_given(
 
 
 def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
-    """Return whether our solution of a chapter is available, which it never is in a handout."""
+    """Return True if our solution of a chapter is available. Handouts contain no solutions."""
     return (root / "solutions" / chapter.name).is_dir()
 
 
@@ -101,11 +102,11 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """For each check that failed in both runs, keep the verdict of the second run.
+    """For each check that failed in both runs, replace the first verdict with the second.
 
     ``verdicts`` come from the first run, and ``again`` from the run with our solutions of the
     earlier chapters. In the second run, only the student's code in this chapter can have caused a
-    failure. Its verdict therefore explains the failure better.
+    failure. The second verdict therefore explains the failure better.
     """
     second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
     return [
@@ -144,7 +145,7 @@ def below_and_not_given(
 
 
 def _is_unwritten(verdict: Verdict) -> bool:
-    """Return whether a check fails only because a function of its chapter is not written yet."""
+    """Return True if a check fails only because a function of its chapter is not written yet."""
     message = verdict.message
     return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
 
@@ -155,6 +156,6 @@ def _number(exercise: str) -> str:
 
 
 def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
-    """Return whether a failed check got stuck in this chapter's code, as in an endless loop."""
+    """Return True if a failed check got stuck in this chapter's code, as in an endless loop."""
     hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
     return any(m.where and m.where.file.startswith(f"{chapter.name}/") for m in hung)

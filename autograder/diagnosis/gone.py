@@ -1,6 +1,6 @@
 """Tell students when a check fails because they have deleted or renamed a function.
 
-When a function from the manifest is gone, Python reports only that some name is missing. This
+If a function from the manifest is missing, Python reports only that a name does not exist. This
 module adds to the message that the student has removed the stub, and says how to restore it.
 """
 
@@ -26,9 +26,9 @@ def explain_gone(
 ) -> Message:
     """Explain a failed check to a student who has deleted or renamed a function.
 
-    ``edits`` lists for each exercise the full names of the functions to write, such as
-    vector.Vector3.dot. ``defined`` returns the names that a module defines. If the check failed for
-    any other reason, its message stays the same.
+    If the check failed for any other reason, return its message unchanged. ``edits`` lists, for
+    each exercise, the full names of the functions to write, such as vector.Vector3.dot. ``defined``
+    returns the names that a module defines.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -72,7 +72,7 @@ def _names(says: str, name: str) -> bool:
 def _words(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Write the advice for a student who has deleted or renamed a function: how to restore it."""
+    """Tell a student who has deleted or renamed a function how to restore it."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
     if prefix and not any(name.startswith(prefix) for name in there):
         short = own_name(f"{module}.{path}")

@@ -57,7 +57,7 @@ def file_of(module: str) -> str:
 def broken_module(name: str, why: Message) -> ModuleType:
     """Create a placeholder for a student's module that cannot be imported.
 
-    The checks can still import any name from it. A check that calls such a name ends with the
+    Checks can import any name from the placeholder. A check that calls such a name ends with the
     message ``why``.
     """
     module = ModuleType(name)

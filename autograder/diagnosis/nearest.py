@@ -1,8 +1,7 @@
 """Guess which name a student meant when the code uses one that does not exist.
 
-Python's error contains only the missing name. The names that do exist are known only in the process
-that ran the student's code. That process therefore finds the most similar one and reports it as
-plain data.
+Python's error contains only the missing name. Only the process that ran the student's code knows
+which names exist. That process therefore finds the most similar one and reports it as plain data.
 """
 
 from __future__ import annotations
@@ -33,8 +32,8 @@ class Unknown:
     Attributes:
         of: The type or file that lacks the name. It is empty for a variable.
         nearest: The most similar name that exists.
-        slots: The attributes that the object may have, if the code tried to assign to another one.
-        module: Whether the name is a standard library module that was not imported.
+        slots: The attributes that the class allows, if the code tried to set another one.
+        module: True if the name is a standard library module that was not imported.
     """
 
     name: str
@@ -145,7 +144,7 @@ def _innermost(traceback: TracebackType | None) -> FrameType | None:
 
 
 def _assigns(traceback: TracebackType | None) -> bool:
-    """Return whether an error was raised by an assignment to an attribute, as in p.mas = 3."""
+    """Return True if an assignment to an attribute, such as p.mas = 3, raised an error."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
     if traceback is None:

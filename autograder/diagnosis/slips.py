@@ -1,6 +1,6 @@
 """Explain Python's error messages that students find hard to understand.
 
-Each one is recognized by a part of its text.
+Each message is recognized by a part of its text.
 """
 
 from __future__ import annotations
@@ -148,7 +148,7 @@ PERHAPS = (
 
 
 def slip_of(text: str) -> str:
-    """Explain which common Python mistake causes an exception with this text.
+    """Explain the common Python mistake behind an exception with this text.
 
     For example, "circular import" means that two files import each other. If the text is not one
     that we recognize, return an empty string.

@@ -27,8 +27,8 @@ class CompiledLoader(SourceFileLoader):
 class CompiledFinder:
     """An import hook that supplies modules from bytecode in memory, so that workers start faster.
 
-    The modules are the student's own and those with probes. A probe is a helper function of a check
-    that must run in the same process as the student's code.
+    It supplies the student's modules and our probes. A probe is a helper function of a check that
+    must run in the same process as the student's code.
 
     ``compiled`` maps the name of a module, such as ch02_vectors.vector, to its bytecode in the
     format of ``marshal``. Loading bytecode does not run it, so even the trusted template process

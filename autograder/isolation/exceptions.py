@@ -1,7 +1,7 @@
 """Recreate an exception that a student's code raised in a worker, so that a check can catch it.
 
-The worker process is not trusted and could send anything. If the data does not describe an
-exception, the worker has violated the protocol.
+The worker process is not trusted and could send anything. Data that does not describe an exception
+is therefore rejected with a BrokenProtocolError.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Return the name of the built-in class to which an exception belongs, such as "ValueError".
+    """Return the name of the nearest built-in class of an exception, such as "ValueError".
 
-    An exception is sent to a worker by name, and the worker knows only built-in exceptions. An
-    instance of a subclass of ValueError is therefore sent as "ValueError".
+    Exceptions are sent to a worker by name, and the worker knows only built-in ones. An instance of
+    a subclass of ValueError is therefore sent as "ValueError".
     """
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
@@ -81,10 +81,10 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Read from a worker's data which unknown name made the student's code raise an exception.
+    """Read from a worker's data which missing name caused an exception in the student's code.
 
-    The result contains this name, such as "Vector", and the most similar name that exists, such as
-    "Vector3". If the exception has another cause, the result is None.
+    The result contains both the missing name, such as "Vector", and the most similar name that
+    exists, such as "Vector3". If the exception has another cause, the result is None.
     """
     if data is None:
         return None
@@ -96,8 +96,7 @@ def _unknown(data: Any) -> Unknown | None:
 def text_of_worker(value: Any, longest: int) -> str:
     """Shorten a string from a worker to ``longest`` characters, and escape unprintable ones.
 
-    Student code could have sent anything, even control characters that clear the instructor's
-    screen.
+    The string could contain anything, even control characters that clear the instructor's screen.
 
     Raises:
         BrokenProtocolError: The worker sent something other than a string.

@@ -1,9 +1,10 @@
-"""Let a check use a student's objects through handles, because they live in another process.
+"""Provide handles, through which a check uses a student's objects in another process.
 
 If ``v`` is a handle, ``v.x`` sends a request to the worker process that runs the student's code,
 and waits for the answer. A check cannot compare a handle, convert it or use it as a truth value,
 because the student's code would then decide the outcome. Instead the check must read plain numbers
-and compare them itself, so an object whose ``__eq__`` always returns True gains nothing.
+and compare them itself. An object whose ``__eq__`` always returns True therefore cannot fool a
+check.
 """
 
 from __future__ import annotations
@@ -29,10 +30,10 @@ class WorkerFailure(CheckEnded):
 
 
 class Session:
-    """A check's conversation with the worker process that runs the student's code.
+    """A session between a check and the worker process that runs the student's code.
 
-    The check sends requests, such as a function call, and the worker answers each one. If a module
-    of the student cannot be imported, ``broken`` maps its name to the reason.
+    The check sends requests, such as a function call, and the worker answers each one. ``broken``
+    maps each student module that cannot be imported to the reason.
     """
 
     def __init__(
@@ -57,7 +58,7 @@ class Session:
     def ask(self, what: str, *operands: Any) -> Any:
         """Send a request about the student's code to the worker process, and return its answer.
 
-        If the student's code raises an Exception, the nearest built-in one is raised here. The
+        If the student's code raises an Exception, this method raises the nearest built-in one. The
         check can then handle it like any other error.
 
         Raises:
@@ -77,8 +78,7 @@ class Session:
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
         """Send one request to the worker and wait for its reply.
 
-        Meanwhile the student's code may call functions that the check passed to it. These calls are
-        answered while waiting.
+        While waiting, answer any calls that the student's code makes to functions of the check.
         """
         try:
             self.wire.send(message, self.deadline)
@@ -121,7 +121,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Tell the student which function or class a module should define but does not."""
+        """Build the message about a function or class that the student's module does not define."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -133,7 +133,7 @@ class Session:
 
         This happens when a check passes a function, such as a force, to the student's code. If the
         function raises an Exception, the worker raises it in the student's code. If it raises
-        anything else, such as KeyboardInterrupt, the conversation with the worker is over.
+        anything else, such as KeyboardInterrupt, the session ends.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
@@ -174,8 +174,8 @@ class Session:
 class Handle:
     """Stands in for one of the student's objects inside a check.
 
-    The object itself lives in the worker process. Reading an attribute of the handle, calling it or
-    adding it to another one asks the worker to do the same with the object.
+    The object itself lives in the worker process. When a check reads an attribute of the handle,
+    calls it or adds it to another one, the worker does the same with the object.
     """
 
     __slots__ = ()

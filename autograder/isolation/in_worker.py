@@ -1,8 +1,8 @@
 """Run the checks in this process, and the student's code in a new worker process for each check.
 
 When a check file imports a chapter, it gets placeholders for the student's functions and classes.
-As soon as a check uses a placeholder, the placeholder sends a request to the current worker. That
-way the check files need to be imported only once, even though every check has its own worker.
+Whenever a check uses a placeholder, a request is sent to the current worker. Check files therefore
+need to be imported only once, even though every check has its own worker.
 """
 
 from __future__ import annotations
@@ -165,7 +165,8 @@ class InWorker:
     def definitions(self, file: Path) -> set[str] | None:
         """Ask the worker process for the names that a student's file defines.
 
-        The student's code may have damaged the process. If there is no valid answer, return None.
+        Return None if there is no valid answer, because the student's code may have damaged the
+        process.
         """
         if self.session is None or self.session.dead:
             return None
@@ -177,7 +178,7 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return the session with the current worker process, and restart its time limit.
+        """Return the session with the current worker process, and restart the time limit.
 
         If there is no current worker, or ``new`` is set, start a new one first.
         """
@@ -205,7 +206,7 @@ class InWorker:
         return printed
 
     def _on_hang(self) -> NoReturn:
-        """Save a stack trace of student code that does not return, and exit this process.
+        """Save a stack trace of student code that has taken too long, and exit this process.
 
         The runner then shows the student where the code was stuck, and starts another process for
         the remaining checks.
@@ -219,8 +220,8 @@ class InWorker:
 class Name(Handle):
     """A placeholder for a name in a student's module, such as Vector3.
 
-    A check file imports it once. Each check then uses it to reach the student's class or function
-    in the worker process of that check.
+    The placeholder is created once, when a check file is imported. In each check, it refers to the
+    student's class or function in the worker process of that check.
     """
 
     __slots__ = ("_module", "_name", "_workers")
@@ -272,8 +273,8 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 class ChapterModule(ModuleType):
     """The stand-in that a check file gets when it imports a student's module.
 
-    Outside a check its attributes are placeholders. During a check they are the current values,
-    read from the worker process that runs the student's code.
+    Outside a check, its attributes are placeholders. During a check, their current values are read
+    from the worker process that runs the student's code.
     """
 
     def __init__(self, workers: InWorker, name: str) -> None:
@@ -291,7 +292,7 @@ class ChapterModule(ModuleType):
 def _exit_with_parent() -> None:
     """Exit as soon as standard input closes, which means that the grader's process has ended.
 
-    Otherwise this process would outlive a grader that was killed.
+    Otherwise this process would keep running after the grader was killed.
     """
     while os.read(0, 1024):
         pass

@@ -1,9 +1,9 @@
-"""Start processes that run checks, without having to import pytest anew in each of them.
+"""Start processes that run checks, without importing pytest in each of them.
 
-A process that runs checks is called a judge. Because importing pytest takes a while, one helper
-process imports it and then waits for orders. For each run of checks it forks a judge, which behaves
-as if it had been started as a new Python process. The helper itself never runs a check, never sees
-a submission, and ends with the grader.
+A process that runs checks is called a judge. Because importing pytest takes a while, a helper
+process imports it once and then waits for requests. For each run of checks it forks a judge, which
+behaves like a newly started Python process. The helper itself never runs a check, never sees a
+submission, and ends with the grader.
 """
 
 from __future__ import annotations
@@ -45,12 +45,11 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order to the process that forks check processes, and return the answer.
+        """Send a request to the helper process, and return its answer.
 
-        If the order is to run checks, the answer is the process number of the new check process. If
-        the order is to wait for a check process to end, the answer is the exit code of that
-        process. ``descriptors`` are open files to send along, which a new process uses as its
-        standard streams.
+        A request to run checks is answered with the process ID of the new check process. A request
+        to wait for a check process is answered with the exit code of that process. ``descriptors``
+        are the open files that a new check process uses as its standard streams.
         """
         data = json.dumps(order).encode() + b"\n"
         sent = socket.send_fds(self._control, [data], descriptors)
@@ -58,7 +57,7 @@ class Judges:
         return int(self._answers.readline())
 
     def close(self) -> None:
-        """End the process that forks check processes.
+        """End the helper process.
 
         Any check processes that are still running end later, when their standard input closes.
         """
@@ -95,7 +94,7 @@ class ForkedJudge:
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Send an order to the process that forks check processes, starting it first if necessary."""
+    """Send a request to the process that forks check processes, and start it first if necessary."""
     own = os.getpid()
     with _lock:
         if own not in _waiting:
@@ -108,7 +107,7 @@ def _ask(order: Order, descriptors: list[int]) -> int:
 
 
 def main() -> None:
-    """Fork a process that runs checks whenever the grader orders one, until the grader ends."""
+    """Handle the grader's requests, such as to start a check process, until the grader ends."""
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting
@@ -150,8 +149,8 @@ def main() -> None:
 def _become(order: Order, descriptors: list[int]) -> None:
     """Turn this forked copy into the check process that ``order`` describes.
 
-    It adopts the working folder and the environment named in the order, and uses ``descriptors`` as
-    its standard streams.
+    The process adopts the working folder and the environment variables given in ``order``, and uses
+    ``descriptors`` as its standard streams.
     """
     os.setpgid(0, 0)
     for new, old in enumerate(descriptors):

@@ -1,4 +1,4 @@
-"""Choose the sandbox for students' code, or refuse to grade a class on a machine without one."""
+"""Choose the sandbox for students' code, or refuse to grade a class without one."""
 
 from __future__ import annotations
 

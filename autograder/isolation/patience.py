@@ -1,8 +1,8 @@
 """Give a student's code more time if it was slow only because the machine was busy.
 
-The time limit of a check is in real time, because code that does nothing but wait must be stopped
-too. On a busy machine, however, the worker process that runs the code may get the processor for
-only a fraction of that time. Correct code would then seem too slow.
+The time limit of a check is in real time, because code that only waits must be stopped too. On a
+busy machine, however, the worker process that runs the code may get the processor for only a
+fraction of that time. Correct code would then seem too slow.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ ENOUGH = 0.5  # a worker that had this part of the time limit on a processor get
 class Patience:
     """Extra time for a student's code on a busy machine, granted at most once for each check.
 
-    ``process`` is the process number of the worker that runs the code, and ``seconds`` is the time
-    limit. Inside a bubblewrap sandbox, processes are numbered differently, so we cannot tell how
-    much processor time the worker has used. In that case ``process`` is 0.
+    ``process`` is the process ID of the worker that runs the code, and ``seconds`` is the time
+    limit. Inside bubblewrap, process IDs are different, so we cannot tell how much processor time
+    the worker has used. In that case ``process`` is 0.
     """
 
     def __init__(self, process: int, seconds: float) -> None:
@@ -28,8 +28,8 @@ class Patience:
     def more(self) -> float:
         """Compute how many extra seconds the worker process gets to finish a check.
 
-        If it has used the processor for less than half of its time limit, it gets the unused part
-        of the limit. Otherwise, or if it has had extra time before, it gets 0 seconds.
+        A worker that has used the processor for less than half of its time limit gets the unused
+        part. If it has used more, or has already had extra time, the result is 0.
         """
         used = processor_time(self.process)
         self.process = 0

@@ -37,7 +37,7 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Test a sandbox by trying forbidden operations in it, and name those that it fails to prevent.
+    """Test a sandbox by trying forbidden operations in it, and report those that succeed.
 
     The operations include reading a file and reaching the network.
 

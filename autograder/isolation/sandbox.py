@@ -5,7 +5,7 @@ The code runs in a worker process, which several Linux mechanisms restrict toget
 - Landlock lets the worker read a few folders and write nothing.
 - A seccomp filter allows only the system calls that a computation needs. The worker cannot create
   processes, open sockets, or send signals to other processes.
-- Where bubblewrap is available, it walls off the whole process.
+- Where bubblewrap is available, it isolates the whole process from the system.
 - Resource limits cap memory, processor time, and the number and size of files.
 
 All of this is in place before any student code is loaded.
@@ -39,7 +39,8 @@ class SandboxError(Exception):
 class Level:
     """The layers of the sandbox that can confine a student's code on this machine.
 
-    There are three: Landlock, seccomp and bubblewrap. Not every machine supports all of them.
+    The possible layers are Landlock, seccomp and bubblewrap. Not every machine supports all of
+    them.
     """
 
     landlock: bool = False
@@ -48,9 +49,9 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """Whether these layers are enough to contain even a hostile submission.
+        """True if these layers are enough to contain even a hostile submission.
 
-        That takes either bubblewrap or both Landlock and seccomp.
+        That requires either bubblewrap or both Landlock and seccomp.
         """
         return (self.landlock and self.seccomp) or self.bubblewrap
 
@@ -94,7 +95,7 @@ def landlock_rules(readable: Sequence[str]) -> int:
     all.
 
     Returns:
-        The file descriptor that stands for the rules.
+        A file descriptor for the rules.
 
     Raises:
         SandboxError: The kernel does not accept the rules.
@@ -177,7 +178,7 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return whether our filter of system calls works on this machine.
+    """Return True if our filter of system calls works on this machine.
 
     The filter lists system calls by their numbers on 64-bit Linux for x86-64. Other machines use
     different numbers.
@@ -223,10 +224,10 @@ def confine(level: Level, rules: int | None) -> None:
 
 
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
-    """Permanently take away a worker's right to start processes and to send signals.
+    """Permanently prevent a worker from starting processes and from sending signals.
 
-    This happens before the worker loads any student code. The template process that forks the
-    workers needs both rights, so ``confine`` leaves them in place. ``seconds`` is how much
+    This happens before the worker loads any student code. ``confine`` still allows both, because
+    the template process needs them to fork and control the workers. ``seconds`` is how much
     processor time the worker may use.
 
     Raises:

@@ -96,8 +96,8 @@ class Server:
         """Return a reference through which a check can use an object of the student's code.
 
         An example is ``{"object": 3, "type": "Vector3"}``, where 3 is the object's position in a
-        list. The list also keeps the object alive. Otherwise Python could reuse its id for another
-        object.
+        list. The list also keeps the object alive, because Python could otherwise reuse its id for
+        another object.
         """
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):
@@ -107,8 +107,8 @@ class Server:
     def find(self, data: dict[str, Any]) -> Any:
         """Return the object that a reference in a check's request stands for.
 
-        If the reference stands for a function of the check, return a stand-in that calls the
-        function in the checks' process.
+        For a reference to a function of the check, return a stand-in that calls the function in the
+        checks' process.
         """
         if "object" in data:
             return self.objects[data["object"]]
@@ -119,7 +119,7 @@ class Server:
     def callback(self, number: int) -> Callable[..., Any]:
         """Create a stand-in for a function of the check, which the student's code can call.
 
-        The function itself stays in the checks' process, which knows it by its ``number``. Calling
+        The function itself stays in the checks' process, where ``number`` identifies it. Calling
         the stand-in sends the arguments there and waits for the result.
         """
 
@@ -140,10 +140,10 @@ class Server:
     # The requests. Each method's name is "do_" and the name of its request.
 
     def do_begin(self, broken: list[str]) -> None:
-        """Put placeholders in place of those student modules that cannot be imported.
+        """Put placeholders in place of the student's modules that cannot be imported.
 
-        A check that uses a name from such a module fails. The placeholders need no explanation for
-        the student, because the checks' process supplies it.
+        A check that uses a name from such a module fails. The checks' process explains the reason
+        to the student, so the placeholders contain no explanation.
         """
         for module in broken:
             sys.modules[module] = broken_module(module, Message())

@@ -1,9 +1,9 @@
 """Start a template: the process from which workers for student code are forked.
 
 A new Python process needs 70 ms to start and to import the modules of a template. The grader needs
-a template for each chapter and submission, so it keeps a process waiting that has already imported
-these modules. That process forks a template for each order, and it never runs any student code. It
-ends once every process that could send it orders has ended. Where forking is not possible, the
+a template for each chapter and submission. To save time, it starts one helper process that imports
+these modules and then forks a template for each request. The helper never runs any student code. It
+ends once every process that could send it requests has ended. Where forking is not possible, the
 template is started as a new Python process.
 """
 
@@ -31,10 +31,10 @@ _waiting: list[socket.socket] = []
 
 
 def start_waiting() -> None:
-    """Start a process that waits for orders, and forks a template for each of them.
+    """Start a helper process that waits for requests, and forks a template for each of them.
 
-    A template in turn forks the workers that run student code. The orders arrive on a socket that
-    never splits or joins messages. On a system without such sockets, no process is started here,
+    A template in turn forks the workers that run student code. The requests arrive on a socket that
+    never splits or joins messages. On a system without such sockets, no helper process is started,
     and each template will be a new Python process.
     """
     with contextlib.suppress(OSError, AttributeError):
@@ -47,11 +47,11 @@ def start_waiting() -> None:
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
     """Ask the waiting helper process to fork a template, the process that later forks workers.
 
-    ``control`` is the template's end of the socket for its orders. ``log`` is the file descriptor
-    to which the template's output goes.
+    ``control`` is the socket on which the template will receive its requests. ``log`` is the file
+    descriptor to which the template's output goes.
 
     Returns:
-        Whether the order was sent. If not, no helper process is waiting, and the template must be
+        True if the request was sent. If not, no helper process is waiting, and the template must be
         started in another way.
     """
     for waiting in _waiting:

@@ -1,7 +1,7 @@
 """Start and control the process from which a worker is forked for every check.
 
 The workers run the student's code. This module is on the trusted side: it starts the template
-process, orders workers from it, and ends them.
+process, requests workers from it, and ends them.
 """
 
 from __future__ import annotations
@@ -62,8 +62,8 @@ class Template:
     student's chapters, and then in ``probes``. ``folder`` is for temporary files, and ``seconds``
     is how long a worker may take to answer.
 
-    If ``fresh`` is set, each worker gets a template of its own. That is slower. Without seccomp,
-    however, it is the only way to keep one worker from affecting the next.
+    If ``fresh`` is set, each worker gets a template of its own. That is slower, but without seccomp
+    it is the only way to keep one worker from affecting the next.
     """
 
     def __init__(
@@ -93,10 +93,10 @@ class Template:
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
     ) -> Session:
-        """Start a conversation with a worker process that has not run any student code yet.
+        """Start a session with a worker process that has not run any student code yet.
 
-        Unless ``fresh`` is set, the worker after this one is ordered too, so that it is ready for
-        the next check. ``broken`` maps each student module that cannot be imported to the reason.
+        Unless ``fresh`` is set, the following worker is requested too, so that it is ready for the
+        next check. ``broken`` maps each student module that cannot be imported to the reason.
 
         Raises:
             TemplateError: The worker did not start.
@@ -117,7 +117,7 @@ class Template:
         return Session(wire, deadline, on_hang, self.how_it_ended, broken, patience)
 
     def warm_up(self) -> None:
-        """Order the next worker process in advance, without waiting until it is ready.
+        """Request the next worker process in advance, without waiting until it is ready.
 
         It then starts in the background, for example while pytest collects the checks.
         """
@@ -148,7 +148,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, as soon as its process number is known."""
+        """Return the worker that was requested in advance, as soon as its process ID is known."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -159,7 +159,7 @@ class Template:
         return self._answers.readline().strip()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Hand the bytecode of the student's modules to all workers that start from now on.
+        """Pass the bytecode of the student's modules to all workers that start from now on.
 
         They then import these modules without compiling them again.
         """

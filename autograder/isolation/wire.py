@@ -2,8 +2,8 @@
 
 Each message is one line of JSON. A value is sent as is if its type is exactly None, bool, int,
 float, str, list, tuple or dict. Any other object stays in its process, and only a reference such as
-``{"object": 3}`` is sent. If the other process sends the reference back, it is replaced by the
-object again.
+``{"object": 3}`` is sent. If the other process sends the reference back, the reference is replaced
+by the object.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class Wire:
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
         """Send a message to the process at the other end, which is either a worker or the checks.
 
-        ``deadline`` is a time as in ``time.monotonic()``, or None to wait as long as necessary.
+        ``deadline`` is a ``time.monotonic()`` time, or None to wait as long as necessary.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -87,7 +87,7 @@ class Wire:
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
         """Wait for the next message from the process at the other end, and return it.
 
-        ``deadline`` is a time as in ``time.monotonic()``, or None to wait as long as necessary.
+        ``deadline`` is a ``time.monotonic()`` time, or None to wait as long as necessary.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -141,8 +141,8 @@ def _message(line: bytes) -> dict[str, Any]:
 def pack(value: Any, refer: Refer) -> Any:
     """Convert a value to a form that can be sent as JSON between the checks and the student's code.
 
-    ``refer`` is called for every object that is not plain data, and returns a reference such as
-    ``{"object": 3}`` to send in its place.
+    ``refer`` is called for every object that is not plain data. It returns a reference such as
+    ``{"object": 3}``, which is sent in place of the object.
 
     Raises:
         UnsendableError: The value is too large or too deeply nested.
@@ -175,9 +175,10 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Rebuild a value from the JSON data into which ``pack`` converted it.
+    """Rebuild a value from the JSON data that ``pack`` created.
 
-    ``find`` is called for every reference in the data, and returns the object it stands for.
+    ``find`` is called for every reference in the data, and returns the object that the reference
+    stands for.
 
     Raises:
         BrokenProtocolError: The data does not have the form that ``pack`` produces.

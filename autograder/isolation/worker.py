@@ -1,6 +1,6 @@
 """The program of the template process and of the workers, which run a student's code.
 
-The program starts as a template, without any student code, and waits for orders on a control
+The program starts as a template, without any student code, and waits for requests on a control
 socket:
 
 - "code" brings the bytecode of some modules. The template loads it but never runs it.
@@ -9,7 +9,7 @@ socket:
 - "status" asks how a worker ended.
 - "stop" ends a worker.
 
-The template is trusted. A worker stops being trusted once it has imported the student's code.
+The template is trusted. A worker is no longer trusted once it has imported the student's code.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ RULES, WIRE, STACK = 29, 30, 31
 
 
 def start_templates(number: str) -> None:
-    """Wait for orders on a socket, and fork a template process for each of them.
+    """Wait for requests on a socket, and fork a template process for each of them.
 
     A template in turn forks the workers that run student code. ``number`` is the file descriptor of
     the socket, as text. The function returns when all senders have closed the socket.
@@ -92,10 +92,10 @@ def main(text: str) -> None:
 
 
 def run_template(config: dict[str, Any]) -> None:
-    """Turn this process into a template, which forks one worker for student code per order.
+    """Turn this process into a template, which forks one worker for student code per request.
 
     The template restricts itself before it forks the first worker, and the workers inherit the
-    restrictions. It ends when the control socket closes.
+    restrictions. The template ends when the control socket closes.
     """
     # The number of this descriptor depends on the files that the runner has open. We replace it by
     # a low one, because that cannot be one of the numbers above, and because workers close it.
@@ -133,9 +133,9 @@ def run_template(config: dict[str, Any]) -> None:
 def _obey(
     control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
 ) -> None:
-    """Carry out orders to the template, such as "start", until the control socket closes.
+    """Carry out requests to the template, such as "start", until the control socket closes.
 
-    ``workers`` is kept up to date with the process numbers of the running workers.
+    ``workers`` is updated to contain the process IDs of the running workers.
     """
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
@@ -206,7 +206,7 @@ def _work(
     """Turn this forked process into a worker, which enters the sandbox and then serves the checks.
 
     What the student's code prints goes to the file ``log``, and a stack trace goes to ``stack``.
-    Every worker has its own two files, so its output cannot be mistaken for that of another worker.
+    Each worker has its own two files, so the output of different workers is never mixed.
     """
     try:
         os.setsid()

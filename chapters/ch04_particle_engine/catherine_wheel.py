@@ -17,11 +17,10 @@ class CatherineWheel:
     """A wheel in the X-Y plane that rotates at a constant rate and throws sparks from its rim.
 
     ``center`` and ``radius`` are in m. The wheel rotates from X toward Y at ``rate`` in rad/s. A
-    nozzle on its rim throws ``sparks_per_second`` sparks in each second. The sparks are fireworks
-    of the type ``spark_type``, and the wheel adds them to ``show``. They leave the nozzle backward,
-    against the motion of the rim, at the speed ``jet`` in m/s. ``angle`` is the current angle of
-    the nozzle in radians, measured from the X axis, and ``thrown`` counts the sparks that have left
-    it.
+    nozzle on its rim throws ``sparks_per_second`` sparks per second, backward relative to the
+    motion of the rim, at the speed ``jet`` in m/s. The sparks are fireworks of the type
+    ``spark_type``, and the wheel adds them to ``show``. ``angle`` is the current angle of the
+    nozzle in radians, measured from the X axis. ``thrown`` is the number of sparks thrown so far.
 
     Raises:
         ValueError: if the show has no such type, the center is not finite, the radius or the rate

@@ -53,10 +53,10 @@ class CatherineWheel:
     def nozzle(self) -> Particle:
         """Create a particle at the nozzle of the wheel, from which new sparks start.
 
-        The particle is the parent of the sparks, so they start with its position and velocity.
-        Place it on the rim, at the wheel's angle, with a velocity perpendicular to the spoke. The
-        rim moves at ``rate`` times ``radius``, but the sparks are thrown backward, so the speed of
-        the particle is the speed of the rim minus ``jet``. Mini-project 4.4.
+        The particle is the parent of the sparks, so they start at its position, and its velocity is
+        added to theirs. Place it on the rim, at the wheel's angle, with a velocity perpendicular to
+        the spoke. The rim moves at ``rate`` times ``radius``. The sparks are thrown backward, so
+        the speed of the particle is the speed of the rim minus ``jet``. Mini-project 4.4.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")
 

@@ -25,7 +25,7 @@ POLICIES = ("keep_old", "drop_oldest")
 class Payload:
     """Fireworks of one type that another firework lights when it burns out.
 
-    ``count`` is how many there are, and ``type`` is the number of their type.
+    ``count`` is the number of fireworks, and ``type`` is the number of their type.
 
     Raises:
         ValueError: if the count is below 1.
@@ -87,8 +87,8 @@ class FireworkRule:
 class Firework:
     """A burning firework.
 
-    ``type`` is the number of its type, and ``particle`` moves it. ``age`` counts down: it is the
-    time in s until the firework burns out.
+    ``type`` is the number of its type, and ``particle`` holds its position and velocity. ``age``
+    counts down: it is the time in s until the firework burns out.
     """
 
     __slots__ = ("age", "particle", "type")
@@ -199,8 +199,8 @@ class FireworksShow:
         ``births`` describes the new fireworks as tuples (type, count, parent). They are added after
         the ones that already burn, in the order of these tuples. If there is no room for all of
         them, the policy ``when_full`` decides. "keep_old" lights only as many as fit, starting with
-        the first. "drop_oldest" puts out the oldest fireworks to make room, and if there are more
-        new fireworks than the capacity, it lights only the last of them. A call never creates more
+        the first. "drop_oldest" puts out the oldest fireworks to make room. If there are more new
+        fireworks than the capacity, it lights only the last of them. A call never creates more
         fireworks than the capacity, however large the counts are.
 
         Raises:

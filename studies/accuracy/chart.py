@@ -236,8 +236,8 @@ def _number(value: float) -> str:
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
     """Choose a color and a marker for each model in a chart.
 
-    Pymunk's models are black or gray, and the textbook's are red. The integrators of chapter 6 have
-    the same colors in all charts. All other models share the remaining colors.
+    Pymunk's models are black or gray, and the textbook's are red. Each integrator of chapter 6 has
+    the same color in all charts. All other models share the remaining colors.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)

@@ -142,7 +142,7 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save everything measured so far, so that an interrupted run of `make charts` can resume.
+    """Save all measurements so far, so that an interrupted run of `make charts` can resume.
 
     ``sign`` is the signature from ``sign_of``. The file is replaced in one step, so an interruption
     cannot leave a damaged file.
@@ -152,10 +152,10 @@ def save(measured: Measured, path: Path, sign: str) -> None:
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Load everything that an interrupted run of `make charts` has measured.
+    """Load the measurements of an interrupted run of `make charts`.
 
-    Return None if the file cannot be read, or if its signature is not ``sign``. In the latter case,
-    the measurements are out of date.
+    Return None if the file cannot be read, or if the measurements are out of date because their
+    signature differs from ``sign``.
     """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))

@@ -94,10 +94,10 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return how long a model takes to meet an error tolerance, in s, or None if it never does.
+    """Return how long a model takes, in s, to meet an error tolerance, or None if it never does.
 
-    ``points`` are the runs of the model. The time is interpolated between two runs, on logarithmic
-    scales.
+    ``points`` are the runs of the model. The time is interpolated between the two runs on either
+    side of the tolerance, on logarithmic scales.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     first = first_within(ordered, tolerance)
@@ -126,8 +126,8 @@ def stalls(points: Sequence[Point]) -> bool:
 def order_of(points: Sequence[Point]) -> float | None:
     """Measure a model's order of convergence from its runs with the most steps.
 
-    The order is the exponent p if the error is proportional to 1 / steps^p. It is measured while
-    the number of steps grows eightfold. Return None in these cases:
+    If the error is proportional to 1 / steps^p, the order is p. It is measured while the number of
+    steps grows eightfold. Return None in these cases:
 
     - The error does not fall steadily.
     - The error is a tenth of the scene's size or more, or so small that it is only rounding.

@@ -56,8 +56,8 @@ class Model:
     - ``steps``: the numbers of steps to try. It is (1,) for an exact model, such as a closed form,
       because such a model makes no steps.
     - ``by``: who wrote the model, "ours", "the book" or "pymunk".
-    - ``takes_tolerance``: True if the model chooses its own steps. Then ``steps`` holds values of 1
-      / tolerance instead, so a larger number still means a more accurate run.
+    - ``takes_tolerance``: True if the model chooses its own steps. Each number in ``steps`` is then
+      1 / tolerance, so a larger number still means a more accurate run.
     """
 
     name: str

@@ -136,10 +136,10 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Create random frame times, as in a game that does not run smoothly.
+    """Create random frame durations, as in a game whose frame rate varies.
 
-    Most frames take between 5 and 30 ms. At each time in ``spikes``, the computer is busy with
-    something else, and one frame takes SPIKE.
+    Most frames take between 5 and 30 ms. At each time in ``spikes``, one frame takes SPIKE, as if
+    the computer were busy with something else.
     """
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*spikes]
@@ -154,9 +154,9 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return the positions of all particles of a world as plain numbers.
+    """Return a copy of the positions of all particles of a world, as plain numbers.
 
-    The result is a copy, which does not change when the particles move on.
+    Later changes of the particles do not affect this copy.
     """
     return [numbers(particle.position) for particle in world.particles]
 
@@ -166,12 +166,12 @@ def in_frames(
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
     """Simulate a mass aggregate, such as the rope bridge, in frames of different lengths.
 
-    If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
-    step.
+    If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is a
+    single step.
 
     Returns:
-        The measured values over time, and a list with an entry for each frame. An entry holds the
-        number of steps so far and the positions of all particles.
+        The measured values over time, and a list with an entry for each frame. An entry is a
+        tuple of the number of steps so far and the positions of all particles.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)

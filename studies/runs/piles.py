@@ -21,9 +21,9 @@ from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver,
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
     """Simulate a stack of spheres, and record its height and the overlap of the spheres over time.
 
-    At the start each sphere just touches the next one. Nothing bounces. The height is that of the
-    top sphere's center. The overlap is the largest one between two spheres, or between a sphere and
-    the ground, as a fraction of the diameter.
+    The spheres just touch at the start, and do not bounce. The height is that of the top sphere's
+    center. The overlap is the largest one between two spheres, or between a sphere and the ground,
+    as a fraction of the diameter.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))

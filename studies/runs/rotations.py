@@ -166,7 +166,7 @@ def disc_orientation(time: float) -> Components:
 def disc_acceleration(time: float) -> Numbers:
     """Compute the angular acceleration of the thrown disc.
 
-    It is not zero, because the precession changes the direction of the spin axis all the time.
+    It is not zero, because the precession constantly changes the direction of the spin axis.
     """
     x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
     return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))

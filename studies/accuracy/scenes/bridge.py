@@ -120,8 +120,8 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 def hanging(extra: float = 0.0) -> list[Place]:
     """Compute with SciPy where the planks' ends on one side of the rope bridge come to rest.
 
-    At rest, all cables are taut, and their tensions balance the weights. ``extra`` is added to the
-    length of every cable, in m.
+    At rest, all cables are taut, and their tensions balance the weights. Every cable is made longer
+    by ``extra``, in m.
     """
     held = cables()
 
@@ -152,8 +152,8 @@ def hanging(extra: float = 0.0) -> list[Place]:
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
     """Replace the cables and rods of the rope bridge by two-sided rods.
 
-    A two-sided rod pushes as well as pulls, while a cable only pulls. The two behave alike as long
-    as all cables are taut.
+    A two-sided rod can both push and pull, while a cable can only pull. This makes no difference as
+    long as all cables are taut.
     """
     found: list[ContactGenerator] = []
     for link in links_of(rows):
@@ -172,8 +172,8 @@ def by_world(
 ) -> Outcome:
     """Simulate the rope bridge as a ParticleWorld, which treats cables and rods as contacts.
 
-    ``links`` is a function that creates the cables and rods, and ``resolver`` resolves their
-    contacts after each step. The particles have the same damping as in chapter 8.
+    ``links`` is a function that creates the cables and rods. After each step, ``resolver`` resolves
+    their contacts. The particles have the same damping as in chapter 8.
     """
     ends, _, held = hung(links)
     world, work = ParticleWorld(ends, held, integrator=integrator), 0
@@ -211,9 +211,9 @@ def whole() -> tuple[list[Particle], list[Any]]:
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Build the flat rope bridge that pymunk simulates, but with particles and cables.
+    """Build the flat rope bridge that pymunk simulates, but with our particles and cables.
 
-    It has no rods, and all of its planks' ends have z = 0. Return the ends and the cables.
+    All planks' ends have z = 0, and there are no rods. Return the ends and the cables.
     """
     ends, rows, _ = hung(links_of)
     links: list[Any] = []

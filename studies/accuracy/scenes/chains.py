@@ -80,7 +80,7 @@ class Chain:
     def by_its_angles(self) -> AngleChain:
         """Create an AngleChain, which describes the chain by the angles of its rods.
 
-        If all masses are equal, create an AngleRope instead, which takes less time per step.
+        If all masses are equal, create an AngleRope instead, which is faster.
         """
         _, masses, angles = self.angles()
         if len(set(masses)) == 1:
@@ -117,10 +117,10 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Create all models of a chain of rods: first ours, and then pymunk's.
+    """Create all models of a chain of rods, ours first and then pymunk's.
 
     A model is one way to simulate the chain, for example with a certain integrator. Most of our
-    models run once for each number of steps per frame in ``steps``.
+    models try all numbers of steps per frame in ``steps``.
     """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),

@@ -81,8 +81,8 @@ class Balls:
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
         """Find the next impact of a ball with the ground or with the ball below it.
 
-        Return the time until the impact in s, and the index of the upper ball. For an impact with
-        the ground, the index is 0.
+        Return the time until the impact in s, and the index of the ball. If two balls collide, it
+        is the index of the upper one, and for an impact with the ground it is 0.
         """
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
@@ -137,7 +137,7 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
     """Compute the height of a bouncing ball in every frame from the times of its impacts.
 
-    Between two impacts the height has a closed form, so no time steps are needed.
+    No time steps are needed, because the height has a closed form between two impacts.
     """
     (height,) = balls.heights
     heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)

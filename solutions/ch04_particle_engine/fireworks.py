@@ -141,14 +141,14 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
 
 class FireworksShow:
-    """A fireworks show. ``fireworks`` lists those that burn, in the order in which they were lit.
+    """A fireworks show, which lights fireworks, moves them and removes the ones that burn out.
 
-    At most ``capacity`` fireworks burn at a time, even if their types light each other forever.
-    ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are
-    lit, as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room,
-    as in the book's listing (erratum E-20). In both cases ``dropped`` counts the fireworks that
-    were not lit, or were put out, because the show was full. The same ``seed`` always gives the
-    same show.
+    ``fireworks`` lists the burning fireworks in the order in which they were lit. There are at most
+    ``capacity`` of them, even if their types light each other forever. ``when_full`` decides what
+    happens when the show is full. With "keep_old" no new fireworks are lit, as the book's text
+    says. With "drop_oldest" the oldest fireworks are put out to make room, as in the book's listing
+    (erratum E-20). In both cases ``dropped`` counts the fireworks that were not lit, or were put
+    out, because the show was full. The same ``seed`` always gives the same show.
 
     Raises:
         ValueError: if two rules have the same type, a payload has a type without a rule, the

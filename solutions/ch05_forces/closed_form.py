@@ -56,9 +56,11 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
     """Compute the speed in m/s of a body after drag alone has acted on it for ``time`` s.
 
-    Let v be the ``speed`` at the start, and s = k1 t / m. The result is v e^-s / (1 + k2 v (1 -
-    e^-s) / k1). If k1 is 0, this formula divides by 0, so replace (1 - e^-s) / k1 by its limit t /
-    m.
+    Let v be the ``speed`` at the start, and s = k1 t / m. The result is
+
+        v e^-s / (1 + k2 v (1 - e^-s) / k1)
+
+    If k1 is 0, this formula divides by 0, so replace (1 - e^-s) / k1 by its limit, which is t / m.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not

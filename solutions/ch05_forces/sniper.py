@@ -34,7 +34,7 @@ class Target:
     """A disc that faces the rifle, at which the player shoots.
 
     Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring times
-    ``factor``, which can be larger for distant targets.
+    ``factor``, which is larger for more distant targets.
     """
 
     x: float

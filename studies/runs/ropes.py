@@ -1,7 +1,7 @@
 """Simulate a rope that hangs between two nails, and compute its exact shape.
 
 The simulated rope is a chain of rods or a DirectChain. It has the length LENGTH, and a particle of
-1 kg wherever two links meet. The nails are at height 0, at a distance of SPAN.
+1 kg wherever two links meet. The nails are at height 0, SPAN apart.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Check arguments, and reject invalid values with an error that names the argument.
 
-If the value is valid, the function returns it. Most functions for numbers convert it to a float,
-and the one for vectors copies it. If the value is invalid, the function raises ValueError, or
-TypeError if the type is wrong. The message contains the name and the value of the argument.
+Each function returns the value if it is valid. Most numbers are converted to floats, and vectors
+are copied. If the value is invalid, the function raises ValueError, or TypeError if the type is
+wrong. The message contains the name and the value of the argument.
 
 NaN needs special care, because every comparison with it is False. That is why each function tests
 for valid values and rejects everything else.

@@ -93,9 +93,9 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     """Remove from the unit vector ``b`` the part that points along the unit vector ``a``.
 
-    That part is the projection of ``b`` onto ``a``, which is c a with c = a . b. Subtract it to get
-    the rest of ``b``, d = b - c a. Return c, d, and the angle in radians between ``a`` and d, which
-    should be a right angle. The numbers in the example differ from the book's.
+    That part is the projection of ``b`` onto ``a``, which is c a with c = a . b. The rest of ``b``
+    is d = b - c a. Return c, d, and the angle in radians between ``a`` and d, which should be a
+    right angle. The numbers in the example differ from the book's.
 
     Raises:
         ValueError: if the length of ``a`` or ``b`` differs from 1 by more than 1e-6 or is NaN, or
@@ -113,9 +113,10 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
 def checked_duration(duration: float) -> float:
     """Check the duration of a time step, in s, and return it as a float.
 
-    A valid duration is positive and finite. Call this function first, before anything has changed,
-    so that a step with an invalid duration changes nothing. The error message names the argument,
-    says what it must be, and shows the value: ``duration must be positive and finite, got -1.5``.
+    A valid duration is positive and finite. Call this function at the start of a step, before you
+    change anything, so that an invalid duration leaves everything unchanged. The error message
+    names the argument, says what it must be, and shows the value: ``duration must be positive and
+    finite, got -1.5``.
 
     Raises:
         ValueError: for zero, a negative number, an infinity or NaN.

@@ -15,7 +15,7 @@ GRAVITATIONAL_CONSTANT = 6.67428e-11  # N m^2/kg^2
 
 
 def speed_ratio(first_mass: float, second_mass: float) -> float:
-    """Compare the speeds that the same force gives to two particles with different masses.
+    """Compute the ratio of the speeds that the same force gives to two particles.
 
     Both particles start at rest, and then the same force acts on both for the same time. The result
     is the speed of the first particle divided by the speed of the second. The masses are in kg.
@@ -132,11 +132,10 @@ def damping_difference(
 ) -> float:
     """Measure how much the book's two damping equations differ, as an average over several runs.
 
-    Each item of ``runs`` is one run: a list of step durations in s. In each run, two particles
-    start with the same ``velocity`` in m/s and make the same steps with the same damping. One of
-    them follows Eq. 3.5, and the other follows Eq. 3.6. At the end of the run, subtract one
-    velocity from the other, and take the length of the difference. Return the mean of these lengths
-    in m/s.
+    Each run is a list of step durations in s. In each run, two particles start with the same
+    ``velocity`` in m/s and make the same steps with the same damping. One of them follows Eq. 3.5,
+    and the other follows Eq. 3.6. The difference of a run is the length of the difference between
+    their final velocities. Return the mean over all ``runs``, in m/s.
 
     Raises:
         ValueError: if there are no runs, if the damping is negative or not finite, or if a duration

@@ -25,9 +25,9 @@ class Particle:
     it, 0 stops the particle, and a number above 1 speeds it up. A particle is immovable if its mass
     is ``math.inf``, which means that its inverse mass is 0.
 
-    The engine stores 1 / mass in ``_inverse_mass`` and the damping in ``_damping``. Python allows
-    only the attributes that are listed in ``__slots__``, so if your code stores anything else, add
-    its name there.
+    The engine stores 1 / mass in ``_inverse_mass`` and the damping in ``_damping``. A particle can
+    have only the attributes that are listed in ``__slots__``, so if your code needs another
+    attribute, add it to this list.
     """
 
     __slots__ = ("_damping", "_inverse_mass", "acceleration", "position", "velocity")
@@ -141,7 +141,7 @@ class Particle:
 
         With h = ``duration``, the new position is p' = p + v h. An immovable particle does not move
         at all. The duration may be 0 or negative, because some integrators of chapter 6 split a
-        step into several drifts, and a few of them even drift back.
+        step into several drifts, some of them backward.
 
         The duration is not checked here. The caller, such as ``integrate``, checks it once per
         step. Book Eq. 2.7.

@@ -62,10 +62,10 @@ def burst_positions(
     """Compute the position of each spark of a burst along one axis, in m, after ``time`` s.
 
     All sparks start at the same position and time, with the same acceleration and damping. They
-    differ only in their ``speeds`` along the axis, in m/s. So compute everything that they share
-    once per call: the factors, and the position of a spark with a speed of 0. Each call handles
-    only one axis, because a picture on the screen needs just two of the three. The speeds are not
-    checked.
+    differ only in their ``speeds`` along the axis, in m/s. Everything else needs to be computed
+    only once per call: the factors, and the position of a spark with a speed of 0. Each call
+    handles only one axis, because a picture on the screen needs just two of the three. The speeds
+    are not checked.
 
     Raises:
         ValueError: if the start or the acceleration is not finite, or if the damping or the time is

@@ -1,9 +1,9 @@
-"""Going further, complete: a time step that is exact.
+"""Compute the exact position of a particle in every frame of an animation (going further).
 
-An animation of a flight needs the position in every frame. The exact solution contains three
-factors that depend on the duration of a frame. If all frames are equally long, the factors are
-computed only once. After that, a frame takes only a few additions and multiplications of plain
-numbers, so it costs little. The only errors are rounding errors.
+The exact solution contains three factors that depend only on the damping and the duration of a
+frame. If all frames are equally long, these factors need to be computed only once. After that, a
+frame takes only a few additions and multiplications of plain numbers. The only errors are rounding
+errors. This file is complete.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from ch04_particle_engine.closed_form import drag_factors
 def places_in_frames(particle: Particle, frame: float, frames: int) -> list[tuple[float, float]]:
     """Return the position (x, y) of ``particle`` in m at the end of each frame.
 
-    ``frames`` is the number of frames, and ``frame`` is the duration of one in s. The particle
-    moves with its constant acceleration, and its damping acts as a drag that is linear in the
-    velocity. The function only computes positions and does not change the particle. An immovable
-    particle has the same position in every frame.
+    ``frames`` is the number of frames, and ``frame`` is the duration of each frame in s. The
+    particle moves with its constant acceleration, and its damping acts as a drag that is linear in
+    the velocity. The function only computes positions and does not change the particle. An
+    immovable particle has the same position in every frame.
 
     Raises ValueError if ``frame`` is not positive and finite, or ``frames`` is less than 1. Raises
     TypeError if ``frames`` is not a whole number.

@@ -24,7 +24,7 @@ POLICIES = ("keep_old", "drop_oldest")
 class Payload:
     """Fireworks of one type that another firework lights when it burns out.
 
-    ``count`` is how many there are, and ``type`` is the number of their type.
+    ``count`` is the number of fireworks, and ``type`` is the number of their type.
 
     Raises:
         ValueError: if the count is below 1.
@@ -40,12 +40,11 @@ class Payload:
 
 @dataclass(frozen=True)
 class FireworkRule:
-    """How the fireworks of one type behave: how long they burn, how they fly, and what they light.
+    """A description of one type of firework: how long it burns, how it flies, and what it lights.
 
-    Fireworks of the same type still differ from each other. Their age in s and each component of
-    their velocity in m/s are drawn at random between a minimum and a maximum. ``damping`` is the
-    fraction of the velocity that is kept per second. ``payloads`` says which fireworks each of them
-    lights when it burns out.
+    For each firework, the age in s and each component of the velocity in m/s are drawn at random
+    between a minimum and a maximum. ``damping`` is the fraction of the velocity that is kept per
+    second. ``payloads`` lists the fireworks that a firework of this type lights when it burns out.
 
     Raises:
         ValueError: if an age or the damping is negative, a number is not finite, a velocity does
@@ -87,8 +86,8 @@ class FireworkRule:
 class Firework:
     """A burning firework.
 
-    ``type`` is the number of its type, and ``particle`` moves it. ``age`` counts down: it is the
-    time in s until the firework burns out.
+    ``type`` is the number of its type, and ``particle`` holds its position and velocity. ``age``
+    counts down: it is the time in s until the firework burns out.
     """
 
     __slots__ = ("age", "particle", "type")
@@ -115,22 +114,22 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
     """Find the types of firework that light themselves again, directly or through other types.
 
     A show with such a type never ends, so use this function to check a set of rules. For example,
-    if type 1 has a payload of type 2, and type 2 has a payload of type 1, both types lead back to
-    themselves. If type 3 has a payload of type 1, its fireworks never end either. But type 3 is not
-    in the result, because no type leads back to it. Return the types in ascending order.
+    if type 1 has a payload of type 2, and type 2 has a payload of type 1, both types light
+    themselves again. If type 3 has a payload of type 1, it starts an endless show, too. But type 3
+    is not in the result, because it is never lit again. Return the types in ascending order.
     """
     raise NotImplementedError("Exercise B4.7: Rules without an end")
 
 
 class FireworksShow:
-    """A fireworks show, which lists its burning fireworks in the order in which they were lit.
+    """A fireworks show, which lights fireworks, moves them and removes the ones that burn out.
 
-    At most ``capacity`` fireworks burn at a time, even if their types light each other forever.
-    ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are
-    lit, as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room,
-    as in the book's listing (erratum E-20). In both cases ``dropped`` counts the fireworks that
-    were not lit, or were put out, because the show was full. The same ``seed`` always gives the
-    same show.
+    ``fireworks`` lists the burning fireworks in the order in which they were lit. There are at most
+    ``capacity`` of them, even if their types light each other forever. ``when_full`` decides what
+    happens when the show is full. With "keep_old" no new fireworks are lit, as the book's text
+    says. With "drop_oldest" the oldest fireworks are put out to make room, as in the book's listing
+    (erratum E-20). In both cases ``dropped`` counts the fireworks that were not lit, or were put
+    out, because the show was full. The same ``seed`` always gives the same show.
 
     Raises:
         ValueError: if two rules have the same type, a payload has a type without a rule, the
@@ -178,10 +177,10 @@ class FireworksShow:
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
         """Light as many new fireworks as the show has room for.
 
-        Each of the ``births`` is a tuple (type, count, parent). The new fireworks are added after
-        the ones that already burn, in the order of the births. If there is no room for all of them,
-        the policy ``when_full`` decides. "keep_old" lights only as many as fit, starting with the
-        first. "drop_oldest" puts out the oldest fireworks to make room, and if there are more new
+        ``births`` describes the new fireworks as tuples (type, count, parent). They are added after
+        the ones that already burn, in the order of these tuples. If there is no room for all of
+        them, the policy ``when_full`` decides. "keep_old" lights only as many as fit, starting with
+        the first. "drop_oldest" puts out the oldest fireworks to make room. If there are more new
         fireworks than the capacity, it lights only the last of them. A call never creates more
         fireworks than the capacity, however large the counts are.
 

@@ -64,9 +64,9 @@ def strike_first(
     """Let a shot hit the first target on its path, and return that target.
 
     In this time step the shot has moved from ``start`` to the position of ``particle``. If it hits
-    a target, the momentum of the particle along X and Z goes to the target, and the momentum along
-    Y goes into the ground. The target's ``hits`` also grows by 1. If the shot reaches two targets
-    at the same time, it hits the one that comes first in the list. Return None if the shot misses
-    every target. Exercise 4.3c.
+    a target, the target receives the momentum of the particle along X and Z. The momentum along Y
+    goes into the ground. Add 1 to the target's ``hits``. If the shot reaches two targets at the
+    same time, it hits the one that comes first in the list. Return None if the shot misses every
+    target. Exercise 4.3c.
     """
     raise NotImplementedError("Exercise 4.3c: Blocks of several masses")

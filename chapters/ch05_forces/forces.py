@@ -1,8 +1,8 @@
 """Force generators, and the registry that applies them in each time step (book 5.2 and 5.3).
 
 A generator adds one force to a particle, and does not have to know about the other forces on it.
-Its constructor copies vectors, and raises ValueError for a number or component that is not finite.
-You may change the attributes of a generator later, but these changes are not checked. Everything
+The constructor of a generator copies vectors, and raises ValueError for a number or component that
+is not finite. You may change its attributes later, but these changes are not checked. Everything
 here raises TypeError for an argument that is not a number, or not a Vector3 where a vector is
 expected.
 """
@@ -185,7 +185,7 @@ class Airbrake:
         In a time step of h s, a force f changes the velocity by f h / m. If k or h is large, a
         force of -k v would therefore push the particle backward. A brake cannot do this, so limit
         the force: on its own, the brake may remove at most the fraction ``FULL`` of the velocity in
-        one step. An immovable particle must not cause an error, and no force can move it.
+        one step. An immovable particle must not cause an error.
 
         Raises:
             ValueError: if the duration is not positive and finite.

@@ -99,8 +99,8 @@ class Vector3:
     def __mul__(self, scale: float) -> Vector3:
         """Multiply every component by a number, and return a new vector.
 
-        Both ``v * scale`` and ``scale * v`` call this method. A vector as ``scale`` raises
-        TypeError, because there are three different products of two vectors. Book 2.1.3.
+        Both ``v * scale`` and ``scale * v`` call this method. Raises TypeError if ``scale`` is a
+        vector, because vectors have three different products. Book 2.1.3.
         """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)
@@ -172,7 +172,7 @@ class Vector3:
         return Vector3(self.x + v.x, self.y + v.y, self.z + v.z)
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Add ``v``, in place, and return ``self``. Raises TypeError if ``v`` is not a vector."""
+        """Add ``v`` in place, and return ``self``. Raises TypeError if ``v`` is not a vector."""
         if not isinstance(v, Vector3):
             return NotImplemented
         self.x += v.x
@@ -278,11 +278,10 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
     """Build three perpendicular unit vectors that form a right-handed basis.
 
     Use it to build the axes of a camera or a contact when you know one direction exactly and a
-    second one only roughly. The first vector of the basis points along ``a``, and the third is
-    perpendicular to the plane of ``a`` and ``b``. The second vector lies in that plane, as close to
-    ``b`` as it can be while it is perpendicular to ``a``. All three are new vectors. In a
-    right-handed basis, the third is the vector product of the first and the second. Only the
-    directions of ``a`` and ``b`` matter, not their lengths.
+    second one only roughly. The first vector of the basis points along ``a``. The second one lies
+    in the plane of ``a`` and ``b``, perpendicular to ``a`` and on the same side of it as ``b``. The
+    third one is the vector product of the first two, which makes the basis right-handed. All three
+    are new vectors. Only the directions of ``a`` and ``b`` matter, not their lengths.
 
     Raises:
         ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, because such

@@ -25,7 +25,7 @@ END_OF_RANGE = 200.0  # m along Z, as in the book's listing; its text says 100 (
 
 @dataclass(frozen=True)
 class ShotType:
-    """A kind of ammunition, such as "pistol" or "laser", and the properties that its shots share.
+    """A type of ammunition, such as "pistol" or "laser", with the properties that its shots share.
 
     The mass is in kg, the velocity in m/s and the acceleration in m/s^2. The damping is the
     fraction of its velocity that a shot keeps per second.
@@ -115,10 +115,10 @@ def grenade_after(shot: Shot) -> list[Shot]:
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
     """Return the shots that remain after ``shot`` has moved from ``start`` by one time step.
 
-    A shot disappears if it hits one of the ``targets`` on its path, so the list is empty. To check
-    for a hit, call ``strike_first``, which also pushes the target. If the shot has hit nothing, the
-    result depends on its type. For a grenade, it is the result of ``grenade_after``. For any other
-    shot, it is a list that contains only the shot, or an empty list if ``is_spent`` is True for it.
+    First call ``strike_first``, which checks if the shot has hit one of the ``targets`` on its
+    path, and pushes the target. If so, the shot disappears, so return an empty list. If a grenade
+    has hit nothing, return the result of ``grenade_after``. For any other shot, return a list that
+    contains only the shot, or an empty list if ``is_spent`` is True for it.
     """
     if targets and strike_first(start, shot.particle, targets):
         return []
@@ -170,9 +170,9 @@ class BallisticRange:
         """Move the targets and the shots by one time step, and remove shots that are spent.
 
         ``duration`` is in s. First the targets move. Then each shot moves, its age grows by the
-        duration, and the shots that ``what_is_left`` returns take its place. That function must
-        know where the shot was before it moved, so keep a copy of the old position. A reference is
-        not enough, because ``integrate`` changes the vector itself.
+        duration, and it is replaced by the shots that ``what_is_left`` returns. Pass
+        ``what_is_left`` a copy of the position before the move. A reference is not enough, because
+        ``integrate`` changes the vector itself.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing moves.

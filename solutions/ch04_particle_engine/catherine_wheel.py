@@ -19,11 +19,10 @@ class CatherineWheel:
     """A wheel in the X-Y plane that rotates at a constant rate and throws sparks from its rim.
 
     ``center`` and ``radius`` are in m. The wheel rotates from X toward Y at ``rate`` in rad/s. A
-    nozzle on its rim throws ``sparks_per_second`` sparks in each second. The sparks are fireworks
-    of the type ``spark_type``, and the wheel adds them to ``show``. They leave the nozzle backward,
-    against the motion of the rim, at the speed ``jet`` in m/s. ``angle`` is the current angle of
-    the nozzle in radians, measured from the X axis, and ``thrown`` counts the sparks that have left
-    it.
+    nozzle on its rim throws ``sparks_per_second`` sparks per second, backward relative to the
+    motion of the rim, at the speed ``jet`` in m/s. The sparks are fireworks of the type
+    ``spark_type``, and the wheel adds them to ``show``. ``angle`` is the current angle of the
+    nozzle in radians, measured from the X axis. ``thrown`` is the number of sparks thrown so far.
 
     Raises:
         ValueError: if the show has no such type, the center is not finite, the radius or the rate
@@ -56,10 +55,10 @@ class CatherineWheel:
     def nozzle(self) -> Particle:
         """Create a particle at the nozzle of the wheel, from which new sparks start.
 
-        The particle is the parent of the sparks, so they start with its position and velocity.
-        Place it on the rim, at the wheel's angle, with a velocity perpendicular to the spoke. The
-        rim moves at ``rate`` times ``radius``, but the sparks are thrown backward, so the speed of
-        the particle is the speed of the rim minus ``jet``. Mini-project 4.4.
+        The particle is the parent of the sparks, so they start at its position, and its velocity is
+        added to theirs. Place it on the rim, at the wheel's angle, with a velocity perpendicular to
+        the spoke. The rim moves at ``rate`` times ``radius``. The sparks are thrown backward, so
+        the speed of the particle is the speed of the rim minus ``jet``. Mini-project 4.4.
         """
         x, y = math.cos(self.angle), math.sin(self.angle)
         spoke, along = Vector3(x, y, 0.0), Vector3(-y, x, 0.0)

@@ -2,8 +2,8 @@
 
 These rules draw nothing, so they work without a screen. The fuse of each rocket burns down. If the
 player clicks on a rocket before it burns out, the rocket bursts, and another rocket of its type
-starts from the ground. The game lasts as long as at least one rocket is left. A late click scores
-more points, but if the player waits too long, the rocket is lost.
+starts from the ground. The game ends when no rocket is left or too many clicks have missed. A late
+click scores more points, but if the player waits too long, the rocket is lost.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ class Display:
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
     """Find the rocket nearest to the point (x, y), or return None if none is within ``REACH``.
 
-    A rocket is any firework whose rule has payloads, so that it lights others when it burns out. It
-    counts as a rocket even if another rocket lit it. Measure distances in the X-Y plane, and also
-    accept a rocket at exactly the distance ``REACH``. Skip rockets with an age of 0 or less,
-    because they have no fuse left and a click can no longer save them. Project 4.1.
+    A rocket is any firework that lights others when it burns out, which means that its rule has
+    payloads. This includes fireworks that were lit by another rocket. Measure distances in the X-Y
+    plane, and also accept a rocket at exactly the distance ``REACH``. Skip rockets with an age of 0
+    or less, because they have no fuse left and a click can no longer save them. Project 4.1.
     """
     nearest, distance = None, REACH
     for rocket in _rockets(display):

@@ -44,11 +44,10 @@ def bounce(particle: Particle) -> None:
 def fragments(particle: Particle) -> list[Particle]:
     """Burst a grenade into fragments, and return one new particle for each of them.
 
-    There are ``FRAGMENTS`` pieces of equal mass, which start at the position of the grenade.
-    Together they have the mass of the grenade, and each has the same acceleration and damping as
-    the grenade. Relative to the grenade, each piece flies at ``FRAGMENT_SPEED`` in a different
-    direction. These directions add up to zero, so that a burst conserves momentum. The particle of
-    the grenade does not change. Mini-project 4.1.
+    There are ``FRAGMENTS`` pieces, each with an equal part of the grenade's mass. They start at the
+    position of the grenade, with the same acceleration and damping. Relative to the grenade, each
+    piece flies at ``FRAGMENT_SPEED`` in a different direction. These directions add up to zero, so
+    that a burst conserves momentum. The particle of the grenade does not change. Mini-project 4.1.
     """
     pieces = []
     for direction in _CORNERS:

@@ -46,9 +46,9 @@ def slowed_mass(mass: float, factor: float) -> float:
 def slowed_gravity(gravity: float, factor: float) -> float:
     """Compute the gravity in m/s^2 that gives a slowed shot the trajectory of the real shot.
 
-    The slower shot needs more time for the same distance, so gravity acts on it for longer. Gravity
-    must therefore be weaker, or the slow shot would drop farther than the real one. The book
-    divides gravity by the factor only once, which is not enough (erratum E-2).
+    The slowed shot needs more time for the same distance, so gravity acts on it for longer. Without
+    weaker gravity, it would drop farther than the real shot. The book divides gravity by the factor
+    only once, which is not enough (erratum E-2).
 
     Raises:
         ValueError: if the gravity is not finite, or if the factor is not positive and finite.

@@ -18,8 +18,8 @@ def screen_angle(start: float, rate: float, time: float) -> float:
     """Compute the angle of a spark that rotates on the screen at a constant rate.
 
     The angle is ``start`` at time 0 and grows by ``rate`` per second. All angles are in radians,
-    and ``time`` is in s. Full turns make no difference on the screen, so remove them from the
-    result. It then lies between -pi and pi.
+    and ``time`` is in s. Full turns make no difference on the screen, so remove them. The result
+    then lies between -pi and pi.
 
     Raises:
         ValueError: if an argument is not finite.

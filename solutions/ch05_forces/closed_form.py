@@ -36,10 +36,10 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
     """Compute how fast and how far a body falls from rest in a given time, with quadratic drag.
 
-    The drag is k2 v^2, without a part that is linear in the speed. Return the speed in m/s and the
-    distance in m. After ``time`` t in s, the speed is u tanh x and the distance is (u^2 / g) ln
-    cosh x. Here x = g t / u, u is the terminal speed, and g is ``gravity`` in m/s^2. Both results
-    must also be correct for very small and very large x.
+    The drag is k2 v^2, without a part that is linear in the speed. Let u be the terminal speed, g
+    the ``gravity`` in m/s^2, t the ``time`` in s, and x = g t / u. Return the speed in m/s, which
+    is u tanh x, and the distance in m, which is (u^2 / g) ln cosh x. Both must also be correct for
+    very small and very large x.
 
     Raises:
         ValueError: if the mass, gravity or k2 is not positive, the time is negative, or an argument
@@ -56,8 +56,11 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
     """Compute the speed in m/s of a body after drag alone has acted on it for ``time`` s.
 
-    If v is the ``speed`` at the start and s = k1 t / m, the result is v e^-s / (1 + k2 v (1 - e^-s)
-    / k1). For k1 = 0 you would divide by 0, so replace (1 - e^-s) / k1 by its limit t / m.
+    Let v be the ``speed`` at the start, and s = k1 t / m. The result is
+
+        v e^-s / (1 + k2 v (1 - e^-s) / k1)
+
+    If k1 is 0, this formula divides by 0, so replace (1 - e^-s) / k1 by its limit, which is t / m.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not
@@ -76,8 +79,8 @@ def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float,
 
     A time step computes the drag f only once, from the ``speed`` before the step. It then applies
     this force for the whole duration h: v' = v + (f / m) h. Return two limits in s for a step in
-    which only drag acts. If the step is longer than the first limit, the drag reverses the motion
-    instead of only slowing it down. If it is longer than the second limit, the particle moves
+    which only drag acts. In a step longer than the first limit, the drag reverses the motion
+    instead of only slowing it down. In a step longer than the second limit, the particle moves
     backward even faster than it moved forward. Without drag, both limits are ``math.inf``.
 
     Raises:

@@ -135,9 +135,9 @@ class Particle(particle.Particle):
 
         This is the constant acceleration plus f / m, where f is the sum of the forces that the last
         step used. The mass and the constant acceleration are the current ones, even if they have
-        changed since that step. Before the first step there is no f, so the result is only the
-        constant acceleration. The same holds for an immovable particle, which does not react to
-        forces. Book Eq. 3.2.
+        changed since that step. Before the first step f is zero, so the result is only the constant
+        acceleration. The same is true for an immovable particle, which does not react to forces.
+        Book Eq. 3.2.
         """
         force = Vector3(*(self._forces[1] or ()))
         return self.acceleration + force * self._inverse_mass
@@ -146,11 +146,11 @@ class Particle(particle.Particle):
         """Change the velocity by the acceleration, the forces and the damping over ``duration`` s.
 
         The new velocity is v' = (v + a h) d^h. Here h is ``duration``, d is the damping, and a is
-        the constant acceleration plus f / m, where f is the sum of the forces since the last kick.
-        Afterward the kick clears the sum of forces, even for an immovable particle, so that each
-        force acts only once. It keeps a copy of the sum for ``last_acceleration``. You do not have
-        to write ``integrate`` again, because the version of chapter 3 drifts and then calls this
-        method.
+        the constant acceleration plus f / m. The force f is the sum of the forces since the last
+        kick. Afterward the kick clears the sum of forces, even for an immovable particle, so that
+        each force acts only once. It keeps a copy of the sum for ``last_acceleration``. You do not
+        have to write ``integrate`` again, because the version from chapter 3 calls this method
+        after the drift.
 
         As in chapter 3, the duration is not checked.
         """

@@ -31,10 +31,10 @@ SHOTS = 10
 
 @dataclass(frozen=True)
 class Target:
-    """A disc at which the player shoots. It faces the rifle.
+    """A disc that faces the rifle, at which the player shoots.
 
     Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring times
-    ``factor``, which rewards shots at distant targets.
+    ``factor``, which is larger for more distant targets.
     """
 
     x: float
@@ -205,7 +205,7 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
 def ring_points(x: float, y: float) -> int:
     """Look up the score for a bullet that hits a target at (x, y), in m from the center.
 
-    The score is that of the smallest ring in ``RINGS`` that contains (x, y). A hit on the edge of a
+    The smallest ring in ``RINGS`` that contains (x, y) determines the score. A hit on the edge of a
     ring counts as inside. If no ring contains it, the bullet has missed the target, so return 0.
     Project 4.2.
     """

@@ -1,6 +1,7 @@
 """The list of all scenes in which our engine is compared with pymunk.
 
-They range from a pendulum to a rope bridge. Commands select scenes from the list by name.
+They range from a pendulum to a rope bridge. Commands such as `make charts` can select some of them
+by name.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """Draw charts of how accurate and how fast our engine and pymunk are in each scene.
 
-A scene, such as a pendulum, is simulated in several ways, for example with different integrators.
-Each way is called a model. The chart of a scene plots the error of every model, once against its
-processor time and once against its work. An overview compares our models with pymunk in all scenes.
+A scene, such as a pendulum, can be simulated in several ways, for example with different
+integrators. Each of these ways is called a model. The chart of a scene has two panels, which plot
+the error of each model against its processor time and against its work. An overview compares the
+fastest models of our engine with those of pymunk in all scenes.
 """
 
 from __future__ import annotations
@@ -100,10 +101,10 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Extend pymunk's curve to smaller errors, with a dotted line based on extrapolated times.
+    """Draw a dotted line that extends pymunk's curve to smaller errors.
 
-    The line ends at the smallest error tolerance for which pymunk's time could be extrapolated.
-    Nothing is drawn if no time was extrapolated.
+    The times on this line are extrapolated. The line ends at the smallest error tolerance for which
+    an extrapolated time exists. If there is none, nothing is drawn.
     """
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
@@ -182,7 +183,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Write the part of a chart's title that compares our fastest model with pymunk's.
+    """Describe, for a chart's title, how our fastest model compares with pymunk's.
 
     For example, "at an error of 0.0001 of the scale, leapfrog takes 3.2 ms, and pymunk takes 12
     times as long".
@@ -201,7 +202,7 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe the fastest model of one side, ours or pymunk's, as in "leapfrog, 3.2 ms".
+    """Describe the fastest of our models or of pymunk's, as in "leapfrog, 3.2 ms".
 
     If the time is extrapolated, the text also gives the order of convergence. If no model met the
     tolerance, the text is "never" or, if more steps might have helped, "not within 600 ms".
@@ -235,8 +236,8 @@ def _number(value: float) -> str:
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
     """Choose a color and a marker for each model in a chart.
 
-    Pymunk's models are black or gray, and the textbook's are red. The integrators of chapter 6 have
-    the same colors in all charts. All other models share the remaining colors.
+    Pymunk's models are black or gray, and the textbook's are red. Each integrator of chapter 6 has
+    the same color in all charts. All other models share the remaining colors.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)

@@ -1,12 +1,12 @@
 """Measure how accurate and how fast every model of every scene is.
 
-A model is one way to simulate a scene, for example with a certain integrator. Its error and its
-amount of work are the same in every run, so they are measured only once. Its time varies, so it is
-measured in several rounds. Each round times all models in random order. If the computer is busy for
-a moment, this does not always affect the same model.
+A model is one way to simulate a scene, for example with a certain integrator. The error and the
+amount of work of a model are the same in every run, so they are measured only once. The time varies
+from run to run, so it is measured in several rounds. Each round times all models in random order,
+so that a busy moment of the computer does not always affect the same model.
 
-The results are saved after every round. An interrupted run can resume from them as long as the code
-and the versions have not changed.
+The results are saved after every round. If the measurement is interrupted, it can resume from the
+saved results, unless the code or a version has changed.
 """
 
 from __future__ import annotations
@@ -37,11 +37,14 @@ LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW r
 
 @dataclass
 class Point:
-    """One point of a chart: the error, work and time of a model at one number of steps per frame.
+    """A point in a chart: the error, work and time of a model with a given number of steps.
 
-    A model is one way to simulate a scene, for example with a certain integrator. If it chooses its
-    own steps, it takes a tolerance instead, and ``steps`` is 1 / tolerance. ``times`` holds the
-    processor times in s of all timing rounds.
+    A model is one way to simulate a scene, for example with a certain integrator.
+
+    - ``by``: who wrote the model, "ours", "the book" or "pymunk".
+    - ``steps``: the number of steps per frame. For a model that takes a tolerance instead and
+      chooses its own steps, it is 1 / tolerance.
+    - ``times``: the processor time in s in each timing round.
     """
 
     scene: str
@@ -65,9 +68,9 @@ class Point:
 
 @dataclass
 class Measured:
-    """Everything that `make charts` has measured so far: the points, and the number of rounds.
+    """The measurements that `make charts` has made so far, and the number of timing rounds.
 
-    It is saved after every timing round, so that an interrupted run can resume.
+    They are saved after every timing round, so that an interrupted run can resume.
     """
 
     points: list[Point]
@@ -77,12 +80,12 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Simulate each scene with all of its models to measure their errors and work, but not times.
+    """Measure the errors and the work of all models in all scenes, but not yet their times.
 
     Each model runs with more and more steps per frame until its error is down to rounding errors,
     or until a run takes too long. The time limit is ``theirs`` seconds for pymunk's models and
-    ``slowest`` seconds for ours. To show the progress, ``hear`` is called with a line of text
-    before each model.
+    ``slowest`` seconds for ours. Before each model, ``hear`` is called with a line of text that
+    shows the progress.
     """
     points = []
     for scene in scenes:
@@ -100,10 +103,9 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Simulate a scene with one of its models, with ``steps`` steps per frame.
+    """Run a model with ``steps`` steps per frame, and return its result.
 
-    Return None if the simulation fails, for example because the steps are so long that the motion
-    explodes.
+    Return None if the simulation fails, for example because it is unstable with such long steps.
     """
     try:
         return model.run(steps)
@@ -114,8 +116,9 @@ def run(model: Model, steps: int) -> Outcome | None:
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
     """Run one more timing round, which times every model at every number of steps.
 
-    The order is random. Runs that take longer than LONG are timed only in the first FEW rounds.
-    ``hear`` is called after each run, so that it can advance a progress bar.
+    The order of the runs is random. A run that takes longer than LONG seconds is timed only in the
+    first FEW rounds, and is skipped in later ones. After each run, timed or skipped, ``hear`` is
+    called to advance a progress bar.
     """
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
@@ -139,7 +142,7 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save everything measured so far, so that an interrupted run of `make charts` can resume.
+    """Save all measurements so far, so that an interrupted run of `make charts` can resume.
 
     ``sign`` is the signature from ``sign_of``. The file is replaced in one step, so an interruption
     cannot leave a damaged file.
@@ -149,10 +152,10 @@ def save(measured: Measured, path: Path, sign: str) -> None:
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Load everything that an interrupted run of `make charts` has measured.
+    """Load the measurements of an interrupted run of `make charts`.
 
-    Return None if the file cannot be read, or if its signature is not ``sign``. In the latter case,
-    the measurements are out of date.
+    Return None if the file cannot be read, or if the measurements are out of date because their
+    signature differs from ``sign``.
     """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
@@ -164,10 +167,11 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Compute a signature by which `make charts` notices that its saved results are out of date.
+    """Compute a signature that shows if the saved results of `make charts` are out of date.
 
-    It changes with the names of the scenes, the time limits, and the code of the engine and the
-    studies. It also changes with the platform and the versions of Python and pymunk.
+    The signature changes with anything that affects the results: the names of the scenes, the time
+    limits, and the code of the engine and the studies. It also depends on the platform and the
+    versions of Python and pymunk.
     """
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):

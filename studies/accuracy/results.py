@@ -1,8 +1,8 @@
 """Compare the fastest simulation of a scene by our engine with the fastest one by pymunk.
 
-A way to simulate a scene, for example with a certain integrator, is called a model. Both our engine
-and pymunk have several models of each scene. Only models that meet the same error tolerance are
-compared.
+A model is one way to simulate a scene, for example with a certain integrator. Both our engine and
+pymunk have several models of each scene. To be fair, the comparison uses the fastest models that
+meet the same error tolerance.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the sma
 
 @dataclass(frozen=True)
 class Side:
-    """The fastest model, either of our engine or of pymunk, that meets a given error tolerance.
+    """The fastest model of our engine, or of pymunk, that meets a given error tolerance.
 
-    A model is one way to simulate a scene, for example with a certain integrator. ``time`` is how
-    long it takes, in s. If no run met the tolerance, the time may be extrapolated, and ``order`` is
-    the order of convergence that was used. Otherwise ``model`` and ``time`` are None.
-
-    If they are None, two other fields show how far the search went. If ``never`` is true, no number
-    of steps would be enough. Otherwise every model that might still meet the tolerance has been run
-    for at least ``longest`` seconds.
+    - ``model``: the name of the model, or None if no model meets the tolerance.
+    - ``time``: the time in s that the model takes, or None.
+    - ``longest``: a lower bound in s on the time, if no model meets the tolerance. Every model that
+      might still meet it has been run for at least this long.
+    - ``never``: True if no model would meet the tolerance with any number of steps.
+    - ``order``: the order of convergence from which ``time`` was extrapolated, or None if it was
+      measured.
     """
 
     model: str | None
@@ -44,8 +44,7 @@ class Side:
 class Row:
     """A comparison of our fastest model with pymunk's in one scene, at one error tolerance.
 
-    A model is one way to simulate the scene, for example with a certain integrator. The tolerance
-    is a fraction of the scene's size.
+    ``tolerance`` is the largest error allowed, as a fraction of the scene's size.
     """
 
     scene: str
@@ -62,16 +61,16 @@ class Row:
 
     @property
     def is_extrapolated(self) -> bool:
-        """Whether pymunk's time is an estimate, because none of its runs was accurate enough."""
+        """True if pymunk's time is extrapolated, because none of its runs was accurate enough."""
         return self.pymunk.order is not None
 
     @property
     def bounds(self) -> tuple[float, float]:
         """The smallest and the largest possible ratio of pymunk's time to ours.
 
-        They are useful if one side missed the tolerance. All we know then is that this side needs
-        more time than its longest run took. The ratio is therefore bounded on one side only, and
-        the other bound is 0 or infinity.
+        These bounds matter if our models or pymunk's missed the tolerance. We then know only that
+        they need more time than their longest run took. This gives one bound on the ratio, and the
+        other one is 0 or infinity.
         """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
@@ -85,9 +84,9 @@ class Row:
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
     """Find the run with the fewest steps that reliably meets an error tolerance.
 
-    ``ordered`` holds the runs of one model, sorted by number of steps. A run counts only if all
-    later runs meet the tolerance, too, because one small error may be a coincidence. Return the
-    index of the run, or None if there is none.
+    ``ordered`` holds the runs of one model, sorted by number of steps. A single small error may be
+    a coincidence, so a run counts only if all runs with more steps meet the tolerance, too. Return
+    the index of the run, or None if there is none.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -95,10 +94,10 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return how long a model takes to meet an error tolerance, in s, or None if it never does.
+    """Return how long a model takes, in s, to meet an error tolerance, or None if it never does.
 
-    ``points`` are the runs of the model. The time is interpolated between two runs, on logarithmic
-    scales.
+    ``points`` are the runs of the model. The time is interpolated between the two runs on either
+    side of the tolerance, on logarithmic scales.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     first = first_within(ordered, tolerance)
@@ -113,11 +112,11 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Check whether the error of a model has stopped shrinking, so that more steps would not help.
+    """Return True if a model's error has stopped shrinking, so that more steps would not help.
 
-    It has if eight times as many steps do not even halve the error. A method of order 1 would
-    reduce it to an eighth. The answer is False while the error is a tenth of the scene's size or
-    more, because it may still start to shrink.
+    This is the case if eight times as many steps reduce the error by no more than half. For
+    comparison, a method of order 1 would reduce it to an eighth. The result is False if the error
+    is at least a tenth of the scene's size, because such an error may still start to shrink.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -127,8 +126,8 @@ def stalls(points: Sequence[Point]) -> bool:
 def order_of(points: Sequence[Point]) -> float | None:
     """Measure a model's order of convergence from its runs with the most steps.
 
-    The order is the exponent p if the error is proportional to 1 / steps^p. It is measured while
-    the number of steps grows eightfold. Return None in these cases:
+    If the error is proportional to 1 / steps^p, the order is p. It is measured while the number of
+    steps grows eightfold. Return None in these cases:
 
     - The error does not fall steadily.
     - The error is a tenth of the scene's size or more, or so small that it is only rounding.
@@ -149,9 +148,9 @@ def order_of(points: Sequence[Point]) -> float | None:
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
     """Estimate how long a model would take, in s, to meet a tolerance that none of its runs met.
 
-    The number of steps follows from the model's order of convergence. Each step is assumed to take
-    as long as in the run with the most steps. Return None if the model has no steady order, or if
-    the error of that run is more than FARTHEST times the tolerance.
+    The model's order of convergence determines the number of steps. Each step is assumed to take as
+    long as in the finest run, the one with the most steps. Return None if the model has no steady
+    order, or if the error of the finest run is more than FARTHEST times the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -161,9 +160,9 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Sort measured points into one list per model, for example to draw each model as a line.
+    """Group measured points by model, for example to draw each model as a line.
 
-    The points of a model keep their order.
+    The points of each model stay in the same order.
     """
     found: dict[str, list[Point]] = {}
     for point in points:
@@ -172,9 +171,9 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Find the fastest model of one side, either our engine or pymunk, that meets ``tolerance``.
+    """Find the fastest model that meets ``tolerance``, either of our engine or of pymunk.
 
-    ``points`` are the runs of all models of that side, in one scene.
+    ``points`` are the runs of all models of our engine, or of pymunk, in one scene.
     """
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
@@ -187,12 +186,12 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
     """Find the fastest run that is accurate enough, and the next faster run for comparison.
 
-    A run counts as accurate only if all runs of its model with more steps are accurate enough, too.
-    One small error may be a coincidence.
+    A single small error may be a coincidence. A run is therefore accurate enough only if all runs
+    of the same model with more steps are, too.
 
     Returns:
-        The fastest accurate run, and the slowest of all runs that take less time. Each of them is
-        None if there is no such run.
+        The fastest accurate run, and the slowest of the runs that take less time. Each of the two
+        is None if there is no such run.
     """
     within = []
     for own in models_of(points).values():
@@ -229,8 +228,8 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
     """Estimate how long pymunk would take to meet a tolerance that none of its runs met.
 
-    The time of each of its models is extrapolated from the order of convergence, and the shortest
-    one counts. If it cannot be extrapolated for any model, return ``side`` unchanged.
+    The time of each model is extrapolated from its order of convergence, and the shortest time
+    counts. If this is not possible for any model, return ``side`` unchanged.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
@@ -255,8 +254,8 @@ def table(points: Sequence[Point]) -> list[Row]:
 def front(points: Sequence[Point]) -> list[Point]:
     """Find the runs with the best trade-offs between speed and accuracy, sorted by time.
 
-    For each of them, no other run is both faster and more accurate. Errors that come only from
-    rounding count as equal.
+    A run is included if every faster run has a larger error. Errors that are only rounding errors
+    count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

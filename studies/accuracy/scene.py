@@ -1,8 +1,8 @@
-"""Define what a scene and a model are when our engine is compared with pymunk.
+"""Scenes and models, the building blocks of the comparison between our engine and pymunk.
 
 A scene, such as a pendulum, has an exact solution. A model is one way to simulate the scene, such
-as an integrator, and it can usually run with any number of steps per frame. It returns the
-positions at the end of every frame, at 60 frames per second.
+as an integrator, and usually runs with any number of steps per frame. The result of a run is a list
+of the positions at the end of every frame, at 60 frames per second.
 
 The error of a model is its largest deviation from the exact solution in any coordinate and any
 frame, divided by the scene's size. A model must therefore be accurate all the time, not just at the
@@ -37,10 +37,11 @@ Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x,
 
 @dataclass(frozen=True)
 class Outcome:
-    """The result of a simulation: the positions at the end of every frame, and the work it took.
+    """The result of a simulation: the positions at the end of every frame, and the work done.
 
-    The work is a count, so it does not depend on the computer's speed. It is the number of force
-    evaluations, unless ``Scene.counted`` names something else, such as "contacts resolved".
+    The work is counted rather than timed, so it does not depend on the computer's speed. It is the
+    number of force evaluations, unless ``Scene.counted`` gives another unit, such as "contacts
+    resolved".
     """
 
     places: list[Place]
@@ -49,14 +50,14 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Model:
-    """One way to simulate a scene, such as an integrator, and the numbers of steps to try.
+    """One way to simulate a scene, for example with a certain integrator.
 
-    ``run`` simulates the scene with a given number of steps per frame, and ``steps`` lists the
-    numbers to try. ``by`` is "ours", "the book" or "pymunk". An exact model, such as a closed form,
-    has no number of steps to choose, so its ``steps`` is (1,).
-
-    If ``takes_tolerance`` is true, the model chooses its own steps. The numbers in ``steps`` are
-    then 1 / tolerance, so a larger number still means a more accurate run.
+    - ``run``: a function that simulates the scene with a given number of steps per frame.
+    - ``steps``: the numbers of steps to try. It is (1,) for an exact model, such as a closed form,
+      because such a model makes no steps.
+    - ``by``: who wrote the model, "ours", "the book" or "pymunk".
+    - ``takes_tolerance``: True if the model chooses its own steps. Each number in ``steps`` is then
+      1 / tolerance, so a larger number still means a more accurate run.
     """
 
     name: str
@@ -70,13 +71,13 @@ class Model:
 class Scene:
     """A scene to simulate, such as a pendulum, with its exact solution and its models.
 
-    ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m,
-    and errors are given as fractions of it. ``models`` are the ways to simulate the scene.
-    ``counted`` says what is counted as their work, such as "contacts resolved".
-
-    The exact solution is usually a closed form, or SciPy's solution of a single equation. Any other
-    solution needs a check, for which the scene has a function ``differs``. It solves the scene in
-    two independent ways, and returns the difference as a fraction of the scale.
+    - ``truth``: a function that returns the exact position at a time in s.
+    - ``scale``: the size of the scene in m. Errors are given as fractions of it.
+    - ``models``: the ways to simulate the scene.
+    - ``counted``: the unit in which the models count their work, such as "contacts resolved".
+    - ``differs``: a function that checks the exact solution, or None. It solves the scene in two
+      independent ways, and returns the difference as a fraction of the scale. No check is needed if
+      the solution is a closed form, or if SciPy solves a single equation.
     """
 
     name: str
@@ -108,10 +109,12 @@ def solved(
 ) -> Callable[[float], Place]:
     """Return the exact motion of a scene without a closed form, as a function of time.
 
-    The function calls SciPy once, which solves the equations of motion for the end of every frame.
-    SciPy's error of about 1e-11 is far below the tightest tolerance. ``rates`` are the equations of
-    motion in the form that SciPy expects. ``start`` is the initial state, and ``place`` turns a
-    state into positions.
+    SciPy solves the equations of motion when the returned function is first called, for the end of
+    every frame. Its error of about 1e-11 is far below the smallest tolerance.
+
+    - ``rates``: the equations of motion in the form that SciPy expects.
+    - ``start``: the initial state.
+    - ``place``: a function that converts a state to positions.
     """
 
     @cache
@@ -175,10 +178,10 @@ def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
 def by_forces(
     make: Callable[[], Made], integrator: Integrator, frames: int
 ) -> Callable[[int], Outcome]:
-    """Return a function that simulates a particle and counts the force evaluations.
+    """Return a function that simulates a particle with a given number of steps per frame.
 
-    The function takes the number of steps per frame. The particle moves in the X-Y plane. ``make``
-    is called before each run to create the particle and its force generators.
+    The function counts the force evaluations as work. Before each run, it calls ``make`` to create
+    the particle and its force generators. The particle moves in the X-Y plane.
     """
 
     def run(steps: int) -> Outcome:
@@ -205,9 +208,9 @@ def by_forces(
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Create a model that needs no time steps, because a closed form gives each position.
+    """Create a model that evaluates a closed form at the end of every frame, without time steps.
 
-    ``place_at`` is the closed form. It takes a time in s, and is called once per frame.
+    ``place_at`` is the closed form, a function that returns the position at a time in s.
     """
 
     def run(_: int) -> Outcome:
@@ -224,9 +227,10 @@ def by_pymunk(
 ) -> Model:
     """Create a model that simulates a single body with pymunk.
 
-    ``make`` creates the space and the body. ``pull`` is a force that is applied by hand before
-    every step. Without it, only gravity and pymunk's own springs act on the body. The work is the
-    number of steps, since pymunk evaluates the forces once per step.
+    ``make`` creates the space and the body. ``pull`` is a function that computes an additional
+    force on the body, which is applied before every step. Without it, only gravity and pymunk's own
+    springs act on the body. The work is the number of steps, since pymunk evaluates the forces once
+    per step.
     """
 
     def run(steps: int) -> Outcome:

@@ -16,10 +16,11 @@ GRAVITY = 9.81
 class BalanceLine:
     """A line on which a student's engine claims that a box of stones balances.
 
-    The line has the direction ``angle`` in degrees, and ``offset`` is its distance from the box's
-    corner. ``left`` and ``right`` are the masses in kg on its two sides according to the engine.
-    ``true_left`` and ``true_right`` are the masses on either side of the exact line. If an error
-    stopped the engine, ``message`` is its text.
+    - ``angle``: the direction of the line in degrees.
+    - ``offset``: the distance of the line from the corner of the box, in m.
+    - ``left``, ``right``: the masses in kg on the two sides of the line, according to the engine.
+    - ``message``: the text of the error that stopped the engine, if there was one.
+    - ``true_left``, ``true_right``: the masses in kg on the two sides of the exact line.
     """
 
     angle: int

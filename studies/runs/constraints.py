@@ -1,6 +1,6 @@
 """Simulate a bouncing ball, a hanging chain or a pendulum, and record values over time.
 
-Most simulations use an integrator of chapter 6, and resolve the contacts after each time step.
+Most of these simulations use an integrator of chapter 6, and resolve contacts after each time step.
 Gravity is 10 m/s^2, downward. Lengths are in m, and times are in s.
 """
 
@@ -47,8 +47,8 @@ class Link(Protocol):
 class Track:
     """The values of a quantity, such as the height of a ball, over the course of a simulation.
 
-    They are recorded at the start and after each time step. If an error in the student's engine
-    ended the simulation early, ``message`` is its text.
+    They are recorded at the start and after each time step. If the student's engine raised an
+    error, the recording ends early, and ``message`` is the text of the error.
     """
 
     times: list[float]
@@ -79,7 +79,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Apply no forces, because the particles have gravity as their own acceleration."""
+    """Apply no forces, for particles whose own acceleration already includes gravity."""
     del duration
 
 
@@ -124,9 +124,9 @@ def by_resolver(
 
 
 def without_rule(contacts: list[Contact], duration: float) -> None:
-    """Resolve contacts without the rule for resting contacts.
+    """Resolve contacts without the special rule for resting contacts.
 
-    The velocity that gravity adds in a time step then bounces, too.
+    Without this rule, the velocity that gravity adds in a time step also bounces.
     """
     del duration
     for contact in contacts:
@@ -135,7 +135,10 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Build a rule for contacts that is too strict on purpose: nothing below ``speed`` bounces."""
+    """Build a function that resolves contacts, but without any bounce at speeds below ``speed``.
+
+    This rule for resting contacts is too strict on purpose.
+    """
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -175,8 +178,8 @@ def ball(
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
     """Drop a ball, and record its height over time with the function time_division_step.
 
-    This function stops a step at each impact. When the ball comes to rest, it raises
-    TooManyImpacts, and the recording ends at the time that the exception reports.
+    This function stops a step at each impact. It raises TooManyImpacts when the ball comes to rest.
+    The recording then ends at the time that is stored in the exception.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)

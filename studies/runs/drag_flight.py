@@ -1,11 +1,11 @@
 """Simulate the flight of a projectile under gravity and drag, with our engine or with pymunk.
 
-Plots, checks and benchmarks use the same flights. Each flight has an exact solution, with which the
-simulations can be compared. A simulation has frames of equal length. It returns the position and
-velocity at the start and after every frame.
+Plots, checks and benchmarks use the same flights. Each flight has an exact solution for comparison.
+A simulation runs in frames of equal length, and returns the position and velocity at the start and
+after every frame.
 
 All values are plain numbers in SI units. The flights lie in the X-Y plane, so that a
-two-dimensional engine can run them, too.
+two-dimensional engine can simulate them, too.
 """
 
 from __future__ import annotations
@@ -38,9 +38,8 @@ class State:
 class DragFlight:
     """A flight with constant acceleration, and with drag that is proportional to the velocity.
 
-    ``damping`` is the fraction d of the velocity that is left after one second. In the exact
-    solution, damping acts continuously. It is then the drag dv/dt = -k v with k = -ln d. If d is 1,
-    there is no drag.
+    ``damping`` is the fraction d of the velocity that is left after one second. The exact solution
+    treats it as a continuous drag, dv/dt = -k v with k = -ln d. There is no drag if d is 1.
     """
 
     name: str

@@ -80,8 +80,8 @@ def loaded_platform() -> TiltingPlatform:
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
     """Simulate a mass aggregate, such as the rope bridge, and record its energy over time.
 
-    It is the mechanical energy in J. A faster contact resolver is used, which computes the same
-    results.
+    The value is the mechanical energy in J. To save time, the simulation uses a faster contact
+    resolver that computes the same results.
     """
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
@@ -98,8 +98,8 @@ def default_bridge() -> Bridge:
 def variation(run: Track, since: float) -> float:
     """Measure how much a recorded value still varies from time ``since`` on.
 
-    Return the difference between the largest and the smallest value, as a fraction of the last one.
-    Return NaN if the engine failed.
+    The result is the range of the values, as a fraction of the last value. It is NaN if the engine
+    failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -112,9 +112,11 @@ def load_on_bridge(
 ) -> tuple[Track, int]:
     """Put a ball on a rope bridge, and record how far the worst cable overstretches.
 
-    The bridge runs at 60 frames per second. Return the worst cable's excess length in percent over
-    time, and the number of contacts resolved. The excess length is infinite once the ball has
-    fallen through.
+    The bridge runs at 60 frames per second.
+
+    Returns:
+        The worst cable's excess length in percent over time, and the number of contacts resolved.
+        The excess length is infinite once the ball has fallen through.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -134,10 +136,10 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Create random frame times, as in a game that does not run smoothly.
+    """Create random frame durations, as in a game whose frame rate varies.
 
-    Most frames take between 5 and 30 ms. At each time in ``spikes``, the computer is busy with
-    something else, and one frame takes SPIKE.
+    Most frames take between 5 and 30 ms. At each time in ``spikes``, one frame takes SPIKE, as if
+    the computer were busy with something else.
     """
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*spikes]
@@ -152,9 +154,9 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return the positions of all particles of a world as plain numbers.
+    """Return a copy of the positions of all particles of a world, as plain numbers.
 
-    The result is a copy, which does not change when the particles move on.
+    Later changes of the particles do not affect this copy.
     """
     return [numbers(particle.position) for particle in world.particles]
 
@@ -164,12 +166,12 @@ def in_frames(
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
     """Simulate a mass aggregate, such as the rope bridge, in frames of different lengths.
 
-    If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
-    step.
+    If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is a
+    single step.
 
     Returns:
-        The measured values over time, and a list with an entry for each frame. An entry holds the
-        number of steps so far and the positions of all particles.
+        The measured values over time, and a list with an entry for each frame. An entry is a
+        tuple of the number of steps so far and the positions of all particles.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
@@ -226,8 +228,8 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
     """Create a world in which balls fall to the ground one by one. Return the world and the balls.
 
-    The last ball starts at LATE_HEIGHT. It lands between two other balls and pushes all of the
-    balls apart. A world in which balls have fallen asleep must wake them at that moment.
+    The last ball starts at LATE_HEIGHT. It lands between two other balls and pushes all balls
+    apart. Any balls that have fallen asleep must wake at that moment.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]
@@ -264,7 +266,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Return the largest distance between a position and its counterpart in the other list."""
+    """Return the largest distance between two positions with the same index in the two lists."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

@@ -21,9 +21,9 @@ from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver,
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
     """Simulate a stack of spheres, and record its height and the overlap of the spheres over time.
 
-    At the start each sphere just touches the next one. Nothing bounces. The height is that of the
-    top sphere's center. The overlap is the largest one between two spheres, or between a sphere and
-    the ground, as a fraction of the diameter.
+    The spheres just touch at the start, and do not bounce. The height is that of the top sphere's
+    center. The overlap is the largest one between two spheres, or between a sphere and the ground,
+    as a fraction of the diameter.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
@@ -65,9 +65,9 @@ def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[
 def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
     """Resolve the contacts of a pile in ``iterations`` iterations, and measure what errors remain.
 
-    If ``in_order`` is true, contacts are resolved in the order of the list, again and again.
-    Contacts that need no resolution are skipped. Otherwise a ContactResolver always resolves the
-    worst contact first.
+    If ``in_order`` is true, the contacts are resolved in the order of the list, again and again,
+    except for those that need no resolution. Otherwise a ContactResolver always resolves the worst
+    contact first.
 
     Returns:
         The largest closing velocity in m/s, and the largest depth in m at the final positions.
@@ -92,7 +92,7 @@ def _sweep(
     wants: Callable[[Contact], bool],
     resolve: Callable[[Contact], object],
 ) -> None:
-    """Resolve contacts in the order of the list, again and again, at most ``limit`` in total."""
+    """Resolve contacts in the order of the list, again and again, but only ``limit`` in total."""
     used = 0
     while True:
         before = used
@@ -105,7 +105,7 @@ def _sweep(
 
 
 def _depth(contact: Contact) -> float:
-    """Compute how far a sphere overlaps another sphere or the ground at the moment."""
+    """Compute how far a sphere overlaps another sphere or the ground at its current position."""
     place = contact.particle.position
     if contact.other is None:
         return RADIUS - place.y

@@ -25,11 +25,12 @@ from studies.runs.mass_aggregate import resolve_by_heap
 
 @dataclass(frozen=True)
 class Release:
-    """A moment at which a trebuchet's sling could let go of the projectile, and the throw.
+    """A possible release of the projectile from a trebuchet's sling, and the throw that follows.
 
-    ``angle`` is the projectile's direction of flight at that moment, in degrees. ``range`` is the
-    distance from the pivot to the point where it lands, in m. ``share`` is the projectile's
-    fraction of the energy that the counterweight has lost.
+    - ``angle``: the projectile's direction of flight at the release, in degrees.
+    - ``range``: the distance from the pivot to the point where the projectile lands, in m.
+    - ``share``: the energy of the projectile, as a fraction of the energy that the counterweight
+      has lost.
     """
 
     angle: float
@@ -41,9 +42,10 @@ def releases(design: Design) -> list[Release]:
     """Simulate a trebuchet whose sling never lets go, and list all throws that would be possible.
 
     A sling lets go in the first time step in which the direction of flight is below the release
-    angle. A release is therefore possible whenever the direction is lower than ever before, until
-    the projectile flies horizontally. Ranges and fractions are computed as in Trebuchet.throw, but
-    with plain numbers.
+    angle. A release is therefore possible in every step in which the direction is lower than ever
+    before. The list ends when the projectile flies horizontally.
+
+    Ranges and fractions are computed as in Trebuchet.throw, but with plain numbers.
     """
     machine = Trebuchet(design)
     resolve_by_heap(machine.world)
@@ -75,9 +77,9 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Insert a release of NaNs wherever the release angle drops by more than ``degrees``.
+    """Insert a release of NaNs between two releases whose angles differ by more than ``degrees``.
 
-    A plot of the releases has a gap there.
+    A plot of the releases then has a gap there.
     """
     shown = list(found[:1])
     for before, release in pairwise(found):

@@ -1,8 +1,7 @@
 """Simulate a rope that hangs between two nails, and compute its exact shape.
 
-The rope is simulated as rods or as a DirectChain. The nails are at height 0, and the distance
-between them is SPAN. The rope has the length LENGTH, with a particle of 1 kg wherever two links
-meet.
+The simulated rope is a chain of rods or a DirectChain. It has the length LENGTH, and a particle of
+1 kg wherever two links meet. The nails are at height 0, SPAN apart.
 """
 
 from __future__ import annotations
@@ -31,7 +30,8 @@ Place = tuple[float, float]
 class Hanging:
     """The final shape of a hanging rope, with its sag and its excess length in m.
 
-    ``work`` is the number of contacts that were resolved, or of rods whose forces were computed.
+    ``work`` is the number of contacts resolved, or with a DirectChain the number of rods whose
+    forces were computed.
     """
 
     places: list[Place]
@@ -81,7 +81,7 @@ def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float
 def straight_v(links: int) -> list[Place]:
     """Return the positions of a rope's particles if its middle is pulled down into a V.
 
-    A rope released from this position has to find its position of rest by itself.
+    From this start, a simulated rope has to find its position of rest by itself.
     """
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
@@ -101,8 +101,8 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
     """Simulate a hanging rope of two-sided rods in a ParticleWorld, and measure its sag.
 
     The rope starts in its exact position of rest, so it should not sag any further. There are
-    ``rate`` time steps per second, each of which is divided into ``substeps``. Contacts are
-    resolved by a HeapResolver. It is faster than a ContactResolver and computes the same results.
+    ``rate`` time steps per second, each divided into ``substeps``. Contacts are resolved by a
+    HeapResolver, which is faster than a ContactResolver and computes the same results.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]

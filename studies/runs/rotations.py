@@ -1,7 +1,7 @@
 """Compute the exact orientations of a rotating body, to check those that an engine computes.
 
-An orientation has one of two forms. It is either the components r, i, j and k of a quaternion, or
-three arrows. The arrows are the directions of the body's axes X, Y and Z in the world.
+An orientation has one of two forms. The first form is a quaternion with the components r, i, j and
+k. The second form is three arrows: the directions of the body's axes X, Y and Z in the world.
 """
 
 from __future__ import annotations
@@ -144,7 +144,7 @@ class Throw:
     message: str
 
     def worst(self, measure: Callable[[Arrows], float]) -> float:
-        """Measure an error of the axes at all times of the flight, and return the largest value."""
+        """Apply ``measure`` to the axes at all times of the flight. Return the largest error."""
         return largest([measure(found) for found in self.found])
 
     def worst_direction(self) -> float:
@@ -166,14 +166,14 @@ def disc_orientation(time: float) -> Components:
 def disc_acceleration(time: float) -> Numbers:
     """Compute the angular acceleration of the thrown disc.
 
-    It is not zero, because the precession changes the direction of the spin axis all the time.
+    It is not zero, because the precession constantly changes the direction of the spin axis.
     """
     x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
     return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
 
 
 def throw_disc(rate: int) -> Throw:
-    """Throw a spinning disc, and let the engine rotate it with integrate_rotation.
+    """Throw a spinning disc, and let the engine's integrate_rotation compute its orientation.
 
     ``rate`` is the number of time steps per second.
     """
@@ -249,8 +249,8 @@ def turn_by_steps(
 ) -> tuple[list[Components], str]:
     """Rotate a body step by step from START. Return all orientations and any error message.
 
-    Each step uses the angular velocity at one moment of the step. ``share`` says which one: 0 is
-    the start of the step, and 0.5 is its middle.
+    Each step uses the angular velocity at a fraction ``share`` of the step. For example, 0 is the
+    start of the step, and 0.5 is its middle.
     """
     q = Quaternion(*START)
     found = [components(q)]

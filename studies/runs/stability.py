@@ -1,4 +1,4 @@
-"""Measure how integrators simulate a spring: how it oscillates, and when it explodes.
+"""Measure how integrators simulate a spring: how it oscillates, and when it becomes unstable.
 
 A spring pulls a particle of 1 kg toward 0 along X. Solvers for a single linear spring are wrapped
 as integrators of chapter 6, so that all methods run in the same way.
@@ -47,7 +47,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 class Pull:
     """A spring that pulls toward 0, and is not affected by bugs in the engine's springs.
 
-    It uses plain numbers. ``count`` is the number of force evaluations so far.
+    It computes with plain numbers. ``count`` is the number of times its force was evaluated.
     """
 
     def __init__(self, stiffness: float) -> None:
@@ -83,15 +83,15 @@ def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrato
 
 
 def methods(stiffness: float) -> dict[str, Integrator]:
-    """Return all integrators and solvers by name, as integrators for an undamped spring."""
+    """Return all integrators and solvers by name. Each solver is wrapped for an undamped spring."""
     return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
     """Return an integrator that raises an error if a particle moves faster than ``limit`` in m/s.
 
-    If the student has not written ``watched`` yet, return the integrator itself. A simulation that
-    explodes then still ends, because particles reject forces that are not finite.
+    If the student has not written ``watched`` yet, return the integrator itself. An unstable
+    simulation then still ends, because particles reject forces that are not finite.
     """
     try:
         step = watched(integrator, limit)
@@ -108,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release a body of 1 kg at x = 1 m. It swings until its speed exceeds ``limit`` in m/s."""
+    """Release a body of 1 kg at x = 1 m. Stop early if its speed exceeds ``limit`` in m/s."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
@@ -129,7 +129,7 @@ def growth(
 ) -> float:
     """Compute the factor by which an oscillation grows per time step in the long run.
 
-    It is the magnitude of the larger eigenvalue of a step, or NaN if the engine fails.
+    It is the largest magnitude of an eigenvalue of the step's matrix, or NaN if the engine fails.
     """
     return spectral_radius(*step_matrix(integrator, generator, duration, damping))
 
@@ -139,8 +139,8 @@ def step_matrix(
 ) -> tuple[float, float, float, float]:
     """Measure the matrix by which one time step of an integrator multiplies (x, v h).
 
-    A step is linear, so its results for (1, 0) and (0, 1) are the columns. Return the four entries
-    row by row, or four NaNs if the engine fails.
+    A step is linear, so the columns of the matrix are its results for (1, 0) and (0, 1). Return the
+    four entries row by row, or four NaNs if the engine fails.
     """
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):
@@ -155,7 +155,7 @@ def step_matrix(
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
     """Compute the factor by which oscillations grow per time step at k h^2 / m = ``kappa``.
 
-    ``damping`` is c h / m of the spring for a solver, and d^h of the particle for an integrator.
+    ``damping`` is c h / m of the spring for a solver, or d^h of the particle for an integrator.
     """
     k = kappa / duration**2
     if name in SOLVERS:
@@ -164,7 +164,7 @@ def growth_of(name: str, kappa: float, damping: float, duration: float) -> float
 
 
 def period(places: Sequence[float]) -> float:
-    """Measure the steps per oscillation from its zero crossings, or NaN if there are too few."""
+    """Return the number of steps per oscillation, or NaN if there are too few zero crossings."""
     found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
     return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
 
@@ -261,7 +261,7 @@ def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
 
 
 def theory(name: str, kept: float) -> float:
-    """Return the stiffness k h^2 / m above which a spring explodes in theory with a time step h.
+    """Return the stiffness k h^2 / m above which a spring is unstable in theory with a time step h.
 
     ``kept`` is the fraction D = d^h of the velocity that a step keeps. Each limit follows from the
     matrix of the step. Verlet and Runge-Kutta apply the damping only at the end of the step.
@@ -288,7 +288,7 @@ def _step(
 
 
 def _state(particle: Particle) -> tuple[float, float]:
-    """Return the position and velocity along X. A number spoiled by the engine becomes NaN."""
+    """Return the position and velocity along X. Anything that is not a number becomes NaN."""
     x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
     return number(x), number(v)
 

@@ -1,12 +1,13 @@
 """Test how well our engine and pymunk keep the loaded rope bridge of chapter 8 at rest.
 
-Every simulation starts at rest, slightly below the position with the least potential energy. At
-exactly that position, rounding errors would decide which cables are taut. As its work, each
-simulation counts the contacts that it resolves. In pymunk, every joint counts once per iteration.
+Every simulation starts at rest, slightly below the position with the least potential energy.
+Exactly at that position, rounding errors would decide which cables are taut. The work of a
+simulation is the number of contacts that it resolves. In pymunk, it is the number of joints times
+the number of iterations.
 
-Pymunk is two-dimensional, so positions are compared as seen from the side. Its bridge is flattened:
-both sides lie in one plane, and the rods between them are left out. The cables are as long as they
-look from the side.
+Pymunk is two-dimensional, so its bridge is flat: both sides lie in one plane, and there are no rods
+between them. The cables are as long as they look from the side, and all positions are compared in
+this view.
 """
 
 from __future__ import annotations
@@ -104,8 +105,8 @@ def truth(_: float) -> Place:
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
     """List the cables on one side of the rope bridge as tuples of start, end and length.
 
-    A cable runs from an anchor or a plank to a plank. An anchor is given by its position, and a
-    plank by its index. The length is in m, as seen from the side.
+    The end is the index of a plank. The start is the index of another plank, or the position of an
+    anchor. The length is in m, as seen from the side.
     """
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):
@@ -119,16 +120,15 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 def hanging(extra: float = 0.0) -> list[Place]:
     """Compute with SciPy where the planks' ends on one side of the rope bridge come to rest.
 
-    At rest, all cables are taut, and their tensions balance the weights. ``extra`` is added to the
-    length of every cable, in m.
+    At rest, all cables are taut, and their tensions balance the weights. Every cable is made longer
+    by ``extra``, in m.
     """
     held = cables()
 
     def off(state: Any) -> Any:
-        """Compute how far a state of the bridge is from rest, as a list of errors.
+        """Compute the errors of a state, all of which are 0 when the bridge is at rest.
 
         The errors are the net force on each plank's end in N, and each cable's excess length in m.
-        SciPy searches for the state in which all of them are 0.
         """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
@@ -152,8 +152,8 @@ def hanging(extra: float = 0.0) -> list[Place]:
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
     """Replace the cables and rods of the rope bridge by two-sided rods.
 
-    A two-sided rod pushes as well as pulls, while a cable only pulls. The two behave alike as long
-    as all cables are taut.
+    A two-sided rod can both push and pull, while a cable can only pull. This makes no difference as
+    long as all cables are taut.
     """
     found: list[ContactGenerator] = []
     for link in links_of(rows):
@@ -172,8 +172,8 @@ def by_world(
 ) -> Outcome:
     """Simulate the rope bridge as a ParticleWorld, which treats cables and rods as contacts.
 
-    ``links`` is a function that creates the cables and rods, and ``resolver`` resolves their
-    contacts after each step. The particles have the same damping as in chapter 8.
+    ``links`` is a function that creates the cables and rods. After each step, ``resolver`` resolves
+    their contacts. The particles have the same damping as in chapter 8.
     """
     ends, _, held = hung(links)
     world, work = ParticleWorld(ends, held, integrator=integrator), 0
@@ -211,9 +211,9 @@ def whole() -> tuple[list[Particle], list[Any]]:
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Build the flat rope bridge that pymunk simulates, but with particles and cables.
+    """Build the flat rope bridge that pymunk simulates, but with our particles and cables.
 
-    It has no rods, and all of its planks' ends have z = 0. Return the ends and the cables.
+    All planks' ends have z = 0, and there are no rods. Return the ends and the cables.
     """
     ends, rows, _ = hung(links_of)
     links: list[Any] = []
@@ -229,10 +229,10 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 
 
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
-    """Simulate the rope bridge with DirectNet, which solves for all of its tensions at once.
+    """Simulate the rope bridge with DirectNet, which computes all tensions at once.
 
-    ``make`` builds the bridge. Since the bridge is at rest, its tensions remain correct from step
-    to step, and the equations need not be solved again.
+    ``make`` builds the bridge. Since the bridge is at rest, the tensions stay the same in every
+    step, so the equations need not be solved again.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
@@ -242,7 +242,7 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
     """Compute the rest position of the rope bridge directly, and let the bridge sleep there.
 
-    As work, each cable and rod counts only once, since later frames need no computation.
+    Later frames need no computation, so the work is just the number of cables and rods.
     """
     ends, links = whole()
     world = SleepingWorld(ends, links)

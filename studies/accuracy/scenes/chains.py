@@ -1,8 +1,9 @@
 """Simulate a swinging chain of rods with our engine and with pymunk, and compute its exact motion.
 
-The work of a simulation is counted, so that it does not depend on the computer's speed. Each
-contact that is resolved counts once. If a method solves for all rods at once, every rod counts once
-per evaluation. In pymunk, pin joints act as the rods, and each joint counts once per iteration.
+The work of a simulation is counted rather than timed, so it does not depend on the computer's
+speed. Most methods count the contacts that they resolve. A method that solves for all rods at once
+counts every rod once per evaluation. In pymunk, pin joints act as the rods, and each joint counts
+once per iteration.
 """
 
 from __future__ import annotations
@@ -43,9 +44,12 @@ COUNTED = "contacts resolved, or rods solved for"
 class Chain:
     """A straight chain of rods that hangs from the origin and is released from rest.
 
-    Every rod has the same ``length`` in m, and a particle at its lower end. ``masses`` lists the
-    masses of the particles in kg, from the top to the tip. ``angle`` is measured from straight
-    down, in radians, and ``gravity`` is in m/s^2.
+    Each rod has a particle at its lower end.
+
+    - ``masses``: the masses of the particles in kg, from the top to the tip.
+    - ``length``: the length of every rod in m.
+    - ``angle``: the initial angle between the chain and the vertical, in radians.
+    - ``gravity``: the gravity in m/s^2, as a positive number.
     """
 
     length: float
@@ -76,7 +80,7 @@ class Chain:
     def by_its_angles(self) -> AngleChain:
         """Create an AngleChain, which describes the chain by the angles of its rods.
 
-        If all masses are equal, create an AngleRope instead, which takes less time per step.
+        If all masses are equal, create an AngleRope instead, which is faster.
         """
         _, masses, angles = self.angles()
         if len(set(masses)) == 1:
@@ -113,10 +117,10 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Create all models of a chain of rods: first ours, and then pymunk's.
+    """Create all models of a chain of rods, ours first and then pymunk's.
 
     A model is one way to simulate the chain, for example with a certain integrator. Most of our
-    models run once for each number of steps per frame in ``steps``.
+    models try all numbers of steps per frame in ``steps``.
     """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
@@ -143,7 +147,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 def by_angles(chain: Chain, steps: int) -> Outcome:
     """Simulate a chain of rods with Runge-Kutta 4, using the angles of the rods as variables.
 
-    Each step makes four evaluations, and each evaluation counts every rod as one unit of work.
+    There are four evaluations per time step. Each one counts every rod as one unit of work.
     """
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
@@ -153,8 +157,8 @@ def by_angles(chain: Chain, steps: int) -> Outcome:
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
     """Simulate a chain of rods by its angles, in time steps that are longer than a frame.
 
-    Every twelve frames take ``steps`` time steps. Between these steps, the angles at the end of
-    each frame are interpolated with cubic polynomials.
+    There are ``steps`` time steps in every twelve frames. The angles at the frames in between are
+    interpolated with cubic polynomials.
     """
     angles = chain.by_its_angles()
     length, places, made = LONG / steps, [], 0  # frames of a step
@@ -191,7 +195,7 @@ def by_tensions(chain: Chain, steps: int) -> Outcome:
 
 
 def by_direct_chain(chain: Chain, steps: int) -> Outcome:
-    """Simulate a chain of rods with DirectChain, which solves for all of its tensions at once."""
+    """Simulate a chain of rods with DirectChain, which computes all tensions at once."""
     particles = chain.particles()
     solver = DirectChain(particles, Vector3())
     places = in_frames(solver.step, lambda: places_of(particles), chain.frames, steps)
@@ -219,7 +223,7 @@ def by_resolver(
 
 
 def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
-    """Simulate a chain of rods with pymunk, with pin joints as the rods.
+    """Simulate a chain of rods with pymunk, where pin joints act as the rods.
 
     Pymunk's solver makes ``iterations`` iterations per step.
     """

@@ -43,8 +43,8 @@ G = 9.81  # m/s^2
 def projectile() -> Scene:
     """Create the scene of a projectile with linear drag.
 
-    Some of its models evaluate a closed form. The others simulate the flight step by step, with the
-    drag either as damping or as a force.
+    Some of its models evaluate a closed form. The others simulate the flight in time steps, and
+    treat the drag either as damping or as a force.
     """
     frames = round(PROJECTILE.duration * RATE)
     k1 = -math.log(PROJECTILE.damping)
@@ -146,8 +146,8 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 def floating_block() -> Scene:
     """Create the scene of a block that bobs up and down in water.
 
-    The block is always partly submerged, so its buoyancy grows linearly with depth, and it moves as
-    if it hung from a spring.
+    The block is always partly submerged, so its buoyancy is proportional to the depth of its lower
+    side. It therefore moves like a body on a spring.
     """
     frames, s, volume, mass = 240, 0.05, 0.001, 0.5
     stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth

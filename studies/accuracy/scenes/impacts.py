@@ -1,12 +1,13 @@
 """Define three scenes with bouncing balls, in which our engine is compared with pymunk.
 
-In the first scene, a ball bounces without losing energy, and in the second one it loses energy. In
-the third one, a light ball is dropped on top of a heavy one.
+- A ball bounces without losing energy.
+- A ball loses energy at every bounce.
+- A light ball is dropped on top of a heavy one.
 
-The work of a simulation is counted, so that it does not depend on the computer's speed. It is the
-number of searches for contacts. Most methods search once per step, but time division searches once
-per impact and once per frame. If a method computes the heights of a ball from its impacts alone, it
-counts these heights instead.
+The work of a simulation is counted rather than timed, so it does not depend on the computer's
+speed. It is the number of searches for contacts. Most methods search once per step, but time
+division searches once per impact and once per frame. A method that computes the height of a ball
+directly from its impacts counts these computations instead.
 """
 
 from __future__ import annotations
@@ -33,9 +34,9 @@ RADIUS = 0.1  # m
 class Balls:
     """One or more balls, one above the other, that are dropped from rest.
 
-    ``heights`` lists the initial heights of the balls' centers in m, from the lowest ball up.
-    ``ground`` is the restitution between a ball and the ground, and ``pair`` is the restitution
-    between two balls.
+    - ``heights``: the initial heights of the balls' centers in m, from the lowest ball up.
+    - ``ground``: the restitution between a ball and the ground.
+    - ``pair``: the restitution between two balls.
     """
 
     def __init__(
@@ -61,8 +62,8 @@ class Balls:
     def places_at(self, times: Sequence[float]) -> list[Place]:
         """Compute the exact heights of the balls at each of ``times``, which must be ascending.
 
-        The computation goes from one impact to the next. It does not use the engine, so a bug in
-        the engine cannot affect it.
+        The heights are computed from one impact to the next. No code of the engine is used, so a
+        bug in the engine cannot affect the result.
         """
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
@@ -80,8 +81,8 @@ class Balls:
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
         """Find the next impact of a ball with the ground or with the ball below it.
 
-        Return the time until the impact in s, and the index of the upper ball. For an impact with
-        the ground, the index is 0.
+        Return the time until the impact in s, and the index of the ball. If two balls collide, it
+        is the index of the upper one, and for an impact with the ground it is 0.
         """
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
@@ -136,7 +137,7 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
     """Compute the height of a bouncing ball in every frame from the times of its impacts.
 
-    Between two impacts the height has a closed form, so no time steps are needed.
+    No time steps are needed, because the height has a closed form between two impacts.
     """
     (height,) = balls.heights
     heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)

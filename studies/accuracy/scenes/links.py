@@ -31,8 +31,11 @@ def pendulum() -> Scene:
     def truth(time: float) -> Place:
         """Compute the exact position of the pendulum's bob at ``time`` with elliptic functions.
 
-        With t in s, sin(angle / 2) is sin(start / 2) times cn / dn of t sqrt(g / l), where cn and
-        dn are Jacobi's elliptic functions.
+        With u = t sqrt(g / l), where t is the time in s, the angle follows from
+
+            sin(angle / 2) = sin(start / 2) cn(u) / dn(u)
+
+        Here cn and dn are Jacobi's elliptic functions.
         """
         m = math.sin(0.25 * math.pi) ** 2
         _, cn, dn, _ = ellipj(math.sqrt(ROUND_G) * time, m)

@@ -1,7 +1,8 @@
 """Define three scenes with nets of cables, in which our engine is compared with pymunk.
 
-In the first scene, a rope bridge swings. In the second one, a ball walks across the bridge. In the
-third one, a net catches a ball.
+- A rope bridge swings.
+- A ball moves across a rope bridge.
+- A net catches a ball.
 """
 
 from __future__ import annotations
@@ -40,9 +41,9 @@ FINE = 8  # steps per frame of our own run, with which the truth is compared
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
     """Create the scene of a net of cables, with its exact solution and a model for each solver.
 
-    The function ``make`` builds the net, and is called when the net is first needed. SciPy computes
-    the exact solution. As a check, ``Scene.differs`` compares SciPy's solution with our own
-    simulation in short steps.
+    ``make`` is a function that builds the net. It is called only when the net is needed for the
+    first time. SciPy computes the exact solution. To check it, ``Scene.differs`` compares it with
+    our own simulation in short steps.
     """
     plane = cache(make)
 
@@ -78,7 +79,7 @@ def bridge_ties() -> list[Tie]:
 
 
 def hung() -> list[tuple[float, float]]:
-    """List the positions at which the planks on one side of the rope bridge hang at rest.
+    """Compute where the planks on one side of the rope bridge hang at rest.
 
     The third plank carries a load.
     """
@@ -115,11 +116,11 @@ def swinging() -> Scene:
 
 
 def walked_over() -> Scene:
-    """Create the scene of a ball that walks across a rope bridge for 3.6 s.
+    """Create the scene of a ball that moves across a rope bridge for 3.6 s.
 
-    The ball has a mass of 5 kg and walks at 2 m/s. Only one side of the bridge is simulated, so it
-    carries half of the ball's weight. The two planks next to the ball share this load, and all
-    cables stay taut.
+    The ball has a mass of 5 kg and a speed of 2 m/s. Only one side of the bridge is simulated, so
+    it carries half of the ball's weight. At any time, the two planks next to the ball share this
+    load. All cables stay taut.
     """
 
     def make() -> Plane:

@@ -1,11 +1,12 @@
 """Simulate a net of cables with our engine and with pymunk, and compute its exact motion.
 
-The net moves in a plane, because pymunk is two-dimensional. Our engine has two solvers for nets.
-DirectNet has order 2, and SmoothNet has order 4.
+The net moves in a plane, because pymunk is two-dimensional. Our engine has two solvers for nets:
+DirectNet, which has order 2, and SmoothNet, which has order 4.
 
-The work of a simulation is counted, so that it does not depend on the computer's speed. Each link
-counts once whenever the solver solves for all of them, which SmoothNet does four times per step. In
-pymunk, slide joints act as the links, and each joint counts once per iteration.
+The work of a simulation is counted rather than timed, so it does not depend on the computer's
+speed. Our solvers count every link each time they solve the equations for all links. DirectNet does
+so once per step, and SmoothNet four times. In pymunk, slide joints act as the links, and each joint
+counts once per iteration.
 """
 
 from __future__ import annotations
@@ -36,12 +37,12 @@ FAR = 1e3  # m, more than the length that any slide joint reaches
 class Plane:
     """A net in the X-Y plane: knots that are connected by cables and struts.
 
-    ``masses`` lists the masses of the knots in kg, and ``places`` their initial positions. ``ties``
-    lists the cables and struts, in the form that TautMotion takes.
-
-    ``walker`` is a load that moves across the net from knot to knot. It is a tuple of its initial x
-    in m, its speed in m/s and its weight in N. The knots on either side of the walker carry its
-    weight, and the nearer one carries more of it.
+    - ``masses``: the masses of the knots in kg.
+    - ``places``: the initial positions of the knots.
+    - ``ties``: the cables and struts, in the form that TautMotion takes.
+    - ``walker``: a load that moves across the net, or None. It is a tuple of its initial x in m,
+      its speed in m/s and its weight in N. The two knots next to the load share its weight, and the
+      nearer one carries more.
     """
 
     masses: Sequence[float]
@@ -52,7 +53,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the force on each knot in N: its weight, plus its part of the walker's weight."""
+        """Return the force on each knot in N: its weight, plus its part of the moving load."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -93,28 +94,28 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Find the two knots of a net that carry a walker at ``x``, and how they share the weight.
+    """Find the two knots of a net that carry a load at ``x``, and how they share its weight.
 
-    ``xs`` lists the x coordinates of the knots. Return the index of the knot behind the walker, and
-    the fraction of the weight on the knot ahead. The fraction grows linearly from 0 to 1 as the
-    walker moves from one knot to the next.
+    ``xs`` lists the x coordinates of the knots. Return the index of the knot behind the load, and
+    the fraction of the weight that the knot ahead carries. This fraction grows linearly from 0 to 1
+    as the load moves from one knot to the next.
     """
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
 
 class Walker:
-    """A force generator for something that walks across a net, such as a ball.
+    """A force generator for a load that moves across a net, such as a ball.
 
-    It puts the weight of the walker on the two knots next to it. Register it for one knot only,
-    since it adds the forces to both.
+    It divides the weight of the load between the two knots next to it. Register the generator for
+    only one knot, since it adds forces to both knots itself.
     """
 
     def __init__(self, knots: Sequence[Particle], walker: Particle, weight: float) -> None:
         self.knots, self.walker, self.weight = knots, walker, weight
 
     def update_force(self, _: Particle, __: float) -> None:
-        """Split the walker's weight between the two knots next to it. The nearer knot gets more."""
+        """Divide the weight between the two knots next to the load. The nearer knot gets more."""
         xs = [knot.position.x for knot in self.knots]
         knot, share = borne(xs, self.walker.position.x)
         self.knots[knot].add_force(Vector3(0.0, (share - 1.0) * self.weight))
@@ -124,8 +125,8 @@ class Walker:
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
     """Create the particles of a net, and a function that advances them by one time step.
 
-    ``kind`` is the solver, DirectNet or SmoothNet. If something walks across the net, each step
-    also moves it and applies its weight.
+    ``kind`` is the solver, DirectNet or SmoothNet. If a load moves across the net, each step also
+    moves the load and applies its weight.
     """
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
@@ -148,7 +149,7 @@ def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Pa
 
 
 def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
-    """Simulate a net with a solver that handles all cables at once, DirectNet or SmoothNet."""
+    """Simulate a net with a solver that computes all tensions at once, DirectNet or SmoothNet."""
     knots, step = made(plane, kind)
 
     def place() -> Place:
@@ -162,9 +163,9 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
     """Simulate a net in time steps longer than a frame, and interpolate the frames in between.
 
-    Every twelve frames take ``steps`` time steps. The interpolation uses cubic polynomials, which
-    are accurate only while the motion is smooth. They cannot follow the velocity when it jumps at
-    an impact.
+    There are ``steps`` time steps in every twelve frames. The interpolation uses cubic polynomials,
+    so it is accurate only while the motion is smooth. It cannot reproduce the sudden change of
+    velocity at an impact.
     """
     knots, step = made(plane, SmoothNet)
 

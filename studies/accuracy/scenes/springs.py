@@ -1,7 +1,7 @@
 """Define scenes with a body on a spring, in which our engine is compared with pymunk.
 
-In some scenes the body oscillates along a line, with springs of four stiffnesses. In another one it
-swings as an elastic pendulum.
+In four scenes, the body oscillates along a line, each time on a spring of a different stiffness. In
+another scene, it swings as an elastic pendulum.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """Compute the exact motion of a net of cables in a plane, with SciPy.
 
-The computation shares no code with the engine, which makes it an independent test. As long as the
-same cables are taut, the motion follows from ordinary differential equations. Tensions keep the
-taut cables at their lengths. This phase ends when a tension drops to zero, or when a slack cable
-reaches its full length. Then the velocities may jump, and a different set of cables is taut.
+The computation shares no code with the engine, so it is an independent test. As long as the same
+cables are taut, their tensions keep them at full length, and the motion follows from ordinary
+differential equations. This phase ends when a tension drops to zero, or when a slack cable reaches
+its full length. Then the velocities may jump, and other cables are taut.
 
-To find that set and the jump, SciPy solves a least-squares problem for the tensions, which must not
-be negative. This works because an impact without bounce removes as little kinetic energy as
+To find these cables and the jump, SciPy solves a least-squares problem for the tensions, which must
+not be negative. This works because an impact without bounce removes as little kinetic energy as
 possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
 """
 
@@ -28,10 +28,12 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """The exact motion of a net in a plane, whose knots are held by cables and struts.
+    """The exact motion of a net in a plane, whose knots are connected by cables and struts.
 
-    The masses of the knots are in kg. ``ties`` lists the cables and struts. ``load`` returns the
-    external forces on the knots in N, which may depend on the time and on the positions.
+    - ``masses``: the masses of the knots in kg.
+    - ``ties``: the cables and struts.
+    - ``load``: a function that returns the external forces on the knots in N, which may depend on
+      the time and on the positions.
     """
 
     def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
@@ -50,7 +52,7 @@ class TautMotion:
         self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Compute how far each cable or strut still is from its limit, in m.
+        """Compute how far the length of each cable or strut is from its limit, in m.
 
         For a cable, the gap is how much longer it can get. For a strut, it is how much shorter it
         can get. The gap is negative once the limit is exceeded.
@@ -62,8 +64,8 @@ class TautMotion:
         """Differentiate the lengths of the cables and struts, for the equations of motion.
 
         Returns:
-            The Jacobian matrix of the lengths, with one row per cable or strut. With it comes an
-            array that holds the part of each length's second derivative that is due to rotation.
+            The Jacobian matrix of the lengths, with one row per cable or strut, and an array. The
+            array holds the part of each length's second derivative that is due to rotation.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
@@ -75,11 +77,11 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Find the forces with which cables and struts keep the net within their limits.
+        """Find the forces that keep all cables and struts of the net within their limits.
 
-        ``matrix`` is the Jacobian J of the lengths, and M holds the masses. With A = J M^-1 J^T,
-        the forces p satisfy A p >= wanted, and none of them is negative. A cable or strut exerts a
-        force only where the two sides are equal, so p (A p - wanted) = 0.
+        ``matrix`` is the Jacobian J of the lengths. Let A = J M^-1 J^T, where M is the matrix of
+        the masses. The forces p satisfy A p >= wanted, and none of them is negative. A cable or
+        strut exerts a force only if equality holds in its row, so p (A p - wanted) = 0.
         """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
@@ -99,8 +101,8 @@ class TautMotion:
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
         """Resolve any impacts at ``time``, and find out which cables and struts are taut afterward.
 
-        Return the state, which holds positions and velocities, and the indices of the taut cables
-        and struts.
+        Return the new state and the indices of the taut cables and struts. A state consists of
+        positions and velocities.
         """
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
@@ -117,7 +119,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Compute the motion from time 0 on, and return one row of knot positions for each time."""
+        """Compute the motion from time 0 on. Return one row of knot positions for each time."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

@@ -189,7 +189,7 @@ def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
     p.add_force(Vector3(*second))
     about.call = f"{about.call}; p.clear_forces(); p.add_force(Vector3{second})"
     about.cause = "clear_forces must set the sum to zero, even if it is called twice in a row. "
-    about.cause += "The force that is added after that is then the whole sum."
+    about.cause += "The next force that is added must then be the whole sum."
     got = xyz(p.force_accumulator)
     expect_close(got, second, then="; p.force_accumulator", unit="N")
     expect_close(

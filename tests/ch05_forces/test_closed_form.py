@@ -167,7 +167,9 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         expect_close(speed, wanted_speed, then=", the speed", unit="m/s", tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
-        about.cause = "Your distance does not fit your speed. It must be (u^2 / g) ln cosh(g t / "
+        about.cause = (
+            "Your distance is not consistent with your speed. It must be (u^2 / g) ln cosh(g t / "
+        )
         about.cause += "u), where u is the terminal speed."
         expect_close(
             total, u * u, then=" = (v, x); v^2 + u^2 e^(-2 k2 x / m)", tolerance=ROUNDED * u * u
@@ -261,7 +263,7 @@ def test_a_fall_of_any_length_is_accurate() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
-    about.cause = "You don't accept a time of 0, which is valid. At the start of the fall, the "
+    about.cause = "You reject a time of 0, which is valid. At the start of the fall, the "
     about.cause += "speed and the distance are 0."
     about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=0.0); (speed in m/s, "
     about.call += "distance in m)"

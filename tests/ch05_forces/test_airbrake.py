@@ -190,10 +190,8 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
         about.call += f"; p.clear_forces(); p.add_force(Vector3{f}); brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
-    about.cause = (
-        "Your brake changes the velocity of an immovable particle. It must only add a force, "
-    )
-    about.cause += "which has no effect on such a particle."
+    about.cause = "Your brake changes the velocity of an immovable particle. It must only add a "
+    about.cause += "force, which has no effect on such a particle."
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)
@@ -212,10 +210,8 @@ def test_no_brake_reverses_the_motion(rng: Random) -> None:
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
-    loose = (
-        "Your brake does not slow the particle enough. Each of these brakes is strong enough to "
-    )
-    loose += "stop its particle in one step."
+    loose = "Your brake does not slow the particle enough. Each of these brakes is strong enough "
+    loose += "to stop its particle in one step."
     if least < -1e-9:
         about.cause = "Your brake reverses the motion, because its force is too large. Limit the "
         about.cause += "force to -v m / h, where h is the duration."

@@ -167,10 +167,8 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         expect_close(speed, wanted_speed, then=", the speed", unit="m/s", tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
-        about.cause = (
-            "Your distance is not consistent with your speed. It must be (u^2 / g) ln cosh(g t / "
-        )
-        about.cause += "u), where u is the terminal speed."
+        about.cause = "Your distance is not consistent with your speed. It must be (u^2 / g) ln "
+        about.cause += "cosh(g t / u), where u is the terminal speed."
         expect_close(
             total, u * u, then=" = (v, x); v^2 + u^2 e^(-2 k2 x / m)", tolerance=ROUNDED * u * u
         )

@@ -117,10 +117,8 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
 @pytest.mark.exercise("B5.5")
 def test_drag_grows_with_the_speed_and_with_its_square() -> None:
     about.read = READ
-    about.cause = (
-        "The drag does not increase with the speed as it should. Multiply k1 by the speed, and "
-    )
-    about.cause += "k2 by the square of the speed."
+    about.cause = "The drag does not increase with the speed as it should. Multiply k1 by the "
+    about.cause += "speed, and k2 by the square of the speed."
     for v, k1, k2, force in (
         ((0.0, 0.0, 2.0), 3.0, 0.0, -6.0),
         ((0.0, 0.0, -2.0), 3.0, 0.0, 6.0),
@@ -189,10 +187,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12, unit="N")
     about.call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h}); "
     about.call += "p.force_accumulator"
-    about.cause = (
-        "You use the initial values of drag.k1 and drag.k2, which have changed since then. "
-    )
-    about.cause += "Read self.k1 and self.k2 in every call."
+    about.cause = "You use the initial values of drag.k1 and drag.k2, which have changed since "
+    about.cause += "then. Read self.k1 and self.k2 in every call."
     p.clear_forces()
     drag.k1, drag.k2 = k2, k1
     drag.update_force(p, h)
@@ -238,10 +234,8 @@ def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
         "k2=0.05).update_force(p, h) and p.integrate(h)",
         read=READ,
     )
-    about.cause = (
-        "The fall differs too much from the exact one, so the drag is wrong. With k1 = 0 it "
-    )
-    about.cause += "must be -k2 |v| v, where |v| is the speed."
+    about.cause = "The fall differs too much from the exact one, so the drag is wrong. With k1 = 0 "
+    about.cause += "it must be -k2 |v| v, where |v| is the speed."
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
     speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]

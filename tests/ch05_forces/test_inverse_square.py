@@ -137,10 +137,8 @@ def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
     about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
     about.call += "InverseSquareGravity(center=Vector3(), mu=10.0).update_force(p, 0.5); "
     about.call += "p.force_accumulator"
-    about.cause = (
-        "The force on an immovable particle would be infinite, so don't add it. Return early "
-    )
-    about.cause += "if has_finite_mass is False."
+    about.cause = "The force on an immovable particle would be infinite, so don't add it. Return "
+    about.cause += "early if has_finite_mass is False."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO, unit="N")
@@ -183,10 +181,8 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = (
-        "You use the initial center or mu, but both have changed since then. Read self.center "
-    )
-    about.cause += "and self.mu in every call."
+    about.cause = "You use the initial center or mu, but both have changed since then. Read "
+    about.cause += "self.center and self.mu in every call."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
@@ -227,10 +223,8 @@ def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
 @pytest.mark.exercise("5.4")
 def test_the_orbit_closes() -> None:
     about("a particle p, 0.4 m from the center, moving at 2 m/s at right angles to it; ", read=READ)
-    about.call += (
-        "for one orbit, 2 pi s: InverseSquareGravity(center, mu=1).update_force(p, h) and "
-    )
-    about.call += "p.integrate(h)"
+    about.call += "for one orbit, 2 pi s: InverseSquareGravity(center, mu=1).update_force(p, h) "
+    about.call += "and p.integrate(h)"
     about.cause = "The orbit does not end where it started, so the force is wrong. It must be "
     about.cause += "m mu / r^2 at every distance r."
     counts = (10_000, 20_000)

@@ -141,10 +141,8 @@ def test_a_step_takes_the_given_duration(rng: Random) -> None:
     h = round(rng.uniform(0.1, 0.3), 3)
     about.call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); "
     about.call += f"range.forces.add(range.bullet, Drag(0.5, 0.0)); range.update({h})"
-    about.cause = (
-        "The step must last as long as the duration that is passed to update. Pass it on to "
-    )
-    about.cause += "update_forces and integrate."
+    about.cause = "The step must last as long as the duration that is passed to update. Pass it on "
+    about.cause += "to update_forces and integrate."
     at = SniperRange(1)
     at.wind.k1, at.wind.k2, at.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
     at.shoot(0.0, 0.1)

@@ -162,10 +162,8 @@ def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator", unit="N")
     uplift.radius, uplift.force = 20.0, Vector3(*moved)
     uplift.update_force(p, 0.5)
-    about.cause = (
-        "You use the initial values of uplift.radius and uplift.force, which have changed "
-    )
-    about.cause += "since then. Read self.radius and self.force in every call."
+    about.cause = "You use the initial values of uplift.radius and uplift.force, which have "
+    about.cause += "changed since then. Read self.radius and self.force in every call."
     got = xyz(p.force_accumulator)
     expect_close(
         got,

@@ -74,8 +74,8 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                 "extension counts, so subtract the rest length from the length.": [
                     -k * (rest + extension) * part for part in d
                 ],
-                "You multiply by the whole offset, so a long rope pulls too hard. Normalize the "
-                "offset first.": [part * (rest + extension) for part in wanted],
+                "You multiply by the whole offset, so a long rope pulls too strongly. Normalize "
+                "the offset first.": [part * (rest + extension) for part in wanted],
             }
             blame(got, slips)
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
@@ -95,8 +95,8 @@ def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
             (
                 0.5,
                 0.0,
-                "Your slack rope exerts a force. A rope that is shorter than its rest length must "
-                "not.",
+                "Your slack rope exerts a force. A rope that is shorter than its rest length "
+                "must not exert any.",
             ),
             (
                 0.9,

@@ -90,8 +90,8 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
         ),
         "You used y_w - y, the depth of the body's center. Add max_depth, because the lowest point "
         "of the body is that much deeper.": (0.0, 0.25 * full),
-        "Your lift is either full or zero. Multiply the full lift by the submerged fraction of "
-        "the body.": (
+        "Your lift is either the full lift or zero. Multiply the full lift by the submerged "
+        "fraction of the body.": (
             0.0,
             full,
         ),

@@ -69,8 +69,8 @@ def test_there_is_no_force_above_the_ground(rng: Random) -> None:
         (
             0.0,
             -9.0,
-            "You add damping to a particle that only touches the ground. At a depth of 0 there "
-            "must be no force at all.",
+            "You apply damping to a particle that only touches the ground. At a depth of 0, "
+            "there must be no force at all.",
         ),
     ):
         about(f"p at (0, {height + above:.6g}, 0) with velocity (0, {speed:g}, 0); ", cause=cause)

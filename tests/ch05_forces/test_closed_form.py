@@ -30,7 +30,7 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
     got = terminal_speed(2 * 9.81, 0.3, 0.05)
     root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
     slips = {
-        "This is the negative solution of the equation k1 v + k2 v^2 = weight. Return the "
+        "Your result is the negative solution of the equation k1 v + k2 v^2 = weight. Return the "
         "positive one, because a speed is positive.": (-0.3 - root) / 0.1,
         "Your result is twice the right one, because you divide by k2. Divide by 2 k2.": (
             -0.3 + root
@@ -72,8 +72,8 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         blame(v, [(weight / k1, "You treat a small k2 as 0. Include the quadratic drag as well.")])
         expect_close(drag, weight, tolerance=tolerance, unit="N")
         about.call = about.call.partition("; ")[0]
-        about.cause = "This is the negative solution of the equation k1 v + k2 v^2 = weight. "
-        about.cause += "Return the positive one."
+        about.cause = "Your result is the negative solution of the equation k1 v + k2 v^2 = "
+        about.cause += "weight. Return the positive one."
         expect_that(v > 0.0, "a negative speed", "a positive speed")
 
 
@@ -85,11 +85,11 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.cause += "W)), where W is the weight."
     about.call = f"terminal_speed(weight={weight}, k1={k}, k2=0.0)"
     got = terminal_speed(weight, k, 0.0)
-    about.cause = "The result is wrong for k2 = 0. It must be weight / k1 then."
+    about.cause = "The result is wrong for k2 = 0. In this case, it must be weight / k1."
     expect_close(got, weight / k, tolerance=ROUNDED * weight / k, unit="m/s")
     about(
         f"terminal_speed(weight={weight}, k1=0.0, k2={k})",
-        cause="The result is wrong for k1 = 0. It must be sqrt(weight / k2) then.",
+        cause="The result is wrong for k1 = 0. In this case, it must be sqrt(weight / k2).",
     )
     got = terminal_speed(weight, 0.0, k)
     wanted = math.sqrt(weight / k)

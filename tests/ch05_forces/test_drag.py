@@ -37,17 +37,15 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         "square of the speed.": along(-(k2 + k1 * speed)),
         "You multiply the size of the drag by the velocity v, so the force is |v| times too "
         "large. Multiply it by the unit vector v / |v| instead.": along(-speed * (k1 + k2 * speed)),
-        "Your drag lacks the term with k2. Multiply -v by k1 + k2 |v|, where |v| is the speed.": (
-            along(-k1)
-        ),
-        "Your drag lacks the term with k1. Multiply -v by k1 + k2 |v|, where |v| is the speed.": (
-            along(-k2 * speed)
-        ),
-        "Your drag is -v (k1 + k2), so it lacks a factor |v|. Multiply k2 by the speed |v|.": along(
+        "Your drag leaves out the term with k2. Multiply -v by k1 + k2 |v|, where |v| is the "
+        "speed.": (along(-k1)),
+        "Your drag leaves out the term with k1. Multiply -v by k1 + k2 |v|, where |v| is the "
+        "speed.": (along(-k2 * speed)),
+        "Your drag is -v (k1 + k2), without the factor |v|. Multiply k2 by the speed |v|.": along(
             -(k1 + k2)
         ),
-        "The size of your drag is k1 + k2, whatever the speed |v| is. Multiply k1 by |v| and "
-        "k2 by |v|^2.": along(-(k1 + k2) / speed),
+        "The size of your drag is k1 + k2, no matter what the speed |v| is. Multiply k1 by |v| "
+        "and k2 by |v|^2.": along(-(k1 + k2) / speed),
         "You use a different speed for each axis, such as |x| for the x component. Use the same "
         "total speed |v| in all three components.": (x, y, z),
     }

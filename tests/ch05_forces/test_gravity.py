@@ -136,7 +136,7 @@ def test_gravity_has_the_same_effect_as_a_constant_acceleration(rng: Random) -> 
     h, frames = 1.0 / 64.0, 192
     about.call = f"p = Particle(mass={mass}, damping={damping}); for 3 s, in steps of h = 1/64 s: "
     about.call += f"Gravity(Vector3{g}).update_force(p, h) and p.integrate(h); p.position"
-    about.cause = "The particle does not move as if g were its own acceleration. Add exactly the "
+    about.cause = "The particle must move as if g were its own acceleration. Add exactly the "
     about.cause += "weight m g in every step."
     about.read = "book 5.3"
     (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)

@@ -150,8 +150,8 @@ def test_remove_undoes_one_call_of_add() -> None:
     expect_asked(
         [*adds, ("update", 0.5)],
         everyone,
-        cause="The same pair (p0, g0) was added three times, so it must act three times. Every "
-        "call of add registers another pair.",
+        cause="The same pair (p0, g0) was added three times, so its generator must be called "
+        "three times. Every call of add registers another pair.",
     )
     about.call = "particles p0, p1 and generators g0, g1; the pair (p0, g0) is added three times; "
     about.call += "the pair (p1, g1) is added; registry.remove(p0, g0); "
@@ -202,8 +202,8 @@ def test_clear_removes_all_pairs() -> None:
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
     first = [(0, 0, 0.5), (1, 1, 0.5)]
-    still = "A pair still acts after clear was called. clear must remove all pairs from the "
-    still += "registry."
+    still = "A pair still has an effect after clear was called. clear must remove all pairs from "
+    still += "the registry."
     slips = {still: [*first, *first, (0, 0, 0.25), (1, 1, 0.25), (2, 1, 0.25)]}
     expect_asked(acts, [*first, (2, 1, 0.25)], cause=about.cause, slips=slips)
 

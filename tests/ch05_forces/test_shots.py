@@ -50,7 +50,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         about.cause = "There are shots left, and no bullet is in flight. shoot must therefore "
         about.cause += "fire a bullet and return True."
         fired = at.shoot(azimuth, elevation)
-        nothing = "shoot returned nothing. Return True after a bullet was fired."
+        nothing = "shoot returned nothing. Return True after a bullet is fired."
         expect_that(fired is not None, "nothing (None)", "True", cause=nothing)
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")

@@ -230,8 +230,8 @@ def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
         about.call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; "
         about.call += "p.velocity.y -= 1; b.update_force(p, 0.5)"
         about.cause = (
-            "The check changes the attributes of b before this call, so the pull is 3 (3 - 2) + "
-            "0.5 * 1. Read the attributes in every call instead of storing a result."
+            "The check changes the attributes of b before this call, so the pull must be 3 (3 - "
+            "2) + 0.5 * 1. Read the attributes in every call instead of storing a result."
         )
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)

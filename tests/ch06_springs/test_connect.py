@@ -71,8 +71,8 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
             "You subtract a's position from b's, so the force on a points in the wrong "
             "direction. Subtract b's position from a's.": tension(there, v, here, w, numbers),
             (
-                "You swapped the forces on a and b. Compute the force on a from a's position minus "
-                "b's, whichever end is passed to update_force."
+                "You swapped the forces on a and b. Always compute the force on a from a's "
+                "position minus b's, no matter which end is passed to update_force."
             ): [-part for part in wanted],
             "You added no force to a. Both ends need a force in every call.": ZERO,
         }
@@ -174,8 +174,8 @@ def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.call += "a.position.y = 2; "
     about.call += "a.velocity.y = 1; c.update_force(a, 0.5)"
     about.cause = (
-        "The check changes the attributes of c before this call, so the force is 5 (3 - 2) - 2 * "
-        "1. Read the attributes in every call instead of storing a result."
+        "The check changes the attributes of c before this call, so the force must be 5 (3 - 2) "
+        "- 2 * 1. Read the attributes in every call instead of storing a result."
     )
     c.stiffness, c.rest_length, c.damping = 5.0, 3.0, 2.0
     a.clear_forces()

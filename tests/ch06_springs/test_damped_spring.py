@@ -77,8 +77,9 @@ def test_the_three_cases_by_known_values() -> None:
         "exponentials there instead of subtracting them.": math.exp(-1.0)
         * (1.0 + 20.0 / over)
         * math.sinh(0.05 * over),
-        "Your position lacks its second term. Multiply e^(-half t) by cosh(gamma t) plus half "
-        "sinh(gamma t) / gamma, where half = c / (2 m).": math.exp(-1.0) * math.cosh(0.05 * over),
+        "Your position leaves out its second term. Multiply e^(-half t) by cosh(gamma t) plus "
+        "half sinh(gamma t) / gamma, where half = c / (2 m).": math.exp(-1.0)
+        * math.cosh(0.05 * over),
         "You use cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
         "sinh instead.": math.exp(-1.0)
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),

@@ -200,10 +200,12 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     slips = {
-        "Your lower end never moves from SOFTEST / h^2, where the search begins. If the stiffness "
-        "in the middle of the interval is stable, make it the new lower end.": 1e-7 / h**2,
-        "Your upper end never moves from STIFFEST / h^2, where the search begins. If the stiffness "
-        "in the middle of the interval is unstable, make it the new upper end.": 16.0 / h**2,
+        "The lower end of your interval never moves from SOFTEST / h^2, where the search begins. "
+        "If the stiffness in the middle of the interval is stable, make it the new lower end.": 1e-7
+        / h**2,
+        "The upper end of your interval never moves from STIFFEST / h^2, where the search "
+        "begins. If the stiffness in the middle of the interval is unstable, make it the new "
+        "upper end.": 16.0 / h**2,
         "You return max_stable_stiffness, the formula for explicit Euler. This integrator is a "
         "different one, so measure its limit with swings_wider.": limit_of(1.0, True, damping, h),
         "Your result is STIFFEST / h. The ends of the interval depend on the square of the "

@@ -143,7 +143,7 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
             )
     falling = [p + q * period for p, q in zip(v, a, strict=True)]
     about.cause = "The positions are right, but the velocities are not those at the end of the "
-    about.cause += "step. Change the velocities for the whole duration too."
+    about.cause += "step. Update the velocities over the whole duration too."
     # After a whole period the spring has its velocity of the start, none; it has up to 9 m/s.
     expect_close(
         velocities[-1][0],

@@ -166,8 +166,8 @@ def test_a_body_comes_to_rest_below_the_surface() -> None:
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
-    about.cause = "The particle arrives at 3.2 m/s, and the ground must stop it within about 0.2 "
-    about.cause += "m. Check the stiffness and the sign of the damping."
+    about.cause = "The particle hits the ground at 3.2 m/s, and the ground must stop it within "
+    about.cause += "about 0.2 m. Check the stiffness and the sign of the damping."
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     expect_between(lowest, deepest, 0.6 * deepest, then=", at its lowest")
     about.call = "ground = PenaltyGround(height=0, stiffness=400, damping=0), changed to "

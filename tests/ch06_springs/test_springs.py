@@ -292,8 +292,8 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     about.call += "s.rest_length, s.damping = 5, 2, 3; p at (0, 3, 0) with velocity (0, 1, 0), q "
     about.call += "at rest at (0, 0, 0); s.update_force(p, 0.5)"
     about.cause = (
-        "The check changes the attributes of s before this call, so the force is -(5 (3 - 2) + 3 "
-        "* 1). Read the attributes in every call."
+        "The check changes the attributes of s before this call, so the force must be -(5 (3 - "
+        "2) + 3 * 1). Read the attributes in every call."
     )
     s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()

@@ -77,8 +77,8 @@ def slips_of(
     bodies: dict[str, Body] = {
         "You leave out p.acceleration, the constant acceleration. Add it to f / m, the "
         "acceleration that the forces cause.": (p, v, ZERO, mass, d, hand),
-        "Your step leaves out the force that was added to p before it. This force acts during the "
-        "whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
+        "Your step leaves out the force that was added to p before the step. This force acts "
+        "during the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
         "You don't divide the forces by the mass. The acceleration is p.acceleration + f / m, "
         "where f is the sum of the forces.": (p, v, a, 1.0, d, hand),
         "Your velocity is never damped. Multiply it by d^h once per step, where d is the "
@@ -88,8 +88,8 @@ def slips_of(
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
-        "The forces of apply_forces have no effect on your step. Call it before you use the "
-        "accumulators, and clear them only after that."
+        "The forces that apply_forces adds have no effect on your step. Call it before you use "
+        "the accumulators, and clear them only after that."
         if asked
         else "You never call apply_forces. Call it in every step, before you use the accumulators."
     ] = walk(method, body, 0.0, 0.0, h, frames)
@@ -119,8 +119,8 @@ def draw_body(rng: Random, hand: Components = ZERO) -> Body:
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = "Your step is wrong if a force was added to p before it. This force acts during the "
-    by_hand += "whole step, so include it in every evaluation of the forces."
+    by_hand = "Your step is wrong if a force was added to p before the step. This force acts "
+    by_hand += "during the whole step, so include it in every evaluation of the forces."
     for what, body, frames, cause in (
         ("once", draw_body(rng), 1, RULES[method]),
         ("once", draw_body(rng, components(rng)), 1, by_hand),

@@ -71,7 +71,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     won, before = seen[rows + falls - 1], seen[rows + falls - 2]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
-    missing = "You leave out the bonus. When the ball has visited all rows, add BONUS for each "
+    missing = "You leave out the bonus. Once the ball has visited all rows, add BONUS for each "
     missing += "life that is left."
     if won[0] == points and ruled(rows, order)[-1][0] != points:
         missing = "You remove rows from visited after a fall, so the game is never won. Don't "
@@ -272,8 +272,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             )
         elif row == 0:
             about.cause = (
-                "You ignore a landing on row 0, because `if row` is false for 0. Write `if row is "
-                "not None` instead."
+                "You ignore a landing on row 0, because Python treats 0 as false in `if row`. "
+                "Write `if row is not None` instead."
             )
         name = "; the ball's velocity along Y"
         expect_close(seen["velocity"][1], 6.0, then=name, unit="m/s", tolerance=1e-12)
@@ -317,8 +317,8 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "game.step(1/60)"
     )
     about.cause = (
-        "The ball has reached the ground, but you take no life. Call self.rules.fell() in this "
-        "case."
+        "The ball has reached the ground, but you don't take a life. Call self.rules.fell() in "
+        "this case."
     )
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_exactly(seen["lives"], 2, then="; the number of lives that are left")

@@ -209,8 +209,8 @@ def test_a_touched_group_wakes(rng: Random, first: bool) -> None:
     about.cause += "only when another one touches it."
     expect_sleepers(done["seen"][0], [0, 1, 2], then="; which particles are asleep after one step")
     hit = next((i for i, now in enumerate(done["seen"]) if now != [0, 1, 2]), -1)
-    about.cause = "Only some of the particles wake. One that wakes can touch the next one, so go "
-    about.cause += "through the contacts again until no more particles wake in this step."
+    about.cause = "Only some of the particles wake. A particle that wakes can touch the next one, "
+    about.cause += "so go through the contacts again until no more particles wake in this step."
     if hit < 0:
         about.cause = "No particle wakes, although particle 3 hits a sleeping one. "
         about.cause += (

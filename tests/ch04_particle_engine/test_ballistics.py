@@ -42,14 +42,15 @@ def test_the_axes_of_aiming(rng: Random) -> None:
             0.0,
             0.0,
             (0.0, 0.0, speed),
-            "If both angles are 0, the velocity must point along Z, with the whole speed.",
+            "If both angles are 0, the velocity must point along Z, and its length must be the "
+            "speed.",
         ),
         (
             QUARTER,
             0.0,
             (speed, 0.0, 0.0),
             "If the azimuth is a quarter turn and the elevation is 0, the velocity must point "
-            "along X, with the whole speed.",
+            "along X, and its length must be the speed.",
         ),
         (
             0.0,
@@ -169,7 +170,7 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     expect_exactly(types_of(at), (name,), then="; the types of the shots")
     shot = at.shots[0]
     about.cause = (
-        "The age of a new shot must be 0, because it has not flown yet. Don't change it in fire."
+        "A new shot has not flown yet, so its age must be 0. Don't change the age in fire."
     )
     expect_close(shot.age, 0.0, then="[0].age")
     p, own = shot.particle, f"{about.call}[0].particle"
@@ -184,8 +185,8 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
         (
             (0.0, 0.0, speed),
             (
-                "You fire the shot level if no elevation is given. Give it the elevation of its "
-                "type's velocity instead."
+                "If no elevation is given, you fire the shot horizontally. Use the elevation of "
+                "its type's velocity instead."
             ),
         ),
         (

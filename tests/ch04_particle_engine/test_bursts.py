@@ -19,8 +19,8 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     start, a = number(rng), number(rng)
     speeds = [number(rng) for _ in range(5)]
     about.cause = formula = (
-        "Each spark is at start + speed x gone + acceleration x fallen. Return these positions in "
-        "the same order as the speeds."
+        "The position of a spark is start + speed x gone + acceleration x fallen. Return these "
+        "positions in the same order as the speeds."
     )
     about.read = BURST
     t = round(rng.uniform(1.0, 3.0), 3)

@@ -67,8 +67,8 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         )
         if damping == 0.9999:
             undamped = (
-                "You treat this damping as 1, because it is near 1. Decide by the product "
-                "-ln(damping) x time instead, which is not small here."
+                "You treat this damping as 1 because it is close to 1. Base the decision on the "
+                "product -ln(damping) x time instead, which is not small here."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
@@ -102,15 +102,15 @@ def test_dampings_of_0_and_1_and_a_time_of_0(rng: Random) -> None:
             1.0,
             time,
             (1.0, time, time * time / 2.0),
-            "With a damping of 1, the drag rate is 0, and you cannot divide by it. In this "
-            "case return the factors without drag, which are 1, t and t^2 / 2 after a time t.",
+            "If the damping is 1, the drag rate is 0, so you cannot divide by it. In this case, "
+            "return the factors without drag, which are 1, t and t^2 / 2 after a time t.",
         ),
         (
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            "You don't treat a damping of 0, which has no logarithm, as a separate case. It stops "
-            "the motion at once, so all three factors are 0.",
+            "Handle a damping of 0 separately, because 0 has no logarithm. The motion stops at "
+            "once, so all three factors are 0.",
         ),
         (
             0.5,
@@ -147,8 +147,8 @@ def test_the_factors_hold_for_a_damping_near_1(away: float, rng: Random) -> None
         )
     )
     undamped = (
-        "You treat this damping as 1, because it is near 1. Decide by the product -ln(damping) x "
-        "time instead."
+        "You treat this damping as 1 because it is close to 1. Base the decision on the product "
+        "-ln(damping) x time instead."
     )
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):
@@ -244,8 +244,8 @@ def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None
     words, p = particle_of(x, v, a, damping)
     about.call = f"{words}; state_after for {first} s, and from there for another {second} s"
     about.cause = (
-        "Two predictions, one starting where the other ends, must give the same state as one "
-        "prediction over the total time. Check your formulas for position and velocity."
+        "Predicting in two parts must give the same state as a single prediction over the total "
+        "time. Check your formulas for position and velocity."
     )
     about.read = STATE
     middle = closed_form.state_after(p, first)
@@ -274,7 +274,7 @@ def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None
     )
     about.cause = (
         "Your velocity is not the rate at which your position changes. Check that both formulas "
-        "use the same three factors of drag_factors."
+        "use the same three factors from drag_factors."
     )
     step = 1e-4
     around = [closed_form.state_after(p, first + s)[0] for s in (-step, step)]
@@ -290,8 +290,8 @@ def test_short_steps_of_integrate_come_close_to_the_prediction(rng: Random) -> N
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
     about.cause = (
-        "Shorter time steps of integrate must come closer to your exact state, but they don't. "
-        "Check that you use the particle's damping and acceleration."
+        "With shorter time steps, the result of integrate must get closer to your exact state, "
+        "but it doesn't. Check that you use the particle's damping and acceleration."
     )
     about(f"{words}; state_after(p, {t})", read=f"{STATE}; chapter 3's integrate")
     exact = [xyz(vector) for vector in closed_form.state_after(p, t)]

@@ -68,8 +68,8 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
             )
         elif found is not None:
             about.cause = (
-                "You don't measure the straight distance, which is sqrt(dx^2 + dy^2). It is 2.6 m "
-                "here, which is more than REACH (2.5 m)."
+                "You don't use the straight-line distance, which is sqrt(dx^2 + dy^2). It is 2.6 "
+                "m here, which is more than REACH (2.5 m)."
             )
         expect_that(found is None, "the rocket", "no rocket (None)")
 
@@ -180,8 +180,8 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
         )
     expect_exactly(types(a_game), [1, 3, 3], then="; the types of the burning fireworks")
     about.cause = (
-        "You don't set the age of the rocket that was hit to 0. Set it, so that the rocket bursts "
-        "in the next update."
+        "You don't change the age of the rocket that was hit. Set it to 0, so that the rocket "
+        "bursts in the next update."
     )
     ages = tuple(firework.age for firework in a_game.show.fireworks)
     expect_close(ages, (2.0, 0.0, 1.0), then="; the ages of the three rockets", unit="s")
@@ -334,8 +334,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             (spark, spark),
             0,
             True,
-            "You continue the game although only sparks still burn. Count only fireworks whose "
-            "rule has payloads, because only those are rockets.",
+            "You let the game continue although only sparks are still burning. Count only "
+            "fireworks whose rule has payloads, because only those are rockets.",
         ),
         (
             (),
@@ -358,8 +358,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         expect_exactly(got, over)
     about.call = "one rocket that was hit, so its age is 0; is_over(display)"
     about.cause = (
-        "You leave out a rocket whose age is 0. It counts until it bursts in the next update, so "
-        "the game is not over yet."
+        "You leave out a rocket whose age is 0. It still counts until it bursts in the next "
+        "update, so the game is not over yet."
     )
     a_game = game(rocket)
     a_game.show.fireworks[0].age = 0.0
@@ -386,8 +386,8 @@ def test_a_click_after_the_end_does_nothing() -> None:
     expect_exactly(types(a_game), [1], then="; the types of the burning fireworks")
     about.call = "only a spark burns, so the game is over; click(display, 0, 20)"
     about.cause = (
-        "You count a miss although the game is over, because no rocket is left. Call is_over "
-        "first, instead of checking only the number of misses."
+        "You count a miss although the game is over. No rocket is left, so call is_over first "
+        "instead of checking only the number of misses."
     )
     a_game = game((2, 0.0, 20.0))
     hit = display.click(a_game, 0.0, 20.0)

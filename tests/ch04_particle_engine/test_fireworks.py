@@ -127,12 +127,12 @@ def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> No
     strange = [place[0] for place in places if place[0] not in (-5.0, 0.0, 5.0)]
     if strange:
         about.cause = (
-            f"You start a firework at x = {strange[0]:.6g}, which is not one of the three "
+            f"One of your fireworks starts at x = {strange[0]:.6g}, which is not one of the three "
             "LAUNCH_PLACES. Choose x from them at random."
         )
     elif len({*places}) == 1:
         about.cause = (
-            f"You start every firework at x = {places[0][0]:.6g}. Choose x from the three "
+            f"All of your fireworks start at x = {places[0][0]:.6g}. Choose x from the three "
             "LAUNCH_PLACES at random."
         )
     for x in (-5.0, 0.0, 5.0):

@@ -90,8 +90,8 @@ def test_a_bounce_reverses_and_reduces_the_velocity(rng: Random) -> None:
             ),
             (
                 (vx, vy, vz),
-                f"You ignore a grenade that moves down at {-vy} m/s. Let every grenade bounce that "
-                "is below the ground and moves down.",
+                f"Your grenade doesn't bounce if it moves down at {-vy} m/s. Every grenade that "
+                "is below the ground and moves down must bounce.",
             ),
         ]
         blame(xyz(p.velocity), mistakes)
@@ -129,7 +129,7 @@ def test_a_grenade_on_or_above_the_ground_does_not_bounce(rng: Random) -> None:
 def test_a_grenade_that_does_not_move_down_keeps_its_velocity(rng: Random) -> None:
     about.cause = (
         "This grenade is already moving up or is at rest. Move it to y = 0, but change its "
-        "velocity only if that points down."
+        "velocity only if the velocity points down."
     )
     about.read = "the docstring of bounce"
     for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
@@ -267,7 +267,7 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     about.cause = "The grenade never returns to y = 0. Let bounce move it there when it lands."
     lowest = min(heights)
     if lowest > ROUNDED and len(thrown(frames=1)[1].shots) > 1:
-        about.cause = "You burst the grenade at once. Burst it when its age reaches FUSE (4 s)."
+        about.cause = "Your grenade bursts at once. It must burst when its age reaches FUSE (4 s)."
     # It lands in frame 12 and is put back to exactly 0.
     lowest_of = "; the lowest height of the grenade after an update"
     expect_close(lowest, 0.0, then=lowest_of, unit="m", tolerance=ROUNDED)
@@ -312,12 +312,10 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
 @pytest.mark.exercise("4.1")
 def test_other_shots_fly_on_and_spent_fragments_are_removed() -> None:
     about.read = "the docstrings of update and is_spent"
-    about.cause = "Only the grenade bursts, and the fireball flies on."
+    about.cause = "Only the grenade bursts, and the fireball keeps flying."
     about.call, at = thrown(frames=BURST_FRAME, others=("fireball",))
     types = [shot.type for shot in at.shots]
-    about.cause += (
-        " Put the fragments at the place of their grenade in the list, before the fireball."
-    )
+    about.cause += " In the list, put the fragments where the grenade was, before the fireball."
     expect_exactly(
         types, ["fragment"] * 12 + ["fireball"], then="; the types of the shots, in order"
     )
@@ -364,7 +362,7 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     shot.age = 4.0
     left = ballistics.grenade_after(shot)
     about.cause = (
-        "You burst the grenade before it bounces, so its fragments start below the ground. Call "
+        "Your grenade bursts before it bounces, so its fragments start below the ground. Call "
         "bounce before fragments."
     )
     heights = [each.particle.position.y for each in left]

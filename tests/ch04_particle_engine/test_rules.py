@@ -43,7 +43,7 @@ def test_rules_that_end_have_no_endless_types() -> None:
             )
         elif got == [1]:
             about.cause = (
-                "You treat type 1 as endless because you reach type 4 twice, by way of types 2 and "
+                "You treat type 1 as endless because you reach type 4 twice, through types 2 and "
                 "3. A type is endless only if you reach the type that you started from."
             )
         expect_exactly(got, [])
@@ -90,7 +90,7 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
         (
             {type: [ring[(i + 1) % 40]] for i, type in enumerate(ring)},
             sorted(ring),
-            "The 40 types form one long cycle, so each leads back to itself by way of all the "
+            "The 40 types form one long cycle, so each type leads back to itself through all the "
             "others. Return all of them, in ascending order.",
         ),
     ):

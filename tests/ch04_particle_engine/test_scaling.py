@@ -16,8 +16,8 @@ from expect import about, blame, cause_of, expect_close, expect_error
 def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     about(
         "muzzle_energy(mass=0.005, speed=500)",
-        cause="The kinetic energy of the bullet is m v^2 / 2. Check each factor of your formula "
-        "against it.",
+        cause="The kinetic energy of the bullet is m v^2 / 2. Compare each factor of your "
+        "formula with this one.",
         read="book 4.1.1; errata.md",
     )
     got = scaling.muzzle_energy(0.005, 500)
@@ -117,7 +117,7 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             (gravity * factor, f"You multiply gravity by the factor. {weaker}"),
             (gravity * factor**2, f"You multiply gravity by factor^2. {weaker}"),
         ]
-        about.cause = cause_of(weak, mistakes, f"Gravity is wrong. {longer}")
+        about.cause = cause_of(weak, mistakes, f"Your gravity is wrong. {longer}")
         drop = 0.5 * weak * (100.0 * factor / 500.0) ** 2
         expect_close(drop, 0.5 * gravity * 0.2**2, unit="m")
 

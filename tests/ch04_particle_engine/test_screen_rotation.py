@@ -157,12 +157,12 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         mistakes = [
             (
                 doubled,
-                "You use size as half a side, so your square is twice as large as it should be. "
-                "But size is the length of a whole side, so use half of it.",
+                "You treat size as half the length of a side, so your square is twice as large "
+                "as it should be. It is the length of a whole side, so use half of it.",
             ),
             (
                 [n - c for n, c in zip(wanted, center, strict=True)],
-                "You leave out the center, so your square lies around the origin. Add the "
+                "You leave out the center, so your square is centered on the origin. Add the "
                 "coordinates of the center to each corner.",
             ),
             (

@@ -81,7 +81,7 @@ def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
         "a firework with 0.5 s of fuse left; show.update(0.125), called 5 times; the number of "
         "burning fireworks after each update"
     )
-    about.cause = "After the fourth update the age of the firework is exactly 0, and it still "
+    about.cause = "After the fourth update the age of the firework is exactly 0, so it still "
     about.cause += "burns. Remove it only when its age is below 0."
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
@@ -96,7 +96,7 @@ def why_no_payload() -> str:
     high = show_with([fixed(1, 0.05, STILL, (2, 3)), fixed(2, 9.0)], [(1, 1, at((0, 20, 0)))], 1)
     high.update(0.0625)
     if types(high) == [] and high.dropped == 0:
-        return "You don't light any payloads. Light those of each firework that burns out."
+        return "You don't light any payloads. When a firework burns out, light all of its payloads."
     if types(high) == []:
         return (
             "You light payloads before you replace the list of fireworks, so the new fireworks are "
@@ -111,7 +111,7 @@ def why_no_payload() -> str:
             "ground at once. Light payloads after all fireworks have moved."
         )
     return (
-        "You don't light the payload of a firework that falls below the ground. Light it there, as "
+        "You don't light the payload of a firework that falls below the ground. Light it just as "
         "you do when a fuse has burned down."
     )
 
@@ -151,7 +151,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     if left == [2]:
         about.cause = (
             "You ignore the count of the payload, so you light one firework instead of three. "
-            "Light the payload as one birth with a count of 3."
+            "Pass the payload to light as a single item with a count of 3."
         )
     expect_exactly(left, [2, 2, 2], then="; the types of the burning fireworks")
     about.cause = (
@@ -191,8 +191,8 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
         got = xyz(firework.particle.position)
         expect_close(got, wanted, then="; the position of a firework", unit="m", tolerance=1e-13)
         about.cause = (
-            "A new firework starts with the velocity of its rule plus the velocity of its parent "
-            "after the step, gravity included. Pass the parent's particle to light."
+            "A new firework starts with the velocity of its rule plus its parent's velocity "
+            "after the step, which includes gravity. Pass the parent's particle to light."
         )
         wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
         got = xyz(firework.particle.velocity)
@@ -239,8 +239,8 @@ def test_burnt_out_fireworks_make_room_before_payloads_are_lit() -> None:
         "4; the types of the burning fireworks"
     )
     about.cause = (
-        "You light payloads while other burned-out fireworks still have their slots. Remove all "
-        "burned-out fireworks first, so that three slots are free."
+        "You light payloads while other burned-out fireworks still occupy their slots. Remove "
+        "all burned-out fireworks first, so that three slots are free."
     )
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)

@@ -40,8 +40,8 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
     about.call = f"a show with 9 slots; show.launch({type}); the types of show.fireworks"
     about(
-        cause="Your launch does not light exactly one firework of the given type. Call light with "
-        "a single birth of that type, a count of 1 and no parent.",
+        cause="Your launch does not light exactly one firework of the given type. Call light "
+        "with a single item: that type, a count of 1 and None as the parent.",
         read="the docstring of launch",
     )
     a_show = show(9, "keep_old")
@@ -151,8 +151,8 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
         (
             "keep_old",
             [1, 2, 2, 3],
-            "One of the 4 slots is taken, so there is room for three new fireworks. With keep_old, "
-            "light only the first three of the births.",
+            "One of the 4 slots is taken, so there is room for three new fireworks. With "
+            "keep_old, light only the first three new fireworks.",
         ),
         (
             "drop_oldest",
@@ -188,15 +188,18 @@ def test_births_have_their_own_parents(rng: Random) -> None:
         "(2, 1, None)])"
     )
     about(
-        cause="Light as many fireworks of each type as the birth says, in the order of the births.",
+        cause=(
+            "For each item of births, light as many fireworks of its type as its count says. Keep "
+            "the order of the items."
+        ),
         read="the docstring of light",
     )
     a_show = show(9, "keep_old")
     a_show.light([(1, 2, Particle(Vector3(*x), Vector3(*v))), (2, 1, None)])
     expect_exactly(burning(a_show), [1, 1, 2], then="; the types of show.fireworks")
     about.cause = (
-        "Your fireworks don't start at the position of their parent. Pass the parent of each "
-        "birth, the third item of its tuple, to make_firework."
+        "Your fireworks don't start at the position of their parent. Pass the parent, which is "
+        "the third value of each tuple in births, to make_firework."
     )
     lit = a_show.fireworks
     places = [lit[i].particle.position for i in (0, 1, 2)]
@@ -248,8 +251,8 @@ def test_light_creates_no_more_fireworks_than_the_capacity(when_full: str) -> No
     wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
     expect_exactly(lit, wanted, then="; how many fireworks of type 1 and of type 2 burn")
     about.cause = (
-        "Most of these fireworks find no free slot. Count all of them in dropped, including those "
-        "of births that you skip altogether."
+        "Most of these fireworks find no free slot. Count all of those in dropped, even if you "
+        "skip some items of births altogether."
     )
     expect_exactly(dropped, 1000 * 10**9 - 2000, then="; show.dropped")
 
@@ -286,7 +289,7 @@ def test_rejects_births_with_an_unknown_type_or_a_negative_count() -> None:
     about.call = "a show with rules for the types 1 to 4; show.launch(7)"
     about.cause = (
         "The show has no rule for type 7, so launch cannot light such a firework. Raise a "
-        "ValueError that names the type."
+        "ValueError that mentions the type."
     )
     about.read = "the docstring of launch"
     a_show = show(9, "keep_old")
@@ -295,8 +298,8 @@ def test_rejects_births_with_an_unknown_type_or_a_negative_count() -> None:
     )
     expect_exactly(len(a_show.fireworks), 0, then="; the number of burning fireworks")
     first = (
-        "You light the first birth before you check the second one, which is not valid. Check all "
-        "births before you light any."
+        "You light the first item of births before you check the second one, which is not valid. "
+        "Check all items before you light any fireworks."
     )
     for bad, births in (
         ("a type without a rule", [(1, 2, None), (7, 1, None)]),
@@ -304,10 +307,12 @@ def test_rejects_births_with_an_unknown_type_or_a_negative_count() -> None:
         ("a negative count", [(1, 2, None), (2, -1, None)]),
     ):
         about.call = (
-            f"a show with rules for the types 1 to 4; show.light({births}), where the second birth "
+            f"a show with rules for the types 1 to 4; show.light({births}), where the second item "
             f"has {bad}"
         )
-        about.cause = f"The second birth has {bad}. Raise ValueError before you light any of them."
+        about.cause = (
+            f"The second item of births has {bad}. Raise ValueError before you light any fireworks."
+        )
         expect_error(
             lambda births=births: a_show.light(births),
             ValueError,

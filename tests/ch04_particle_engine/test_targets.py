@@ -91,8 +91,8 @@ def test_a_path_hits_the_box_where_it_enters() -> None:
     ):
         about.call = words(start, end)
         about.cause = (
-            "The path enters the box when it has come between the two faces on all three axes. "
-            "Return the largest of the three entry fractions."
+            "The path enters the box once it is between the two faces on all three axes. Return "
+            "the largest of the three entry fractions."
         )
         got = fraction(start, end)
         if got is None and any(e < s for s, e in zip(start, end, strict=True)):
@@ -106,8 +106,8 @@ def test_a_path_hits_the_box_where_it_enters() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
     about.cause = (
-        "This path does not move along two of the axes, so you cannot divide by its displacement "
-        "there. On these axes, check only whether it is between the two faces."
+        "Along two of the axes, the displacement of this path is 0, so you cannot divide by it. "
+        "On these axes, check only whether the path is between the two faces."
     )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
@@ -118,8 +118,8 @@ def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
         got = fraction(start, end)
         if got is None:
             about.cause = (
-                "You treat every path that is parallel to a face of the box as a miss, but this "
-                "path runs between the faces. Return None only if it is outside them."
+                "This path is parallel to a face of the box, but it runs between the faces, so "
+                "it is not a miss. Return None only if a parallel path is outside them."
             )
         expect_hit(got, wanted)
 
@@ -127,8 +127,8 @@ def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_slanting_path_enters_at_the_last_of_three_faces(rng: Random) -> None:
     about.cause = (
-        "On each axis, the path gets between the two faces of the box at some fraction. It enters "
-        "the box at the largest of these three fractions."
+        "On each axis, the path enters the space between the two faces of the box at some "
+        "fraction. It enters the box at the largest of these three fractions."
     )
     # From outside on all axes to the middle of the box: entered at the greatest of the three.
     sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
@@ -189,8 +189,8 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
             (3.5, 4.0, 9.0),
             True,
             (
-                "You treat a path that is parallel to Z as being between the faces on X, but this "
-                "one runs beside the box, at x = 3.5. Return None."
+                "This path is parallel to Z and runs beside the box, at x = 3.5, so it never "
+                "hits the box. Return None."
             ),
         ),
         (
@@ -204,8 +204,8 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
             (1.1, 4.0, 1.0),
             (1.1, 4.0, 9.0),
             False,
-            "You treat this path as beside the box, but x = 1.1 is between the faces at x = 1 and "
-            "x = 3. Use the distance from the center without its sign.",
+            "This path hits the box, because x = 1.1 is between the faces at x = 1 and x = 3. "
+            "Use the absolute value of the distance from the center.",
         ),
         (
             (2.0, 1.5, 1.0),
@@ -217,8 +217,8 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
             (2.0, 4.0, 0.0),
             (2.0, 4.0, 2.9),
             True,
-            "You continue the path beyond its end at z = 2.9, but the box begins only at z = 3. "
-            "Return None for a fraction above 1.",
+            "This path ends at z = 2.9, just before the box, which begins at z = 3. Return None "
+            "for a fraction above 1.",
         ),
         (
             (2.0, 4.0, 9.5),
@@ -246,12 +246,12 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_path_past_a_corner_misses() -> None:
     beside = (
-        "This path is between the two faces on X for a while, and later or earlier between those "
-        "on Z, but never both at once. It misses, so return None."
+        "This path is never between the two faces on X and the two faces on Z at the same time. "
+        "It misses the box, so return None."
     )
     through = (
-        "For a part of this path, it is between the two faces on X, on Y and on Z at the same "
-        "time. So it hits the box."
+        "A part of this path is between the two faces on X, on Y and on Z at the same time, so "
+        "the path hits the box."
     )
     for start, end, missed, cause in (
         ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0), True, beside),

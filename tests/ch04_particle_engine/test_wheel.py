@@ -134,8 +134,7 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
         f"wheel.update({h}) twice; wheel.nozzle().position"
     )
     about.cause = (
-        "You don't rotate the wheel by the right angle. Add rate x duration to its angle in every "
-        "update."
+        "Your wheel rotates by the wrong angle. Add rate x duration to its angle in every update."
     )
     _, wheel = wheel_of((0.0, 5.0, 0.0), 1.0, rate)
     wheel.update(h)
@@ -220,8 +219,8 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
         "a show with 3 free slots; a wheel that throws 10.5 sparks per second; wheel.update(1.0)"
     )
     about.cause = (
-        "The wheel throws 10 sparks in 1 s, but the show has room for only 3. Light all of them "
-        "with show.light, which keeps to the capacity."
+        "The wheel throws 10 sparks in 1 s, but the show has room for only 3. Pass all of them "
+        "to show.light, which doesn't exceed the capacity."
     )
     about.read = "the docstring of update"
     show, wheel = wheel_of((0.0, 5.0, 0.0), capacity=3, sparks_per_second=10.5)
@@ -241,8 +240,8 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     wheel.update(0.5)
     about.call += "; show.update(10.0), after which no spark burns; wheel.update(0.5)"
     about.cause = (
-        "The wheel throws 15 sparks in 1.5 s. It has already thrown 10 of them in the first "
-        "second, so throw 5 more now."
+        "The wheel throws 15 sparks in 1.5 s. It already threw 10 of them in the first second, "
+        "so it must throw 5 more now."
     )
     expect_exactly(wheel.thrown, 15, then="; wheel.thrown")
     about.cause = (

@@ -57,8 +57,8 @@ def test_forces_add_up(rng: Random) -> None:
         cause = "force_accumulator does not return a Vector3. Return the sum as a new Vector3."
         got = expect_vector(p.force_accumulator, call=name, cause=cause)
         slips = {
-            "This is only the latest force. Add each force to the sum instead of replacing the "
-            "sum.": force,
+            "Your sum is only the latest force. Add each force to the sum instead of replacing "
+            "the sum.": force,
             "You divide the force by the mass. Add the force itself, because the step divides "
             "the sum by the mass later.": [t / 4.0 for t in total],
             "Your sum has the wrong sign, because you subtract the force. Add it instead.": [
@@ -96,7 +96,7 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     p.add_force(Vector3(*opposite))
     got = xyz(p.force_accumulator)
     latest = (
-        "This is only the latest force. Add each force to the sum instead of replacing the sum."
+        "Your sum is only the latest force. Add each force to the sum instead of replacing the sum."
     )
     blame(got, [(opposite, latest)])
     expect_close(got, ZERO, unit="N")
@@ -189,7 +189,7 @@ def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
     p.add_force(Vector3(*second))
     about.call = f"{about.call}; p.clear_forces(); p.add_force(Vector3{second})"
     about.cause = "clear_forces must set the sum to zero, even if it is called twice in a row. "
-    about.cause += "The force that is added after that is then the whole sum."
+    about.cause += "The next force that is added must then be the whole sum."
     got = xyz(p.force_accumulator)
     expect_close(got, second, then="; p.force_accumulator", unit="N")
     expect_close(

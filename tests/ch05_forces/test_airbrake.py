@@ -46,19 +46,20 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (
             None,
             ZERO,
-            "This new brake is off, but it still adds a force. Add it only if self.on is True.",
+            "A new brake is off, but yours still adds a force. Add the force only if self.on is "
+            "True.",
         ),
         (
             True,
             pulled,
-            "The force of this brake is wrong. It is too weak to stop the particle in one step, so "
-            "its force must be -k v.",
+            "The force is wrong. This brake is too weak to stop the particle in one step, so its "
+            "force must be -k v.",
         ),
         (
             None,
             pulled,
-            "Your brake switches itself off after one call. Only the player switches it, so don't "
-            "change self.on in update_force.",
+            "Your brake switches itself off after one call. Only the player switches it on or "
+            "off, so don't change self.on in update_force.",
         ),
         (
             False,
@@ -68,7 +69,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (
             True,
             pulled,
-            "The brake does not work after it was switched on again. Check self.on in every call.",
+            "The brake does not work after it is switched on again. Check self.on in every call.",
         ),
     ):
         about.cause = cause
@@ -100,7 +101,7 @@ def test_a_weak_brake_is_linear_drag(rng: Random) -> None:
     about.read = READ
     v, f = components(rng), components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = "The force of this brake is wrong. It is too weak to stop the particle in one "
+    about.cause = "The force is wrong. This brake is too weak to stop the particle in one "
     about.cause += "step, so its force must be -k v."
     for share in (0.01, 0.5, 0.98):
         k = share * mass / h
@@ -152,8 +153,8 @@ def test_a_strong_brake_stops_the_particle_without_reversing_it(rng: Random) -> 
         slips = {
             "Your brake reverses the motion, because its force is too large. Limit the force to "
             "-v m / h, where h is the duration.": [part * (1.0 - share) for part in v],
-            "You add no force if the brake is strong enough to reverse the motion. Add -v m / h "
-            "then, where h is the duration.": v,
+            "You add no force if the brake is strong enough to reverse the motion. In this case, "
+            "add -v m / h, where h is the duration.": v,
         }
         why = named(got, about.cause, slips)
         # What FULL, or rounding, leaves of 10 m/s.
@@ -171,7 +172,7 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
     vectors = {"velocity": Vector3(*v), "acceleration": Vector3(1, 2, 3)}
     p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
     for h in (0.5, 0.25):
-        about.cause = "The force of this brake is wrong. It is strong enough to stop the particle "
+        about.cause = "The force is wrong. This brake is strong enough to stop the particle "
         about.cause += "in one step, so its force must be -v m / h."
         p.clear_forces()
         p.add_force(Vector3(*f))
@@ -189,8 +190,8 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
         about.call += f"; p.clear_forces(); p.add_force(Vector3{f}); brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
-    about.cause = "Your brake changes the velocity of an immovable particle. Only add a force, "
-    about.cause += "which has no effect on it."
+    about.cause = "Your brake changes the velocity of an immovable particle. It must only add a "
+    about.cause += "force, which has no effect on such a particle."
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)
@@ -209,8 +210,8 @@ def test_no_brake_reverses_the_motion(rng: Random) -> None:
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
-    loose = "Your brake leaves too much of the velocity. Each of these brakes is strong enough to "
-    loose += "stop its particle in one step."
+    loose = "Your brake does not slow the particle enough. Each of these brakes is strong enough "
+    loose += "to stop its particle in one step."
     if least < -1e-9:
         about.cause = "Your brake reverses the motion, because its force is too large. Limit the "
         about.cause += "force to -v m / h, where h is the duration."

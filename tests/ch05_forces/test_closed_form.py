@@ -30,7 +30,7 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
     got = terminal_speed(2 * 9.81, 0.3, 0.05)
     root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
     slips = {
-        "This is the negative solution of the equation k1 v + k2 v^2 = weight. Return the "
+        "Your result is the negative solution of the equation k1 v + k2 v^2 = weight. Return the "
         "positive one, because a speed is positive.": (-0.3 - root) / 0.1,
         "Your result is twice the right one, because you divide by k2. Divide by 2 k2.": (
             -0.3 + root
@@ -72,8 +72,8 @@ def test_at_the_terminal_speed_the_drag_equals_the_weight(rng: Random) -> None:
         blame(v, [(weight / k1, "You treat a small k2 as 0. Include the quadratic drag as well.")])
         expect_close(drag, weight, tolerance=tolerance, unit="N")
         about.call = about.call.partition("; ")[0]
-        about.cause = "This is the negative solution of the equation k1 v + k2 v^2 = weight. "
-        about.cause += "Return the positive one."
+        about.cause = "Your result is the negative solution of the equation k1 v + k2 v^2 = "
+        about.cause += "weight. Return the positive one."
         expect_that(v > 0.0, "a negative speed", "a positive speed")
 
 
@@ -85,11 +85,11 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.cause += "W)), where W is the weight."
     about.call = f"terminal_speed(weight={weight}, k1={k}, k2=0.0)"
     got = terminal_speed(weight, k, 0.0)
-    about.cause = "The result is wrong for k2 = 0. It must be weight / k1 then."
+    about.cause = "The result is wrong for k2 = 0. In this case, it must be weight / k1."
     expect_close(got, weight / k, tolerance=ROUNDED * weight / k, unit="m/s")
     about(
         f"terminal_speed(weight={weight}, k1=0.0, k2={k})",
-        cause="The result is wrong for k1 = 0. It must be sqrt(weight / k2) then.",
+        cause="The result is wrong for k1 = 0. In this case, it must be sqrt(weight / k2).",
     )
     got = terminal_speed(weight, 0.0, k)
     wanted = math.sqrt(weight / k)
@@ -167,8 +167,8 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         expect_close(speed, wanted_speed, then=", the speed", unit="m/s", tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
-        about.cause = "Your distance does not fit your speed. It must be (u^2 / g) ln cosh(g t / "
-        about.cause += "u), where u is the terminal speed."
+        about.cause = "Your distance is not consistent with your speed. It must be (u^2 / g) ln "
+        about.cause += "cosh(g t / u), where u is the terminal speed."
         expect_close(
             total, u * u, then=" = (v, x); v^2 + u^2 e^(-2 k2 x / m)", tolerance=ROUNDED * u * u
         )
@@ -261,7 +261,7 @@ def test_a_fall_of_any_length_is_accurate() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
-    about.cause = "You don't accept a time of 0, which is valid. At the start of the fall, the "
+    about.cause = "You reject a time of 0, which is valid. At the start of the fall, the "
     about.cause += "speed and the distance are 0."
     about.call = "quadratic_fall(mass=2.0, gravity=9.81, k2=0.05, time=0.0); (speed in m/s, "
     about.call += "distance in m)"

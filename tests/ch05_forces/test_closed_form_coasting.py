@@ -20,7 +20,7 @@ ROUNDED = 1e-12
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     about.read = COAST
     about.cause = "The speed is wrong. It must be v e^-s / (1 + k2 v (1 - e^-s) / k1), where v is "
-    about.cause += "the speed at the start and s = k1 t / m."
+    about.cause += "the initial speed and s = k1 t / m."
     for _ in range(3):
         v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
         mass, time = positive_number(rng), positive_number(rng, 0.2, 2.0)
@@ -34,18 +34,18 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
             "Your result is v e^-s, where s = k1 t / m. Include the quadratic drag (k2) too.": (
                 v * math.exp(-s)
             ),
-            "You let the drag with k2 act first and the drag with k1 after it. Both act at the "
+            "You apply the drag with k2 first and the drag with k1 after it. Both act at the "
             "same time, so use (1 - e^-s) / k1 instead of t / m in the denominator.": (
                 v * math.exp(-s) / (1.0 + k2 * v * time / mass)
             ),
             "The mass is missing from the exponent s. It must be s = k1 t / m, where m is the "
             "mass.": (v * math.exp(-s * mass) / (1.0 - ratio * v * math.expm1(-s * mass))),
-            "Your denominator has an extra factor, the mass. It must be 1 + k2 v (1 - e^-s) / k1, "
-            "where v is the speed at the start.": (
+            "Your denominator contains the mass as an extra factor. It must be 1 + k2 v (1 - "
+            "e^-s) / k1, where v is the initial speed.": (
                 v * math.exp(-s) / (1.0 - ratio * mass * v * math.expm1(-s))
             ),
-            "A division by k1 is missing from the denominator. It must be 1 + k2 v (1 - e^-s) "
-            "/ k1, where v is the speed at the start.": (
+            "A division by k1 is missing from the denominator. It must be 1 + k2 v (1 - e^-s) / "
+            "k1, where v is the initial speed.": (
                 v * math.exp(-s) / (1.0 - k2 * v * math.expm1(-s))
             ),
         }
@@ -56,7 +56,7 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     name = f"half = coasting_speed({v}, {k1}, {k2}, {mass}, {time} / 2); coasting_speed(half, "
     name += f"{k1}, {k2}, {mass}, {time} / 2)"
     got = coasting_speed(half, k1, k2, mass, time / 2.0)
-    about.cause = "Your result depends on the time in a wrong way. Coasting twice for half the "
+    about.cause = "Your result changes with time in the wrong way. Coasting twice for half the "
     about.cause += "time must give the same speed as coasting once for the whole time."
     expect_close(got, wanted, call=name, tolerance=1e-10 * v, unit="m/s")
 
@@ -72,8 +72,8 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
             k,
             0.0,
             v * math.exp(-k * time / mass),
-            "The speed is wrong for k2 = 0. It must be v e^(-k1 t / m), where v is the speed at "
-            "the start.",
+            "The speed is wrong for k2 = 0. It must be v e^(-k1 t / m), where v is the initial "
+            "speed.",
         ),
         (
             0.0,
@@ -122,7 +122,7 @@ def test_coasting_for_no_time_and_coasting_from_rest(rng: Random) -> None:
     about.read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     for speed, time, wanted, cause in (
-        (v, 0.0, v, "The speed changed although the time is 0. Return the speed at the start."),
+        (v, 0.0, v, "The speed changed although the time is 0. Return the initial speed."),
         (0.0, 2.0, 0.0, "Drag set a body at rest in motion. Return a speed of 0."),
     ):
         about(

@@ -37,17 +37,15 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         "square of the speed.": along(-(k2 + k1 * speed)),
         "You multiply the size of the drag by the velocity v, so the force is |v| times too "
         "large. Multiply it by the unit vector v / |v| instead.": along(-speed * (k1 + k2 * speed)),
-        "Your drag lacks the term with k2. Multiply -v by k1 + k2 |v|, where |v| is the speed.": (
-            along(-k1)
-        ),
-        "Your drag lacks the term with k1. Multiply -v by k1 + k2 |v|, where |v| is the speed.": (
-            along(-k2 * speed)
-        ),
-        "Your drag is -v (k1 + k2), so it lacks a factor |v|. Multiply k2 by the speed |v|.": along(
+        "Your drag leaves out the term with k2. Multiply -v by k1 + k2 |v|, where |v| is the "
+        "speed.": (along(-k1)),
+        "Your drag leaves out the term with k1. Multiply -v by k1 + k2 |v|, where |v| is the "
+        "speed.": (along(-k2 * speed)),
+        "Your drag is -v (k1 + k2), without the factor |v|. Multiply k2 by the speed |v|.": along(
             -(k1 + k2)
         ),
-        "The size of your drag is k1 + k2, whatever the speed |v| is. Multiply k1 by |v| and "
-        "k2 by |v|^2.": along(-(k1 + k2) / speed),
+        "The size of your drag is k1 + k2, no matter what the speed |v| is. Multiply k1 by |v| "
+        "and k2 by |v|^2.": along(-(k1 + k2) / speed),
         "You use a different speed for each axis, such as |x| for the x component. Use the same "
         "total speed |v| in all three components.": (x, y, z),
     }
@@ -58,7 +56,10 @@ def test_the_drag_at_one_velocity(rng: Random) -> None:
     about.read = READ
     v = components(rng)
     about.call = f"v = Vector3{v}; drag_force(v, k1=0.5, k2=0.25)"
-    about.cause = "drag_force has changed its argument v. normalize, invert and *= work in place, "
+    about.cause = (
+        "drag_force has changed its argument v. The operations normalize, invert and *= work in "
+        "place, "
+    )
     about.cause += "so use normalized, - and * instead."
     velocity = Vector3(*v)
     got = xyz(drag_force(velocity, 0.5, 0.25))
@@ -100,8 +101,8 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
         (
             k1,
             k2,
-            "The drag is wrong when both parts act. It must be -v (k1 + k2 |v|), where |v| is "
-            "the speed.",
+            "The drag is wrong when both its linear and its quadratic part act. It must be -v "
+            "(k1 + k2 |v|), where |v| is the speed.",
         ),
     ):
         about(f"drag_force(Vector3{v}, k1={one}, k2={two})", cause=cause)
@@ -114,8 +115,8 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
 @pytest.mark.exercise("B5.5")
 def test_drag_grows_with_the_speed_and_with_its_square() -> None:
     about.read = READ
-    about.cause = "The drag does not grow with the speed as it must. Multiply k1 by the speed, and "
-    about.cause += "k2 by the square of the speed."
+    about.cause = "The drag does not increase with the speed as it should. Multiply k1 by the "
+    about.cause += "speed, and k2 by the square of the speed."
     for v, k1, k2, force in (
         ((0.0, 0.0, 2.0), 3.0, 0.0, -6.0),
         ((0.0, 0.0, -2.0), 3.0, 0.0, 6.0),
@@ -139,8 +140,8 @@ def test_at_rest_there_is_no_drag(rng: Random) -> None:
     force = drag_force(v, k1, k2)
     expect_close(xyz(force), ZERO, unit="N")
     force.x = 99.0
-    about.cause = "For a velocity of zero you return the vector v itself, so a change of the "
-    about.cause += "result changes v too. Return a new vector."
+    about.cause = "For a velocity of zero, you return the vector v itself, so changing the "
+    about.cause += "result also changes v. Return a new vector."
     expect_unchanged("v", xyz(v), ZERO, then="; f.x = 99.0")
     about.call = f"drag_force(Vector3(0, 1e-9, 0), k1={k1}, k2={k2})"
     about.cause = "You treat a slow particle as if it were at rest. Its drag is small but not "
@@ -184,8 +185,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12, unit="N")
     about.call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h}); "
     about.call += "p.force_accumulator"
-    about.cause = "You use the first values of drag.k1 and drag.k2, which have changed since then. "
-    about.cause += "Read self.k1 and self.k2 in every call."
+    about.cause = "You use the initial values of drag.k1 and drag.k2, which have changed since "
+    about.cause += "then. Read self.k1 and self.k2 in every call."
     p.clear_forces()
     drag.k1, drag.k2 = k2, k1
     drag.update_force(p, h)
@@ -231,8 +232,8 @@ def test_a_fall_is_more_accurate_with_shorter_steps() -> None:
         "k2=0.05).update_force(p, h) and p.integrate(h)",
         read=READ,
     )
-    about.cause = "The fall is too far from the exact one, so the drag is wrong. With k1 = 0 it "
-    about.cause += "must be -k2 |v| v, where |v| is the speed."
+    about.cause = "The fall differs too much from the exact one, so the drag is wrong. With k1 = 0 "
+    about.cause += "it must be -k2 |v| v, where |v| is the speed."
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
     speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]
@@ -248,7 +249,7 @@ def test_coasting_is_more_accurate_with_shorter_steps() -> None:
         "k2=0.05).update_force(p, h) and p.integrate(h)",
         read=READ,
     )
-    about.cause = "The speed is too far from the exact one, so the drag is wrong. It must be "
+    about.cause = "The speed differs too much from the exact one, so the drag is wrong. It must be "
     about.cause += "-v (k1 + k2 |v|), where |v| is the speed."
     ends = [
         with_drag((20.0, 0.0, 0.0), 0.3, 0.05, 2.0, h, round(2.0 / h))[1][0] for h in (0.01, 0.005)
@@ -263,7 +264,7 @@ def test_coasting_is_more_accurate_with_shorter_steps() -> None:
 def test_linear_drag_in_steps_near_its_limits() -> None:
     about.read = READ
     k1, mass, frames = 8.0, 2.0, 40
-    cause = "Linear drag is wrong here. A step of h seconds must multiply the velocity by "
+    cause = "Your linear drag is wrong. A step of h seconds must multiply the velocity by "
     cause += "1 - k1 h / m, even if this factor is negative."
     about.cause = cause
     limited = "You limit the drag so that it cannot reverse the motion. Only the Airbrake does "

@@ -52,8 +52,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             1.0 / rate,
         )
         slips[
-            "Your two limits are equal. A step of the second limit reverses the full velocity, so "
-            "it must be twice the first."
+            "Your two limits are equal. A step as long as the second limit reverses the full "
+            "velocity, so this limit must be twice the first."
         ] = (1.0 / rate, 1.0 / rate)
         slips["Your second limit is the square of the first. It must be twice the first."] = (
             1.0 / rate,
@@ -115,28 +115,28 @@ def test_steps_slightly_shorter_and_longer_than_the_limits(rng: Random) -> None:
             first,
             0.98,
             "slower",
-            "Your first limit is too long. A step slightly shorter than it must slow the particle "
-            "down without reversing its motion.",
+            "Your first limit is too long. A step that is slightly shorter must slow the "
+            "particle down without reversing its motion.",
         ),
         (
             first,
             1.02,
             "reversed and slower",
-            "Your first limit is too short. A step slightly longer than it must reverse the "
+            "Your first limit is too short. A step that is slightly longer must reverse the "
             "motion.",
         ),
         (
             second,
             0.98,
             "reversed and slower",
-            "Your second limit is wrong. After a step slightly shorter than it, the particle must "
-            "move backward, but slower than before.",
+            "Your second limit is wrong. After a step that is slightly shorter, the particle "
+            "must move backward, but slower than before.",
         ),
         (
             second,
             1.02,
             "reversed and faster",
-            "Your second limit is too short. After a step slightly longer than it, the particle "
+            "Your second limit is too short. After a step that is slightly longer, the particle "
             "must move backward and faster than before.",
         ),
     ):

@@ -25,7 +25,7 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         about.call = "p = Particle(velocity=Vector3(5, 6, 7), acceleration=Vector3(1, 2, 3), "
         about.call += f"{mass=}); Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator"
         about.cause = "The force is not the weight m g. Multiply all three components of g by the "
-        about.cause += "mass, and nothing else."
+        about.cause += "mass, and by nothing else."
         vectors = {"velocity": Vector3(5, 6, 7), "acceleration": Vector3(1, 2, 3)}
         p = Particle(**vectors, mass=mass)
         gravity = Gravity(Vector3(*g))
@@ -99,7 +99,7 @@ def test_a_new_gravity_applies_from_the_next_call(rng: Random) -> None:
     gravity.update_force(p, 0.5)
     wanted = tuple(2.0 * second[i] for i in range(3))
     got = xyz(p.force_accumulator)
-    old = "You use the acceleration that the generator had at first. Read self.acceleration in "
+    old = "You use the initial acceleration of the generator. Read self.acceleration in "
     old += "every call of update_force."
     blame(got, {old: [2.0 * n for n in first]})
     expect_close(got, wanted, unit="N")
@@ -136,7 +136,7 @@ def test_gravity_has_the_same_effect_as_a_constant_acceleration(rng: Random) -> 
     h, frames = 1.0 / 64.0, 192
     about.call = f"p = Particle(mass={mass}, damping={damping}); for 3 s, in steps of h = 1/64 s: "
     about.call += f"Gravity(Vector3{g}).update_force(p, h) and p.integrate(h); p.position"
-    about.cause = "The particle does not move as if g were its own acceleration. Add exactly the "
+    about.cause = "The particle must move as if g were its own acceleration. Add exactly the "
     about.cause += "weight m g in every step."
     about.read = "book 5.3"
     (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)

@@ -137,8 +137,8 @@ def test_inverse_square_gravity_skips_an_immovable_particle() -> None:
     about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
     about.call += "InverseSquareGravity(center=Vector3(), mu=10.0).update_force(p, 0.5); "
     about.call += "p.force_accumulator"
-    about.cause = "You add a force to an immovable particle, which would be infinite. Return first "
-    about.cause += "if has_finite_mass is False."
+    about.cause = "The force on an immovable particle would be infinite, so don't add it. Return "
+    about.cause += "early if has_finite_mass is False."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO, unit="N")
@@ -164,14 +164,14 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= InverseSquareGravity(center=Vector3(), mu=-6.0); gravity.update_force(p, 0.5)"
     about.cause = "The force is wrong for a negative mu. It must push the particle away from the "
-    about.cause += "center, and earlier forces must stay."
+    about.cause += "center, and it must not replace earlier forces."
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 3.0, force[1], force[2])
     got = xyz(p.force_accumulator)
     pulls = "Your force still pulls the particle toward the center, although mu is negative. Use "
-    pulls += "mu with its sign."
+    pulls += "mu without changing its sign."
     blame(got, {pulls: (force[0] - 3.0, force[1], force[2])})
     expect_close(got, wanted, then="; p.force_accumulator", unit="N")
     about.cause = "You change gravity.center, because -= works in place. Use -, which creates a "
@@ -181,8 +181,8 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "You use the first center or mu, which have changed since then. Read self.center "
-    about.cause += "and self.mu in every call."
+    about.cause = "You use the initial center or mu, but both have changed since then. Read "
+    about.cause += "self.center and self.mu in every call."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
@@ -209,7 +209,7 @@ def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
         then="; distance of p from its exact position, with steps of h = 1/1000 s",
         unit="m",
     )
-    about.cause = "Steps of half the length don't halve the error, so the force is wrong. It must "
+    about.cause = "Halving the time step doesn't halve the error, so the force is wrong. It must "
     about.cause += "be m mu / r^2 at every distance r."
     expect_close(
         errors[0] / errors[1],
@@ -223,10 +223,8 @@ def test_an_orbit_is_more_accurate_with_shorter_steps(rng: Random) -> None:
 @pytest.mark.exercise("5.4")
 def test_the_orbit_closes() -> None:
     about("a particle p, 0.4 m from the center, moving at 2 m/s at right angles to it; ", read=READ)
-    about.call += (
-        "for one orbit, 2 pi s: InverseSquareGravity(center, mu=1).update_force(p, h) and "
-    )
-    about.call += "p.integrate(h)"
+    about.call += "for one orbit, 2 pi s: InverseSquareGravity(center, mu=1).update_force(p, h) "
+    about.call += "and p.integrate(h)"
     about.cause = "The orbit does not end where it started, so the force is wrong. It must be "
     about.cause += "m mu / r^2 at every distance r."
     counts = (10_000, 20_000)

@@ -108,7 +108,7 @@ def test_point_gravity_skips_an_immovable_particle() -> None:
         "p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(center=Vector3(), ", read=READ
     )
     about.call += "strength=10.0).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "You add a force to an immovable particle, which would be infinite. Add it only "
+    about.cause = "The force on an immovable particle would be infinite. Add a force only "
     about.cause += "if has_finite_mass is True."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
@@ -128,14 +128,14 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     about.call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= PointGravity(center=Vector3(), strength=-5.0); gravity.update_force(p, 0.5)"
     about.cause = "The force is wrong for a negative strength. It must push the particle away from "
-    about.cause += "the center, and earlier forces must stay."
+    about.cause += "the center, and it must not replace earlier forces."
     p, gravity = Particle(Vector3(3, 0, 0), mass=2.0), PointGravity(Vector3(), -5.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 10.0, force[1], force[2])
     got = xyz(p.force_accumulator)
     pulls = "Your force still pulls the particle toward the center, although the strength is "
-    pulls += "negative. Use the strength with its sign."
+    pulls += "negative. Use the strength without changing its sign."
     blame(got, {pulls: (force[0] - 10.0, force[1], force[2])})
     expect_close(got, wanted, then="; p.force_accumulator", unit="N")
     about.cause = "You change gravity.center, because -= works in place. Use -, which creates a "
@@ -145,7 +145,7 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), (3, 0, 0))
     about.call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "You use the first center or strength, which have changed since then. Read "
+    about.cause = "You use the initial center or strength, but both have changed since then. Read "
     about.cause += "self.center and self.strength in every call."
     gravity.center, gravity.strength = Vector3(*center), 1.5
     p.clear_forces()

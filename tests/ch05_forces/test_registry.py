@@ -30,12 +30,12 @@ CHANGES = {
     ),
     "add": (
         "adds another pair (p, g0)",
-        f"Your loop also calls the pair that g0 adds during the loop. {COPY}",
+        f"Your loop also processes the pair that g0 adds during the loop. {COPY}",
     ),
     "remove the second": (
         "removes the pair (p, g1)",
         "You skip the pair that g0 removes during the update. Loop over a copy of the list, and "
-        "call every pair in it.",
+        "process every pair in it.",
     ),
     "clear": (
         "clears the registry",
@@ -150,8 +150,8 @@ def test_remove_undoes_one_call_of_add() -> None:
     expect_asked(
         [*adds, ("update", 0.5)],
         everyone,
-        cause="The same pair (p0, g0) was added three times, so it must act three times. Every "
-        "call of add registers another pair.",
+        cause="The same pair (p0, g0) was added three times, so its generator must be called "
+        "three times. Every call of add registers another pair.",
     )
     about.call = "particles p0, p1 and generators g0, g1; the pair (p0, g0) is added three times; "
     about.call += "the pair (p1, g1) is added; registry.remove(p0, g0); "
@@ -173,7 +173,7 @@ def test_remove_undoes_one_call_of_add() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
-    about.cause = "remove must take out exactly the pair that it is called with. Compare both the "
+    about.cause = "remove must delete exactly the pair that is passed to it. Compare both the "
     about.cause += "particle and the generator with `is`."
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
@@ -202,8 +202,8 @@ def test_clear_removes_all_pairs() -> None:
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
     first = [(0, 0, 0.5), (1, 1, 0.5)]
-    still = "A pair still acts after clear was called. clear must remove all pairs from the "
-    still += "registry."
+    still = "A pair still has an effect after clear was called. clear must remove all pairs from "
+    still += "the registry."
     slips = {still: [*first, *first, (0, 0, 0.25), (1, 1, 0.25), (2, 1, 0.25)]}
     expect_asked(acts, [*first, (2, 1, 0.25)], cause=about.cause, slips=slips)
 
@@ -211,15 +211,15 @@ def test_clear_removes_all_pairs() -> None:
 @pytest.mark.exercise("B5.3")
 def test_immovable_particles_are_skipped() -> None:
     about.read = "the docstring of update_forces"
-    about.cause = "No force can move the immovable particle p1. Skip its pairs, but don't remove "
-    about.cause += "them, and call all others."
+    about.cause = "No force can move the immovable particle p1. Skip its pairs without removing "
+    about.cause += "them, and process all other pairs."
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 1, 1), ("add", 2, 0), ("update", 0.5)]
     wanted = [(0, 0, 0.5), (2, 0, 0.5)]
     slips = {
         "Your loop ends at the first pair of an immovable particle. Skip only this pair, and "
         "continue with the next one.": wanted[:1],
         "You call generators for the immovable particle p1, which no force can move. Skip its "
-        "pairs, but don't remove them.": [(0, 0, 0.5), (1, 0, 0.5), (1, 1, 0.5), (2, 0, 0.5)],
+        "pairs without removing them.": [(0, 0, 0.5), (1, 0, 0.5), (1, 1, 0.5), (2, 0, 0.5)],
     }
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,), slips=slips)
     about.cause = "You skip p1 in the second update, although it can move by then. Check the "
@@ -291,7 +291,7 @@ def test_an_update_rejects_a_bad_duration(duration: float) -> None:
         about.call = "a pair (p, g) of a particle and a generator is added; "
         about.call += f"registry.update_forces({duration!r})"
         about.cause = f"The duration is {duration!r}, so raise {error.__name__} before the loop, "
-        about.cause += "whatever pairs there are."
+        about.cause += "no matter which pairs are registered."
         expect_that(got < 100, "no error", error.__name__)
         about.cause = "update_forces called a generator before it checked the duration. Check the "
         about.cause += "duration first."

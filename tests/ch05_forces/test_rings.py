@@ -19,7 +19,7 @@ def test_only_the_smallest_ring_counts(rng: Random) -> None:
     about.cause = "Only the smallest ring around the hole counts. A hole scores 10 points up to "
     about.cause += "0.1 m from the center, 5 up to 0.25 m, 2 up to 0.5 m, and 0 beyond."
     use = "Compare the true distance, math.hypot(x, y), with the radii."
-    add = "You add up the points of all rings around the hole. Count only the smallest one."
+    add = "You add up the points of all rings around the hole. Count only the smallest ring."
     largest = "You return the points of the largest ring. Check the smallest ring first."
     for x, y, points, slip, gives in (
         (0.0, 0.3, 2, "You compare only x with the radii of the rings.", 10),
@@ -45,7 +45,7 @@ def test_only_the_smallest_ring_counts(rng: Random) -> None:
             x, y = away * math.cos(angle), away * math.sin(angle)
             about.call = f"ring_points({x:.6g}, {y:.6g}), for a hole {away} m from the center"
             got = ring_points(x, y)
-            nothing = "You return nothing for a hole outside all rings. Return 0 there."
+            nothing = "You return nothing for a hole outside all rings. Return 0 in this case."
             expect_that(got is not None, "nothing (None)", f"{points}", cause=nothing)
             both = sum(points for radius, points in RINGS if away <= radius)
             why = named(got, about.cause, {add: both, largest: RINGS[-1][1]})

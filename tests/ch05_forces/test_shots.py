@@ -50,7 +50,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         about.cause = "There are shots left, and no bullet is in flight. shoot must therefore "
         about.cause += "fire a bullet and return True."
         fired = at.shoot(azimuth, elevation)
-        nothing = "shoot returned nothing. Return True after a bullet was fired."
+        nothing = "shoot returned nothing. Return True after a bullet is fired."
         expect_that(fired is not None, "nothing (None)", "True", cause=nothing)
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")
@@ -134,8 +134,8 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     a, e = draw_angles(rng)
     about.call = f"range = SniperRange(1); range.shoot({a}, {e}); range.update(1/60)"
     at = SniperRange(1)
-    about.cause = "Your bullet doesn't move by its velocity times the duration of the step. "
-    about.cause += "Integrate it in update exactly once per step, and not in shoot."
+    about.cause = "Your bullet must move by its velocity times the duration of the step. "
+    about.cause += "Integrate it exactly once per step in update, and never in shoot."
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
@@ -144,7 +144,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     blame(place[:2], [((0.0, 1.5), "Your update doesn't move the bullet. Call bullet.integrate.")])
     if place[1] > wanted[1]:
         about.cause = "Your bullet moves too far in one step, as if integrate were called twice. "
-        about.cause += "Call it once in update, and not in shoot."
+        about.cause += "Call it once in update, and never in shoot."
     name, way = "; x and y of range.bullet.position, in m", "the docstring of update"
     expect_close(place[:2], wanted, then=name, read=way, tolerance=1e-12)
     about.call = f"range = SniperRange(1); range.shoot({a}, {e}); one step of 1/60 s; "
@@ -258,9 +258,9 @@ def expect_hole(
     expect_close(got[:4], TARGETS[distance], then=then, tolerance=1e-12)
     if wrong:
         about.cause = (
-            "Your hole is wrong. Measure x and y from the center of the target, where the "
+            "Your hole is wrong. Find the point where the path crosses the target's plane, and "
         )
-        about.cause += "path crosses its plane, and get the points from ring_points."
+        about.cause += "measure x and y from the target's center. Get the points from ring_points."
     slips = {
         "Your points are those of the ring alone. Multiply them by the target's factor, which is "
         f"{factor} here.": (x, y, points / factor),
@@ -366,7 +366,7 @@ def test_a_long_path_hits_the_first_target_on_it() -> None:
     farther = "You return the hole in the farther of two targets. The nearer one stops the bullet, "
     farther += "so check it first."
     expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10), wrong=farther)
-    about.cause = "You stop after the first target, which the path misses. Continue with the next "
+    about.cause = "You stop at the first target, which the path misses. Continue with the next "
     about.cause += "target after a miss."
     expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20))
     expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30))

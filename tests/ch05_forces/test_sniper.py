@@ -62,7 +62,9 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
         if holes:
-            about.cause = "You append more than one hole. Append one hole when the bullet hits."
+            about.cause = (
+                "You append more than one hole. Append exactly one when the bullet hits a target."
+            )
         elif came["score"]:
             about.cause = "You added points to the score but no hole to the list. Append the hole "
             about.cause += "to self.holes."
@@ -139,8 +141,8 @@ def test_a_step_takes_the_given_duration(rng: Random) -> None:
     h = round(rng.uniform(0.1, 0.3), 3)
     about.call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); "
     about.call += f"range.forces.add(range.bullet, Drag(0.5, 0.0)); range.update({h})"
-    about.cause = "The step must take the duration that is passed to update. Pass it on to "
-    about.cause += "update_forces and integrate."
+    about.cause = "The step must last as long as the duration that is passed to update. Pass it on "
+    about.cause += "to update_forces and integrate."
     at = SniperRange(1)
     at.wind.k1, at.wind.k2, at.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
     at.shoot(0.0, 0.1)
@@ -214,7 +216,7 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         came = play([(azimuth, elevation)], FRAME)
         expect_exactly(len(came["positions"]), n, then="; number of steps in flight")
         got = (len(came["holes"]), came["score"], came["shots_left"])
-        about.cause = "This shot misses all targets, so it must not make a hole or earn points. "
+        about.cause = "This shot misses all targets, so it must not create a hole or score points. "
         about.cause += "It must only reduce shots_left by 1."
         expect_exactly(got, (0, 0, 9), then="; number of holes, score and shots left")
 
@@ -309,7 +311,9 @@ def test_a_whole_round_is_ten_shots() -> None:
         about.cause = "Your list starts with the newest hole. Append each new hole at the end."
     expect_exactly(points, wanted, then="; points of the holes in range.holes")
     about.cause = "The score must be the sum of the points of all holes."
-    last = "Your score is that of the last hit, because you replace the score at each hit. Add "
+    last = (
+        "You keep only the points of the last hit, because you replace the score at each hit. Add "
+    )
     blame(came["score"], [(30, f"{last}the points to it instead.")])
     expect_exactly(came["score"], 110, then="; range.score")
 

@@ -54,7 +54,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     unused = "kick clears the sum of the forces before using it. First move the sum to "
     unused += "self._forces[1], where last_acceleration reads it."
     if xyz(p.force_accumulator) != ZERO:
-        unused = "kick ignores the force, like the kick of chapter 3. Use a + f / m, which is "
+        unused = "kick ignores the force, like the version in chapter 3. Use a + f / m, which is "
         unused += "last_acceleration, in place of the constant acceleration a."
     slips = {
         unused: v,
@@ -262,8 +262,8 @@ def test_a_constant_force_for_5_seconds(rng: Random) -> None:
     f, mass = components(rng), draw_mass(rng)
     about.call = f"p = Particle(mass={mass}); 300 times: p.add_force(Vector3{f}) and "
     about.call += "p.integrate(1/60)"
-    about.cause = "The force is not the same in all steps, or it acts for the wrong time. It must "
-    about.cause += "change the velocity by (f / m) h in every step of h seconds."
+    about.cause = "The force is not the same in all steps, or it acts for the wrong length of "
+    about.cause += "time. It must change the velocity by (f / m) h in every step of h seconds."
     about.read = "book 5.1, 3.3.2"
     position, velocity = probes.pushed(f, mass, 1.0, 1.0 / 60.0, 300)
     # 300 roundings of numbers up to 1200.

@@ -36,15 +36,17 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     wanted = tuple(a[i] + f[i] / mass for i in range(3))
     got = xyz(p.last_acceleration)
     slips = {
-        "This is only the constant acceleration, without the forces of the last step. kick "
-        "must store them in self._forces[1], and last_acceleration must read them there.": a,
-        "This is a + f, so the mass is missing. Divide the force f by the mass.": [
+        "Your result is only the constant acceleration, without the forces of the last step. "
+        "kick must store them in self._forces[1], and last_acceleration must read them there.": a,
+        "Your result is a + f, so the mass is missing. Divide the force f by the mass.": [
             a[i] + f[i] for i in range(3)
         ],
-        "This is a + f m. Divide the force f by the mass m instead of multiplying.": [
+        "Your result is a + f m. Divide the force f by the mass m instead of multiplying.": [
             a[i] + f[i] * mass for i in range(3)
         ],
-        "This is only f / m. Add the constant acceleration a.": [f[i] / mass for i in range(3)],
+        "Your result is only f / m. Add the constant acceleration a.": [
+            f[i] / mass for i in range(3)
+        ],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.last_acceleration", unit="m/s^2", tolerance=ROUNDED)

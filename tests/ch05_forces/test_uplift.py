@@ -38,7 +38,7 @@ def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[st
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
     about.read = READ
     origin, force, radius = components(rng), components(rng), round(rng.uniform(2.0, 5.0), 3)
-    about.cause = "Your test whether the particle is inside the column is wrong. Add self.force if "
+    about.cause = "Your condition for a particle inside the column is wrong. Add self.force if "
     about.cause += "sqrt(dx^2 + dz^2), the distance from the axis, is at most the radius."
     # 0.6 and 0.8: the distance is the radius times the share.
     ways = [
@@ -116,7 +116,7 @@ def test_the_column_has_no_upper_or_lower_end(rng: Random) -> None:
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     about.read = READ
     force = components(rng)
-    about.cause = "Your force does not act exactly on the edge of the column, which counts as "
+    about.cause = "Your force does not act exactly at the edge of the column, which counts as "
     about.cause += "inside. Compare with <= instead of <."
     for place in ((4.0, 7.0, 6.0), (1.0, 7.0, -3.0), (-4.0, 7.0, 2.0)):  # 3, 4, 5 and along an axis
         about.call, got = lifted((1.0, 0.0, 2.0), 5.0, force, place)
@@ -154,7 +154,7 @@ def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     about.call += (
         "; uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5)"
     )
-    about.cause = "You use the first uplift.origin, but the column has moved away since then. Read "
+    about.cause = "You use the initial uplift.origin, but the column has moved since then. Read "
     about.cause += "self.origin in every call."
     uplift.origin = Vector3(9, 0, 9)
     p.clear_forces()
@@ -162,8 +162,8 @@ def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator", unit="N")
     uplift.radius, uplift.force = 20.0, Vector3(*moved)
     uplift.update_force(p, 0.5)
-    about.cause = "You use the first values of uplift.radius and uplift.force, which have changed "
-    about.cause += "since then. Read self.radius and self.force in every call."
+    about.cause = "You use the initial values of uplift.radius and uplift.force, which have "
+    about.cause += "changed since then. Read self.radius and self.force in every call."
     got = xyz(p.force_accumulator)
     expect_close(
         got,

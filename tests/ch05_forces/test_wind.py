@@ -144,7 +144,7 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
         draw = f"Draw {name} uniformly between -STRONGEST_WIND and STRONGEST_WIND."
         about.cause = f"The wind along {name.upper()} has the wrong range. {draw}"
         if min(blown) >= 0.0 or max(blown) <= 0.0:
-            about.cause = f"Along {name.upper()}, your wind blows to one side only. {draw}"
+            about.cause = f"Along {name.upper()}, your wind blows in one direction only. {draw}"
         if len(set(map(tuple, drawn))) == 1:
             about.cause = "All calls give the same wind. Draw new numbers from self.random in "
             about.cause += "every call, without creating or seeding it again."
@@ -226,7 +226,7 @@ def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     expect_exactly(
         same, 0, then="; how many of the seven winds are the same in a and c", unit="winds"
     )
-    about.cause = "Some calls of change_wind gave an earlier wind again. Draw a new wind in every "
+    about.cause = "Some calls of change_wind repeat an earlier wind. Draw a new wind in every "
     about.cause += "call."
     kinds = len({tuple(w) for w in first})
     expect_exactly(

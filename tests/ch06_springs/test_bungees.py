@@ -74,8 +74,8 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                 "extension counts, so subtract the rest length from the length.": [
                     -k * (rest + extension) * part for part in d
                 ],
-                "You multiply by the whole offset, so a long rope pulls too hard. Normalize the "
-                "offset first.": [part * (rest + extension) for part in wanted],
+                "You multiply by the whole offset, so a long rope pulls too strongly. Normalize "
+                "the offset first.": [part * (rest + extension) for part in wanted],
             }
             blame(got, slips)
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
@@ -95,8 +95,8 @@ def test_a_slack_rope_exerts_no_force(rng: Random) -> None:
             (
                 0.5,
                 0.0,
-                "Your slack rope exerts a force. A rope that is shorter than its rest length must "
-                "not.",
+                "Your slack rope exerts a force. A rope that is shorter than its rest length "
+                "must not exert any.",
             ),
             (
                 0.9,
@@ -230,8 +230,8 @@ def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
         about.call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; "
         about.call += "p.velocity.y -= 1; b.update_force(p, 0.5)"
         about.cause = (
-            "The check changes the attributes of b before this call, so the pull is 3 (3 - 2) + "
-            "0.5 * 1. Read the attributes in every call instead of storing a result."
+            "The check changes the attributes of b before this call, so the pull must be 3 (3 - "
+            "2) + 0.5 * 1. Read the attributes in every call instead of storing a result."
         )
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)

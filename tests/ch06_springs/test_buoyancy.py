@@ -58,8 +58,8 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
             min(0.25 * pushed, 1.0) * full,
             min(0.75 * pushed, 1.0) * full,
         ),
-        "Your lift lacks the factor g, as in the book's listing (E-5), so it is a mass in kg "
-        "instead of a force. Multiply it by self.gravity.": (
+        "Your lift leaves out the factor g, as in the book's listing (E-5), so it is a mass in "
+        "kg instead of a force. Multiply it by self.gravity.": (
             0.25 * unit,
             0.75 * unit,
         ),
@@ -88,10 +88,10 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
             0.5 * full,
             full,
         ),
-        "You used y_w - y, the depth of the body's center. Add max_depth, because the lowest point "
-        "of the body is that much deeper.": (0.0, 0.25 * full),
-        "Your lift is either full or zero. Multiply the full lift by the submerged fraction of "
-        "the body.": (
+        "You used y_w - y, the depth of the body's center. Add max_depth, because the lowest "
+        "point of the body is deeper by this amount.": (0.0, 0.25 * full),
+        "Your lift is either the full lift or zero. Multiply the full lift by the submerged "
+        "fraction of the body.": (
             0.0,
             full,
         ),

@@ -48,15 +48,16 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
         name = f"{about.call}.update_force({end}, 0.5)"
         about.cause = (
-            "The force on a must be spring_force of a's position and velocity relative to b. This "
-            f"holds whichever end is passed to update_force, which is {end} here."
+            "Compute the force on a with spring_force, from a's position and velocity relative "
+            "to b. The force on a must be the same whichever end is passed to update_force, "
+            f"which is {end} here."
         )
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
         k, rest, c = numbers
         both = tuple(p + q for p, q in zip(v, w, strict=True))
         slips = {
-            "Each end gets only half of the force. Apply the whole force to both ends.": [
+            "Each end gets only half of the force. Apply the full force to each end.": [
                 0.5 * part for part in wanted
             ],
             "You halved the stiffness. The whole force of the spring acts on each end, so use "
@@ -67,11 +68,11 @@ def test_a_connection_acts_on_both_ends(rng: Random) -> None:
             "on their difference, so subtract b's velocity from a's.": tension(
                 here, both, there, ZERO, numbers
             ),
-            "You subtract a's position from b's, so the force on a points the wrong way. "
-            "Subtract b's position from a's.": tension(there, v, here, w, numbers),
+            "You subtract a's position from b's, so the force on a points in the wrong "
+            "direction. Subtract b's position from a's.": tension(there, v, here, w, numbers),
             (
-                "You swapped the forces on a and b. Compute the force on a from a's position minus "
-                "b's, whichever end is passed to update_force."
+                "You swapped the forces on a and b. Always compute the force on a from a's "
+                "position minus b's, no matter which end is passed to update_force."
             ): [-part for part in wanted],
             "You added no force to a. Both ends need a force in every call.": ZERO,
         }
@@ -173,8 +174,8 @@ def test_connected_ends_at_the_same_position_get_no_force(rng: Random) -> None:
     about.call += "a.position.y = 2; "
     about.call += "a.velocity.y = 1; c.update_force(a, 0.5)"
     about.cause = (
-        "The check changes the attributes of c before this call, so the force is 5 (3 - 2) - 2 * "
-        "1. Read the attributes in every call instead of storing a result."
+        "The check changes the attributes of c before this call, so the force must be 5 (3 - 2) "
+        "- 2 * 1. Read the attributes in every call instead of storing a result."
     )
     c.stiffness, c.rest_length, c.damping = 5.0, 3.0, 2.0
     a.clear_forces()
@@ -201,7 +202,7 @@ def test_connect_registers_the_spring_once(rng: Random) -> None:
             unmoved = "You registered the spring for an immovable end, which the registry skips. "
             unmoved += "Register it for an end that can move."
         about.cause = (
-            "connect must create one Connection with this stiffness and rest length. It must "
+            "connect must create one Connection with this stiffness and rest length, and "
             "register it once, for an end that can move."
         )
         a, b = Particle(Vector3(*here), mass=mass_a), Particle(Vector3(*there), mass=mass_b)
@@ -236,8 +237,8 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, stiffness={k}, "
     about.call += f"rest_length={rest}, damping={c})"
     about.cause = (
-        "The spring that you return has the wrong numbers. Pass the stiffness, the rest length and "
-        "the damping to Connection."
+        "The spring that you return has the wrong values. Pass the stiffness, the rest length "
+        "and the damping to Connection."
     )
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
@@ -253,7 +254,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
     about.call += f"; s.stiffness = {2 * k:.6g}; registry.update_forces(0.5)"
     about.cause = (
-        "The check changed the stiffness of the returned spring s, but the force did not follow. "
+        "The check changed the stiffness of the returned spring s, but the force did not change. "
         "Register the same Connection that you return, and read its stiffness in every call of "
         "update_force."
     )
@@ -265,8 +266,8 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     about.call += "; a.clear_forces(); b.clear_forces(); registry.remove(a, s); "
     about.call += "registry.update_forces(0.5)"
     about.cause = (
-        "One call of registry.remove(a, s) must take the spring away. Register it only once, and "
-        "if a can move, register it for a."
+        "One call of registry.remove(a, s) must remove the spring completely. Register it only "
+        "once, and if a can move, register it for a."
     )
     a.clear_forces()
     b.clear_forces()
@@ -322,8 +323,8 @@ def test_two_immovable_ends_may_be_connected() -> None:
     about.call = "connect(registry, a, b, stiffness=3.0, rest_length=0.0) with two immovable "
     about.call += "particles; registry.update_forces(0.5)"
     about.cause = (
-        "A spring between two immovable particles has no effect, but it is not an error either. "
-        "connect must accept it."
+        "A spring between two immovable particles has no effect, but it is not an error either, "
+        "so connect must accept it."
     )
     still = Particle(mass=math.inf), Particle(mass=math.inf)
     connect(registry, *still, 3.0, 0.0)
@@ -373,8 +374,8 @@ def test_connect_rejects_invalid_numbers() -> None:
     about.call = "a at (1e10, 0, 0) with velocity (1e10, 0, 0); b at (-1e10, 0, 0) with velocity "
     about.call += "(-1e10, 0, 0); "
     about.cause = (
-        "The force is too large for a float, and add_force raises an error for it. Always change "
-        "the forces with add_force."
+        "The force is too large for a float, so add_force raises an error. Always use add_force "
+        "to change the forces."
     )
     near = Particle(), Particle(Vector3(1.0, 0.0, 0.0))
     for stiffness, damping in ((1e308, 0.0), (0.0, 1e308)):

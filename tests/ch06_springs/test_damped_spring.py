@@ -77,8 +77,9 @@ def test_the_three_cases_by_known_values() -> None:
         "exponentials there instead of subtracting them.": math.exp(-1.0)
         * (1.0 + 20.0 / over)
         * math.sinh(0.05 * over),
-        "Your position lacks its second term. Multiply e^(-half t) by cosh(gamma t) plus half "
-        "sinh(gamma t) / gamma, where half = c / (2 m).": math.exp(-1.0) * math.cosh(0.05 * over),
+        "Your position leaves out its second term. Multiply e^(-half t) by cosh(gamma t) plus "
+        "half sinh(gamma t) / gamma, where half = c / (2 m).": math.exp(-1.0)
+        * math.cosh(0.05 * over),
         "You use cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
         "sinh instead.": math.exp(-1.0)
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
@@ -250,12 +251,12 @@ def test_no_time_and_no_stiffness(rng: Random) -> None:
     c, m = positive_number(rng), positive_number(rng)
     about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=3.0, damping={c}, mass={m}, "
     about.call += "time=0.0)"
-    about.cause = "No time has passed yet. The position and the velocity must still be x0 and v0."
+    about.cause = "No time has passed yet, so position and velocity must still be x0 and v0."
     got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
     expect_close(got, (x0, v0))
     about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=0.0, damping=0.0, mass={m}, "
     about.call += f"time={t})"
-    about.cause = "No force acts here. The velocity must stay v0, and the position is x0 + v0 t."
+    about.cause = "No force acts here, so the velocity stays v0 and the position is x0 + v0 t."
     got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
     expect_close(got, (x0 + v0 * t, v0))
     about.call = f"damped_spring_state(x0={x0}, v0={v0}, stiffness=0.0, damping={c}, mass={m}, "
@@ -280,13 +281,13 @@ def test_very_soft_and_very_stiff_springs() -> None:
             (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
             0.0,
             1e-12,
-            "After 100 s of damping the oscillation has died out. The position must be 0.",
+            "After 100 s of damping, the oscillation has died out, so the position must be 0.",
         ),
         (
             (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
             math.cos(1.0),
             1e-12,
-            "A very soft spring without damping still oscillates, only slowly. Don't treat a "
+            "A very soft spring without damping still oscillates, but slowly. Don't treat a "
             "small stiffness as zero.",
         ),
         (
@@ -300,7 +301,7 @@ def test_very_soft_and_very_stiff_springs() -> None:
             (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
             -1.0,
             1e-9,
-            "After half a period an undamped body is on the opposite side. Its position must "
+            "After half a period, an undamped body is on the opposite side, so its position must "
             "be -x0.",
         ),
     ):
@@ -338,7 +339,7 @@ def test_late_times_and_strong_damping() -> None:
             1e-9,
             1e-17,
             "Strong damping stops the body almost at once, after a distance of v0 m / c. The "
-            "position must be close to that.",
+            "final position must be close to that.",
         ),
     ):
         about.cause = cause

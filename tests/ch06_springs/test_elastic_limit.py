@@ -153,8 +153,8 @@ def test_ends_at_the_same_position_get_no_elastic_force(rng: Random) -> None:
     about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
     about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
     about.cause = (
-        "The check changes the attributes of s and moves q before this call, so the pull is 4 * 3 "
-        "+ 2 * 4 (4 - 3). Read the attributes in every call."
+        "The check changes the attributes of s and moves q before this call, so the pull must be "
+        "4 * 3 + 2 * 4 (4 - 3). Read the attributes in every call."
     )
     p.clear_forces()
     q.position = q.position - Vector3(4.0, 0.0, 0.0)

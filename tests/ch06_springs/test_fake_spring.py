@@ -89,14 +89,14 @@ def test_a_soft_spring_is_faked_too() -> None:
         read=READ,
     )
     about.call += "damping=0).update_force(p, 0.1)"
-    about.cause = "The force on a soft spring must follow the same formula. It is about half that "
+    about.cause = "The force of a soft spring must follow the same formula. It is about half that "
     about.cause += "of a real spring, because semi-implicit Euler moves the particle by a h^2 and "
     about.cause += "not by a h^2 / 2."
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
     got = xyz(p.force_accumulator)
-    only = "Your spring has no force along z. Compute the force along z as you do along x and y."
+    only = "Your spring exerts no force along z. Compute it in the same way as along x and y."
     blame(got, [(ZERO, only)])
     # cos loses three digits, and is multiplied by 100.
     expect_close(got, wanted, then="; p.force_accumulator, in N", tolerance=1e-11)

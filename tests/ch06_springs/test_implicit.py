@@ -51,8 +51,8 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
         u = v + (-stiffness * x - damping * v) / m * h
         w, y = stiffness / m * h, damping / m * h
         slips = {
-            "This is a step of explicit Euler, which uses only the old values. Solve the equations "
-            "in the docstring for the new velocity instead.": (x + v * h, u),
+            "You take a step of explicit Euler, which uses only the old values. Solve the "
+            "equations in the docstring for the new velocity instead.": (x + v * h, u),
         }
         if method == "backward_euler":
             explicit = (

@@ -51,7 +51,7 @@ def invalid(arguments: tuple[float, float, float]) -> str:
 def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, stiffness=7.0, damping=0.25, duration=0.125)", read=WIDER)
     seen = released()
-    calls = "You never call the integrator that was passed in. Let it make every step, because no "
+    calls = "You never call the integrator that was passed in. Let it take every step, because no "
     calls += "formula covers every integrator."
     expect_that(
         bool(seen), "the integrator was never called", "the integrator is called", cause=calls
@@ -146,8 +146,8 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             1e6,
             True,
-            "You go on until the position is too large for a float. Return True as soon as the "
-            "distance is huge.",
+            "You continue until the position is too large for a float. Return True as soon as "
+            "the distance is huge.",
         ),
     ):
         about.cause = cause
@@ -178,7 +178,7 @@ def test_swings_of_constant_size_are_not_wider() -> None:
     expect_exactly(got, True)
     about.call = "swings_wider(explicit_euler, stiffness=1.0, damping=1.0, duration=1/60)"
     about.cause = "Without damping, explicit Euler is unstable for every spring, but this "
-    about.cause += "oscillation grows by only 12% in FRAMES steps. Make that many steps before "
+    about.cause += "oscillation grows by only 12% in FRAMES steps. Take that many steps before "
     about.cause += "you decide."
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
@@ -200,10 +200,12 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     slips = {
-        "Your lower end never moves from SOFTEST / h^2, where the search begins. If the stiffness "
-        "in the middle of the interval is stable, make it the new lower end.": 1e-7 / h**2,
-        "Your upper end never moves from STIFFEST / h^2, where the search begins. If the stiffness "
-        "in the middle of the interval is unstable, make it the new upper end.": 16.0 / h**2,
+        "The lower end of your interval never moves from SOFTEST / h^2, where the search begins. "
+        "If the stiffness in the middle of the interval is stable, make it the new lower end.": 1e-7
+        / h**2,
+        "The upper end of your interval never moves from STIFFEST / h^2, where the search "
+        "begins. If the stiffness in the middle of the interval is unstable, make it the new "
+        "upper end.": 16.0 / h**2,
         "You return max_stable_stiffness, the formula for explicit Euler. This integrator is a "
         "different one, so measure its limit with swings_wider.": limit_of(1.0, True, damping, h),
         "Your result is STIFFEST / h. The ends of the interval depend on the square of the "

@@ -101,7 +101,7 @@ def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     wanted = (-2.0 * k, -1.0 * k, 1.5 * k)
     got = xyz(p.force_accumulator)
     nearest = (
-        "Only the first particle pushes p, which is also the nearest. Add up the pushes of all "
+        "Only the first particle, which is also the nearest, pushes p. Add up the pushes of all "
         "particles closer than 3 m."
     )
     blame(got, [((-2.0 * k, 0.0, 0.0), nearest)])
@@ -109,7 +109,7 @@ def test_all_particles_that_are_too_near_push(rng: Random) -> None:
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k:.6g}; crowd.update_force(p, 0.5)"
     about.cause = (
-        "The check changes the list, the distance and the stiffness before this call, so that "
+        "Before this call, the check changes the list, the distance and the stiffness, so that "
         "only one particle is closer than 1.25 m. Read these attributes in every call."
     )
     p.clear_forces()
@@ -138,7 +138,7 @@ def test_particles_at_the_same_position_do_not_push(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, -10.0, 0.0), then="; p.force_accumulator, in N", tolerance=1e-12)
     about.cause = (
-        "The list of particles belongs to the caller. Don't change its order, and don't move its "
+        "The list of particles belongs to the caller. Don't reorder it, and don't move its "
         "particles."
     )
     got = [part for one in crowd.particles for part in xyz(one.position)]

@@ -26,7 +26,7 @@ class Asked:
     def __call__(self, places: list[Components]) -> list[Components]:
         self.count += 1
         if self.count > MOST:
-            about.cause = f"Your steps evaluate the forces more than {MOST} times in all. Split "
+            about.cause = f"Your steps evaluate the forces more than {MOST} times in total. Split "
             about.cause += "each time step into fewer parts."
             raise ValueError(
                 f"more than {MOST} evaluations of the forces: split the time step into fewer parts"
@@ -129,7 +129,7 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
             for pair in zip(places[frame - 1], true, strict=True)
         ]
         if math.hypot(*(m * p + n * q for p, q in zip(*ways, strict=True))) < 5e-3:
-            about.cause = "The spring moves the particles wrongly. Clear the forces of each "
+            about.cause = "The spring moves the particles incorrectly. Clear the forces of each "
             about.cause += "particle after you use them, and use a method of order 2 or more."
         for which, place in enumerate(true):
             # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
@@ -143,7 +143,7 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
             )
     falling = [p + q * period for p, q in zip(v, a, strict=True)]
     about.cause = "The positions are right, but the velocities are not those at the end of the "
-    about.cause += "step. Change the velocities for the whole duration too."
+    about.cause += "step. Update the velocities over the whole duration too."
     # After a whole period the spring has its velocity of the start, none; it has up to 9 m/s.
     expect_close(
         velocities[-1][0],
@@ -168,7 +168,7 @@ def test_it_follows_an_orbit(rng: Random, on_chart: Callable[[float, float], Non
     about.call += f"apply_forces, duration) {FRAMES} times"
     about.cause = "Explicit and semi-implicit Euler are not accurate enough here. Use a method of "
     about.cause += "order 2 or more. You may split a step into parts, as long as you evaluate the "
-    about.cause += f"forces at most {MOST} times in all."
+    about.cause += f"forces at most {MOST} times in total."
     count, error = turn_of_an_orbit(rng)
     on_chart(count, error)
     # Velocity Verlet in 16 parts a frame is off by 2e-3, explicit Euler in 80 by 0.3.

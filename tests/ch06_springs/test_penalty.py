@@ -69,8 +69,8 @@ def test_there_is_no_force_above_the_ground(rng: Random) -> None:
         (
             0.0,
             -9.0,
-            "You add damping to a particle that only touches the ground. At a depth of 0 there "
-            "must be no force at all.",
+            "You apply damping to a particle that only touches the ground. At a depth of 0, "
+            "there must be no force at all.",
         ),
     ):
         about(f"p at (0, {height + above:.6g}, 0) with velocity (0, {speed:g}, 0); ", cause=cause)
@@ -166,8 +166,8 @@ def test_a_body_comes_to_rest_below_the_surface() -> None:
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
-    about.cause = "The particle arrives at 3.2 m/s, and the ground must stop it within about 0.2 "
-    about.cause += "m. Check the stiffness and the sign of the damping."
+    about.cause = "The particle hits the ground at 3.2 m/s, and the ground must stop it within "
+    about.cause += "about 0.2 m. Check the stiffness and the sign of the damping."
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     expect_between(lowest, deepest, 0.6 * deepest, then=", at its lowest")
     about.call = "ground = PenaltyGround(height=0, stiffness=400, damping=0), changed to "

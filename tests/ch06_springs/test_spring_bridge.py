@@ -120,8 +120,8 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
             "from an anchor above it.": [
                 rope + part for rope, part in zip(ropes, below, strict=True)
             ],
-            "Only your hangers act, because no springs join the planks to each other. Call connect "
-            "for each pair of neighboring planks.": parts[0],
+            "Only your hangers have an effect, because no springs join the planks to each other. "
+            "Call connect for each pair of neighboring planks.": parts[0],
             "Your springs between the planks act twice. The spring that connect registers "
             "already acts on both planks, so call connect only once per pair.": [
                 total + rope for total, rope in zip(wanted, ropes, strict=True)
@@ -153,42 +153,42 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             -1.25,
             (0.75, 0.25, 0.0),
-            "The two planks beside the walker carry wrong fractions of the weight. They must carry "
-            "1 - s and s, so that the nearer plank carries more.",
+            "The two planks beside the person carry the wrong fractions of the weight. They must "
+            "carry 1 - s and s, so that the nearer plank carries more.",
         ),
         (
             1.0,
             (0.0, 0.25, 0.75),
-            "The fraction s must go from 0 at one plank to 1 at the next. Divide the walker's "
+            "The fraction s must go from 0 at one plank to 1 at the next. Divide the person's "
             "distance from the plank by the gap between the planks, which is 2 m here.",
         ),
         (
             -0.5,
             (0.0, 1.0, 0.0),
-            "The walker is right on a plank, so this plank must carry the whole weight.",
+            "The person is exactly on a plank, so this plank must carry the whole weight.",
         ),
         (
             -7.0,
             (1.0, 0.0, 0.0),
-            "You don't limit x to the ends of the bridge, and this walker is before the first "
-            "plank. The first plank must carry the whole weight.",
+            "The person is before the first plank, so the first plank must carry the whole "
+            "weight. Limit x to the ends of the bridge.",
         ),
         (
             9.0,
             (0.0, 0.0, 1.0),
-            "You don't limit x to the ends of the bridge, and this walker is beyond the last "
-            "plank. The last plank must carry the whole weight.",
+            "The person is beyond the last plank, so the last plank must carry the whole weight. "
+            "Limit x to the ends of the bridge.",
         ),
         (
             -1.5,
             (1.0, 0.0, 0.0),
-            "The walker is right on the first plank, which must carry the whole weight. There "
+            "The person is exactly on the first plank, which must carry the whole weight. There "
             "is no plank before it.",
         ),
         (
             1.5,
             (0.0, 0.0, 1.0),
-            "The walker is right on the last plank, which must carry the whole weight. There "
+            "The person is exactly on the last plank, which must carry the whole weight. There "
             "is no plank after it.",
         ),
     ):
@@ -201,12 +201,12 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         wanted = [-weight * share for share in shares]
         beside = max(shares) < 1.0
         slips = {
-            "You swapped the fractions s and 1 - s of the weight that the two planks carry. "
-            "The plank nearer to the walker must carry more.": [
+            "You swapped the fractions s and 1 - s of the weight that the two planks carry. The "
+            "plank nearer to the person must carry more.": [
                 -weight * (1.0 - share) if share else 0.0 for share in shares
             ],
             "You give all of the weight to the nearest plank. Divide it between the two planks "
-            "beside the walker, as the fractions 1 - s and s.": [
+            "beside the person, using the fractions 1 - s and s.": [
                 -weight * (share == max(shares)) for share in shares
             ],
             "You give each of the two planks half of the weight. The nearer plank must carry more, "
@@ -234,7 +234,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
     about.call = f"a single plank at x = -1.5; load_bridge([plank], x=4.0, weight={weight}); the y "
     about.call += "component of the force that it adds, in N"
     about.cause = "This bridge has only one plank, which must carry the whole weight, wherever the "
-    about.cause += "walker is. Don't look for a second plank."
+    about.cause += "person is. Don't look for a second plank."
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
     about.call = "load_bridge(planks, x=0.0, weight=4.0) with two planks at x = 0; the sum of the "
@@ -253,7 +253,7 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.call += "damping=20); load_bridge(planks, x=3, weight=100) in every step for 20 s; the "
     about.call += "total pull of the hangers in N"
     about.cause = "At the end the bridge is at rest. The total pull of the hangers must equal the "
-    about.cause += "weight of the planks plus that of the walker."
+    about.cause += "weight of the planks plus that of the person."
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 1200)
     up = math.fsum(
         pull((end, ZERO), ((place[0], 3.0, 0.0), ZERO), 200.0, 3.0, 0.0)[1]
@@ -263,12 +263,12 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     expect_close(up, 7.0 * 2.0 * 10.0 + 100.0, tolerance=1e-4)
     about.call = "the same bridge; how far planks[0], planks[1] and planks[2] sag in m, compared "
     about.call += "with the last three planks"
-    about.cause = "The walker is on the middle plank, so the bridge must sag equally on both "
+    about.cause = "The person is on the middle plank, so the bridge must sag equally on both "
     about.cause += "sides. Hang all planks from the same kind of spring, and connect all neighbors."
     sags = [-end[1] for end in ends]
     expect_close(sags[:3], sags[:3:-1], tolerance=1e-6)
     about.call = "the same bridge; the sag of the middle plank minus that of the first plank, in m"
-    about.cause = "The planks near the walker must sag more than those at the ends, although the "
+    about.cause = "The planks near the person must sag more than those at the ends, although the "
     about.cause += "springs between the planks spread the load. Check that neighboring planks are "
     about.cause += "connected."
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.

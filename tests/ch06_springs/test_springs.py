@@ -42,7 +42,7 @@ def spring_slips(
     return {
         "Your extension is abs(length - rest_length), as in the book's listing (E-3), so a "
         "compressed spring pulls. Remove abs, so that it pushes.": along(-abs(pull) - c * rate),
-        "Your damping has the wrong sign, so it pushes in the direction of the motion. It must "
+        "Your damping has the wrong sign, so it acts in the direction of the motion. It must "
         "oppose the motion.": along(c * rate - pull),
         "The sign of your force is wrong, so a stretched spring pushes. A stretched "
         "spring must pull against the offset.": along(pull + c * rate),
@@ -54,8 +54,8 @@ def spring_slips(
         "use magnitude().": along(-k * (length**2 - rest) - c * rate),
         "You left out the damping. Add a force along the spring: the damping times the rate at "
         "which the length changes.": along(-pull),
-        "Your spring exerts no force here, like a slack rope. Unlike a rope, a spring pushes when "
-        "it is shorter than its rest length.": along(0.0 * pull),
+        "Your spring exerts no force here, like a slack rope. Unlike a rope, a spring must push "
+        "when it is shorter than its rest length.": along(0.0 * pull),
         "Your damping is -c v, which also slows down motion across the spring. Use only the "
         "component of the velocity v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
@@ -187,7 +187,8 @@ def test_a_spring_changes_none_of_its_arguments(rng: Random) -> None:
     about.call = f"o, v = Vector3{offset}, Vector3{velocity}; spring_force(o, v, stiffness=3.0, "
     about.call += "rest_length=1.0, damping=2.0)"
     copies = (
-        "normalize, -= and *= work in place, so use normalized, - and *, which create new vectors."
+        "The operations normalize, -= and *= work in place. Use normalized, - and *, which "
+        "create new vectors."
     )
     o, v = Vector3(*offset), Vector3(*velocity)
     force = spring_force(o, v, 3.0, 1.0, 2.0)
@@ -223,8 +224,8 @@ def test_a_spring_changes_none_of_its_arguments(rng: Random) -> None:
     about.call = "o = Vector3(); f = spring_force(o, Vector3(), stiffness=3.0, rest_length=1.0); "
     about.call += "f.x = 99.0"
     about.cause = (
-        "You return one of the vectors that were passed in, so a change of the result changes the "
-        "caller's vector too. Return a new vector, even if the offset is zero."
+        "You return one of the vectors that were passed in, so changing the result also changes "
+        "the caller's vector. Return a new vector, even if the offset is zero."
     )
     o = Vector3()
     f = spring_force(o, Vector3(), 3.0, 1.0)
@@ -257,15 +258,15 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     back = tuple(-part for part in offset)
     forces = {
-        "You subtract p's position from q's, so the force on p points the wrong way. Subtract "
-        "q's position from p's instead.": hooke(back, relative, k, rest, c),
+        "You subtract p's position from q's, so the force on p points in the wrong direction. "
+        "Subtract q's position from p's instead.": hooke(back, relative, k, rest, c),
         "You subtract p's velocity from q's, so the damping has the wrong sign. Subtract q's "
         "velocity from p's instead.": hooke(offset, tuple(-part for part in relative), k, rest, c),
         "Your damping uses only the velocity of p, but the motion of q changes the length too. "
         "Subtract q's velocity from p's.": hooke(offset, v, k, rest, c),
         "You left out the damping. Pass it to spring_force, together with the velocity of p "
         "relative to q.": hooke(offset, relative, k, rest, 0.0),
-        "The sign of your force is wrong, so it points the wrong way.": tuple(
+        "The sign of your force is wrong, so the force points in the wrong direction.": tuple(
             -part for part in pull
         ),
         "You divided the force by the mass of p. Add the force itself, because the step "
@@ -291,8 +292,8 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     about.call += "s.rest_length, s.damping = 5, 2, 3; p at (0, 3, 0) with velocity (0, 1, 0), q "
     about.call += "at rest at (0, 0, 0); s.update_force(p, 0.5)"
     about.cause = (
-        "The check changes the attributes of s before this call, so the force is -(5 (3 - 2) + 3 "
-        "* 1). Read the attributes in every call."
+        "The check changes the attributes of s before this call, so the force must be -(5 (3 - "
+        "2) + 3 * 1). Read the attributes in every call."
     )
     s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()
@@ -323,7 +324,7 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     wanted = hooke(offset, v, k, rest, c)
     got = xyz(p.force_accumulator)
     slips = {
-        "You subtract the position from the anchor, so the force points the wrong way. "
+        "You subtract the position from the anchor, so the force points in the wrong direction. "
         "Subtract the anchor from the position instead.": hooke(
             tuple(-part for part in offset), v, k, rest, c
         ),
@@ -334,7 +335,7 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
         "only the extension counts.": hooke(offset, v, k, 0.0, c),
         "Your spring acts as if its other end were at (0, 0, 0). Subtract self.anchor from the "
         "position to get the offset.": hooke(here, v, k, rest, c),
-        "The sign of your force is wrong, so it points the wrong way.": tuple(
+        "The sign of your force is wrong, so the force points in the wrong direction.": tuple(
             -part for part in wanted
         ),
     }

@@ -26,8 +26,8 @@ def largest_eigenvalue(matrix: tuple[float, float, float, float]) -> float:
 @pytest.mark.exercise("6.6b")
 def test_the_largest_stiffness_by_known_values() -> None:
     about(
-        cause="The largest stable stiffness is m (d^-h - 1) / h^2, where d is the "
-        "damping per second and h the duration of a step. Compare your formula with it.",
+        cause="The largest stable stiffness is m (d^-h - 1) / h^2, where d is the damping per "
+        "second and h the duration of a step. Compare your formula with this one.",
         read=READ,
     )
     for d, wanted in ((0.999, 0.060030520518), (0.9, 6.327184608887), (0.5, 41.829985086921)):
@@ -39,7 +39,7 @@ def test_the_largest_stiffness_by_known_values() -> None:
             "(d^-h - 1) / h^2, where d is the damping and h the duration.": -math.log(d) * 60.0,
             "Your result is m (d^-h - 1) / h, where h is the duration of the step. Divide by "
             "h^2 instead.": wanted / 60.0,
-            "Your result is m (1 / d - 1) / h^2, as if d were the damping per step. d is the "
+            "Your result is m (1 / d - 1) / h^2, as if d were the damping per step. But d is the "
             "damping per second, so use d^-h instead of 1 / d.": (1.0 / d - 1.0) * 3600.0,
             "Your result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for "
             "Particle.integrate (E-16). Use d^-h - 1 instead of 1 - d^h.": (1.0 - keep) * 3600.0,
@@ -129,8 +129,8 @@ def test_the_ends_of_the_damping() -> None:
     expect_close(got, wanted, tolerance=1e-9 * wanted)
     about(
         "max_stable_stiffness(damping=0.5, duration=2.0), in N/m",
-        cause="With a damping of 0.5, a duration of 2 s and a mass of 1 kg the limit is "
-        "(0.5^-2 - 1) / 2^2, which is 0.75. Compare your formula with this, part by part.",
+        cause="With a damping of 0.5, a duration of 2 s and a mass of 1 kg the limit is (0.5^-2 "
+        "- 1) / 2^2, which is 0.75. Compare your formula with this one, term by term.",
     )
     got = max_stable_stiffness(0.5, 2.0)
     expect_close(got, 0.75)
@@ -140,7 +140,7 @@ def test_the_ends_of_the_damping() -> None:
 @pytest.mark.robust
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about("max_stable_stiffness(damping=1e-300, duration=1000.0), in N/m", read=READ)
-    about.cause = "You let an OverflowError out, which Python raises because this limit is too "
+    about.cause = "Python raises an OverflowError here, because this limit is too "
     about.cause += "large for a float. Catch the error and return math.inf."
     got = max_stable_stiffness(1e-300, 1000.0)
     expect_exactly(got, math.inf)

@@ -38,8 +38,8 @@ RULES = {
         "at p' with the velocity v + a h, and set v' = (v + (a + b) h / 2) d^h."
     ),
     "runge_kutta_4": (
-        "Your new state is not the one to which the weighted mean of the four rates leads. Give "
-        "the second and the third rate twice the weight of the others."
+        "Your new state does not follow from the weighted mean of the four rates. Give the "
+        "second and the third rate twice the weight of the others."
     ),
 }
 WAYS = {
@@ -77,8 +77,8 @@ def slips_of(
     bodies: dict[str, Body] = {
         "You leave out p.acceleration, the constant acceleration. Add it to f / m, the "
         "acceleration that the forces cause.": (p, v, ZERO, mass, d, hand),
-        "Your step leaves out the force that was added to p before it. This force acts during the "
-        "whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
+        "Your step leaves out the force that was added to p before the step. This force acts "
+        "during the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
         "You don't divide the forces by the mass. The acceleration is p.acceleration + f / m, "
         "where f is the sum of the forces.": (p, v, a, 1.0, d, hand),
         "Your velocity is never damped. Multiply it by d^h once per step, where d is the "
@@ -88,8 +88,8 @@ def slips_of(
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
-        "The forces of apply_forces have no effect on your step. Call it before you use the "
-        "accumulators, and clear them only after that."
+        "The forces that apply_forces adds have no effect on your step. Call it before you use "
+        "the accumulators, and clear them only after that."
         if asked
         else "You never call apply_forces. Call it in every step, before you use the accumulators."
     ] = walk(method, body, 0.0, 0.0, h, frames)
@@ -119,8 +119,8 @@ def draw_body(rng: Random, hand: Components = ZERO) -> Body:
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = "Your step is wrong if a force was added to p before it. This force acts during the "
-    by_hand += "whole step, so include it in every evaluation of the forces."
+    by_hand = "Your step is wrong if a force was added to p before the step. This force acts "
+    by_hand += "during the whole step, so include it in every evaluation of the forces."
     for what, body, frames, cause in (
         ("once", draw_body(rng), 1, RULES[method]),
         ("once", draw_body(rng, components(rng)), 1, by_hand),
@@ -211,10 +211,8 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     h, hand = positive_number(rng, 0.05, 0.2), components(rng)
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
-    about.call = (
-        f"{method}(particles, apply_forces, duration={h}) {frames} times; before each step, "
-    )
-    about.call += f"the check adds a force of {hand} N to particles[0]"
+    about.call = f"{method}(particles, apply_forces, duration={h}) {frames} times; before each "
+    about.call += f"step, the check adds a force of {hand} N to particles[0]"
     about.cause = RULES[method]
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
     about.cause = f"Your step calls apply_forces {len(asked) / frames:.3g} times, but must call it "
@@ -224,10 +222,8 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     expect_exactly(
         len(asked), frames * EVALUATIONS[method], then="; the number of calls of apply_forces"
     )
-    about.cause = (
-        "You call apply_forces with only a part of the duration. Pass the duration of the "
-    )
-    about.cause += "whole step in every call."
+    about.cause = "You call apply_forces with only a part of the duration. Pass the duration of "
+    about.cause += "the whole step in every call."
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
@@ -268,7 +264,7 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
             about.cause = (
-                "At least one of your four rates belongs to a wrong state. For each rate, "
+                "At least one of your four rates belongs to the wrong state. For each rate, "
             )
             about.cause += (
                 "go back to the start and move at the previous rate: 0, h / 2, h / 2 and h."
@@ -318,10 +314,8 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     place, velocity, a = components(rng), components(rng), components(rng)
     still: Body = (place, velocity, a, math.inf, 0.5, components(rng))
     other: Body = ((1.0, 2.0, 3.0), ZERO, ZERO, 2.0, 1.0, ZERO)
-    about.call = (
-        f"an immovable particle is at {place} m, with a velocity of {velocity} m/s; the next "
-    )
-    about.call += f"particle can move; {method}(particles, apply_forces, duration=0.25) twice"
+    about.call = f"an immovable particle is at {place} m, with a velocity of {velocity} m/s; the "
+    about.call += f"next particle can move; {method}(particles, apply_forces, duration=0.25) twice"
     about.cause = "You move an immovable particle. Skip it, or use drift and kick, which leave it "
     about.cause += "where it is."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
@@ -363,10 +357,8 @@ def test_a_step_needs_a_duration(method: str) -> None:
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
     for bad in (0.0, -1.0, math.inf, math.nan):
         about.call = f"{method}([p], apply_forces, {bad})"
-        about.cause = (
-            f"The duration is {bad}. It must be positive and finite, so raise ValueError. "
-        )
-        about.cause += "The function positive from arguments.py does this for you."
+        about.cause = f"The duration is {bad}. It must be positive and finite, so raise "
+        about.cause += "ValueError. The function positive from arguments.py does this for you."
         expect_error(
             lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
             ValueError,
@@ -387,8 +379,8 @@ def test_a_step_needs_a_duration(method: str) -> None:
         expect_exactly(after["asked"], [0], then="; the number of calls of apply_forces")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = (
-        "An empty list of particles is not an error, because there is simply nothing to do. A "
-        "single particle moves like any other."
+        "An empty list of particles is not an error, because there is nothing to do. A single "
+        "particle moves like any other."
     )
     ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
     expect_exactly(ends["positions"], [], then="; the positions of the particles")

@@ -65,8 +65,8 @@ def test_a_watched_step_is_the_original_step(rng: Random) -> None:
     if error is not None:
         blame(error[2], mistakes)
     expect_that(error is None, in_words(error), "no error", then=TOLD)
-    about.cause = "You pass other arguments to the original integrator. Call it once per step, "
-    about.cause += "with particles, apply_forces and duration unchanged."
+    about.cause = "You don't pass the same arguments to the original integrator. Call it once per "
+    about.cause += "step, with particles, apply_forces and duration unchanged."
     wanted = [(3, 0.25 + i) for i in range(frames)]
     expect_exactly(
         [tuple(one) for one in calls],
@@ -86,7 +86,7 @@ def test_the_error_names_the_first_particle_above_the_limit(rng: Random) -> None
         speeds[number - 1][fast] = -1.25 * limit
         about.call = f"{CALL.format(limit)}, until it raises an error; particles[{fast}] is the "
         about.call += f"first that is too fast, at {1.25 * limit:.6g} m/s after step {number}"
-        about.cause = "Your error reports other numbers than it should. Report the first particle "
+        about.cause = "Your error reports the wrong numbers. Report the first particle "
         about.cause += "that is too fast: its index, the number of the step, its speed and the "
         about.cause += "limit."
         calls, error = watching(limit, speeds)
@@ -199,8 +199,8 @@ def test_watched_goes_on_after_an_error(rng: Random) -> None:
     about.call += "the fifth a particle is too fast; the step number in each error, or -1 for the "
     about.call += "ValueError"
     about.cause = "If the integrator raises an exception, let it reach the caller, and don't count "
-    about.cause += "that step. After a SimulationDiverged, the next call goes on counting and "
-    about.cause += "checking."
+    about.cause += "that step. After a SimulationDiverged, the next call must continue counting "
+    about.cause += "and checking."
     got = watching_on(limit)
     expect_close(got, (-1.0, 2.0, 4.0))
 

@@ -49,7 +49,7 @@ def test_a_row_counts_once(rng: Random) -> None:
         f"rules = Rules({rows}); rules.landed(row) for each row in {events}; rules.visited and "
         "then rules.lives"
     )
-    about.cause = "Your visited doesn't hold the rows that were hit. Add each row in landed."
+    about.cause = "self.visited lacks the rows that were hit. Add each row to it in landed."
     expect_exactly(seen[-1][2], sorted((a, b)))
     about.cause = "A landing costs a life. Only a fall should, so don't change lives in landed."
     expect_exactly(seen[-1][1], 3)
@@ -71,7 +71,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     won, before = seen[rows + falls - 1], seen[rows + falls - 2]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
-    missing = "You leave out the bonus. When the ball has visited all rows, add BONUS for each "
+    missing = "You leave out the bonus. Once the ball has visited all rows, add BONUS for each "
     missing += "life that is left."
     if won[0] == points and ruled(rows, order)[-1][0] != points:
         missing = "You remove rows from visited after a fall, so the game is never won. Don't "
@@ -88,7 +88,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
         (points, missing),
         (points + 50, "You add the bonus only once. Multiply BONUS, which is 50, by the number of "
                       "lives that are left."),
-        (points + 150, "A fall costs no life. Take one away in fell." if seen[1][1] == 3 else
+        (points + 150, "A fall doesn't cost a life. Take one away in fell." if seen[1][1] == 3 else
          "You add the bonus for all three lives, although one of them is lost. Multiply BONUS by "
          "the number of lives that are left."),
         (score - 10, low),
@@ -138,7 +138,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
         about.cause = "You count a landing after the game is over. Return from landed at once if "
         about.cause += "self.over is true."
     elif seen[0][0] == seen[1][0] == 0:
-        about.cause = "A landing after a fall doesn't score. Only the end of the game stops that."
+        about.cause = "A landing after a fall doesn't score. It should, unless the game is over."
     expect_exactly(seen[-1][0], 10, then="; rules.score", unit="points")
     about.cause = "A fall changes the visited rows. It should only cost a life."
     expect_exactly(seen[-1][2], [a], then="; rules.visited")
@@ -272,8 +272,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             )
         elif row == 0:
             about.cause = (
-                "You ignore a landing on row 0, because `if row` is false for 0. Write `if row is "
-                "not None` instead."
+                "You ignore a landing on row 0, because Python treats 0 as false in `if row`. "
+                "Write `if row is not None` instead."
             )
         name = "; the ball's velocity along Y"
         expect_close(seen["velocity"][1], 6.0, then=name, unit="m/s", tolerance=1e-12)
@@ -282,7 +282,7 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             "landings.row is not None."
         )
         expect_close(seen["score"], 10, then="; the score", unit="points", tolerance=1e-12)
-        about.cause = "You report the wrong row. Pass self.landings.row to self.rules.landed."
+        about.cause = "You pass the wrong row. Pass self.landings.row to self.rules.landed."
         expect_exactly(seen["visited"], [row], then="; the visited rows")
     about.call = (
         f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; 20 calls of "
@@ -317,8 +317,8 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "game.step(1/60)"
     )
     about.cause = (
-        "The ball has reached the ground, but you take no life. Call self.rules.fell() in this "
-        "case."
+        "The ball has reached the ground, but you don't take a life. Call self.rules.fell() in "
+        "this case."
     )
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_exactly(seen["lives"], 2, then="; the number of lives that are left")

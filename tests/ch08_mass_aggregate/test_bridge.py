@@ -280,7 +280,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         got = deck((at, 9.0, 0.0), rows, 0.3, 0.0)["nearest"]
         expect_close(got, (float(row), height), tolerance=1e-12)
     for at in (first - 1.001, last + 1.001):
-        about.cause = "Your deck goes on too far. It ends half a SPACING, which is 1 m, beyond "
+        about.cause = "Your deck extends too far. It ends half a SPACING, which is 1 m, beyond "
         about.cause += "its outermost rows, so return None here."
         about.call = f"a deck; the midpoints (x, y) of its rows: {points} m; a ball at "
         about.call += f"({at:.6g}, 1, 0) m"

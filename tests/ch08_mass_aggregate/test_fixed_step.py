@@ -32,16 +32,16 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         )
         steps, left = divmod(left + quarter, 4)
         one = (
-            "You make only one step, although enough time has passed for more. Repeat the step as "
-            "long as self.left is enough for another one."
+            "You take only one step, although enough time has passed for more. Keep taking steps "
+            "as long as self.left is enough for another one."
         )
         if any(type(time) is float and time > STEP for time in done["made"]):
             one = (
-                "You make one long step of all the elapsed time. Make as many steps of "
+                "You take one long step over all of the elapsed time. Take as many steps of "
                 "self.duration as the time allows."
             )
         early = (
-            f"You make a step although only {0.25 * left:g} of its duration is left. Wait until "
+            f"You take a step although only {0.25 * left:g} of its duration is left. Wait until "
             "self.left is enough for a whole step."
         )
         seen = cause_of(row[0], [(steps + 1, early), (1, one)], about.cause)
@@ -50,7 +50,7 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
             "nothing (None)",
             f"{steps} steps",
             then="; the number of steps that it returns",
-            cause="advance returns nothing. Return the number of steps that it made.",
+            cause="advance returns nothing. Return the number of steps that it took.",
         )
         expect_exactly(
             row[0], steps, then="; the number of steps that it returns", unit="steps", cause=seen
@@ -61,7 +61,10 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         seen = cause_of(row[1], [(0.0, lost)], other)
         wanted = 0.25 * STEP * left
         expect_close(row[1], wanted, then="; clock.left", unit="s", cause=seen, tolerance=0.0)
-        seen = "self.dropped changes, although max_steps is None. Drop time only with max_steps."
+        seen = (
+            "self.dropped changes, although max_steps is None. Drop time only if max_steps is not "
+            "None."
+        )
         expect_close(row[2], 0.0, then="; clock.dropped", unit="s", cause=seen, tolerance=0.0)
     about.cause = "Every step has the same duration, no matter how much time has passed. Pass "
     about.cause += "self.duration to self.step."
@@ -77,8 +80,8 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
         f"a FixedStep clock with steps of 1/{rate} s; clock.advance(1/{rate}) a hundred times: "
         "the number of steps in each call"
     )
-    about.cause = "You leave out a step that is due, because rounding made self.left slightly too "
-    about.cause += "small. Make the step if at most SHARE of its duration is missing."
+    about.cause = "You skip a step that is due, because rounding made self.left slightly too "
+    about.cause += "small. Take the step if at most SHARE of its duration is missing."
     done = advanced(1.0 / rate, [1.0 / rate] * 100)
     got = [row[0] for row in done["rows"]]
     expect_exactly(got, [1] * 100)
@@ -95,7 +98,7 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
     expect_exactly(done["rows"][0][0], rate)
     about.call = f"a FixedStep clock with steps of 1/{rate} s; clock.advance(0.999/{rate}); the "
     about.call += "number of steps"
-    about.cause = "You make a step although a thousandth of its time is still missing. That is far "
+    about.cause = "You take a step although a thousandth of its time is still missing. That is far "
     about.cause += "more than a rounding error, so the step is not due yet."
     done = advanced(1.0 / rate, [0.999 / rate])
     expect_exactly(done["rows"][0][0], 0)
@@ -106,11 +109,10 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
 def test_share_is_a_fraction_of_a_step(duration: float) -> None:
     about.read = READ
     for lack, steps, when, cause in (
-        (1e-7, 0, "early", "You make a step although more than SHARE of its duration is missing. "
+        (1e-7, 0, "early", "You take a step although more than SHARE of its duration is missing. "
                            "Wait until self.left >= self.duration * (1.0 - SHARE)."),
-        (1e-10, 1, "late", "You leave out a step although less than SHARE of its duration is "
-                           "missing. Make it as soon as self.left >= self.duration * (1.0 - "
-                           "SHARE)."),
+        (1e-10, 1, "late", "You skip a step although less than SHARE of its duration is missing. "
+                           "Take it as soon as self.left >= self.duration * (1.0 - SHARE)."),
     ):  # fmt: skip
         elapsed = duration * (1.0 - lack)
         about(
@@ -121,7 +123,7 @@ def test_share_is_a_fraction_of_a_step(duration: float) -> None:
         row = advanced(duration, [elapsed])["rows"][0]
         # At this step, a SHARE in seconds does what it should.
         if advanced(STEP, [STEP * (1.0 - lack)])["rows"][0][0] == steps:
-            about.cause = f"You make a step too {when}, because you use SHARE as a time in "
+            about.cause = f"You take a step too {when}, because you use SHARE as a time in "
             about.cause += "seconds. It is a fraction of a step, so multiply it by the duration."
         expect_exactly(row[0], steps, then="; the number of steps", unit="steps")
         left = elapsed - steps * duration
@@ -152,8 +154,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         mistakes = [
             (
                 limit + 1,
-                "You make one step more than max_steps allows. Stop as soon as the number of steps "
-                "in this call reaches max_steps.",
+                "You take one step more than max_steps allows. Stop as soon as the number of "
+                "steps in this call reaches max_steps.",
             )
         ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
@@ -162,8 +164,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         )
         mistakes = [
             ((0.0, left + dropped),
-             "You drop all of the remaining time. Drop only whole steps, and keep whatever is "
-             "shorter than a step in self.left."),
+             "You drop all of the remaining time. Drop only whole steps, and keep the rest, "
+             "which is shorter than a step, in self.left."),
             ((left + dropped, 0.0),
              "You drop no time, although whole steps are still due after max_steps. Move their "
              "time from self.left to self.dropped."),
@@ -190,9 +192,9 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     )
     about.call = f"a FixedStep clock with steps of 0.1 s and max_steps={limit}; "
     about.call += f"clock.advance({0.1 * (limit + late):g})"
-    about.cause = "Your clock doesn't drop all of the remaining steps. Rounding can make the last "
-    about.cause += "one slightly too short, but count it as a whole step if less than SHARE of it "
-    about.cause += "is missing."
+    about.cause = "Your clock doesn't drop all of the remaining steps. Rounding may make the last "
+    about.cause += "one slightly too short, but it still counts as a whole step if less than SHARE "
+    about.cause += "of it is missing."
     row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
     # Rounding of a few times 0.1 s, many times less than a step.
     expect_close(
@@ -225,7 +227,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         )
     about.call = f"a FixedStep clock with steps of {STEP} s and without max_steps; "
     about.call += f"clock.advance(5000 * {STEP})"
-    about.cause = "You limit the number of steps although max_steps is None. Make every step that "
+    about.cause = "You limit the number of steps although max_steps is None. Take every step that "
     about.cause += "is due, and drop nothing."
     row = advanced(STEP, [5000.0 * STEP])["rows"][0]
     expect_exactly(row[0], 5000, then="; the number of steps", unit="steps")
@@ -241,26 +243,31 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
         f"clock.advance(6 * {STEP})"
     )
     about.cause = (
-        "You catch the error of self.step. Let the error through, and keep the time of the step "
-        "that failed in self.left."
+        "You catch the error that self.step raises. Let it propagate, and leave the failed "
+        "step's time in self.left."
     )
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
     got = done["rows"][0][0]
     if done["rows"][1][0] == -1 or len(done["made"]) < good:
-        about.cause = "You make too few steps. Repeat the step as long as self.left is enough."
+        about.cause = (
+            "You take too few steps. Keep taking steps as long as self.left is enough for another "
+            "one."
+        )
     expect_that(got == -1, f"no error; the call returned {got}", "the error of the step")
     about.cause = (
-        "You subtract the time of a step before you make it, so a failed step loses its time. "
-        "Subtract it only after self.step has returned."
+        "You subtract the time of a step before you take it, so the time of a failed step is "
+        "lost. Subtract it only after self.step has returned."
     )
     got = done["rows"][0][1]
-    after = "You subtract the time of all steps after the last one, so an error keeps the time of "
-    after += "the steps before it. Subtract the duration after each step."
+    after = "You subtract the time of all steps after the last one. After an error, the time of "
+    after += "the earlier steps is still in self.left, so subtract the duration after each step."
     seen = cause_of(got, [(6.0 * STEP, after)], about.cause)
     name = "; clock.left"
     expect_close(got, (6 - good) * STEP, then=name, unit="s", cause=seen, tolerance=1e-12)
     about.call += "; clock.advance(0); the number of steps"
-    about.cause = "Your clock loses steps after an error. Make all steps whose time is still left."
+    about.cause = (
+        "Your clock loses steps after an error. Take all steps whose time is still in self.left."
+    )
     expect_exactly(done["rows"][1][0], 6 - good, unit="steps")
 
 
@@ -303,8 +310,8 @@ def test_a_run_is_the_same_whatever_the_frames(rng: Random) -> None:
         "clock.advance with times from 0.016 to 0.5 s"
     )
     about.cause = (
-        "Your ball moves differently when the same 2.5 s are divided into other calls of advance. "
-        "In each call, make as many steps as self.left allows."
+        "Your ball moves differently when the same 2.5 s are split differently into calls of "
+        "advance. In each call, take as many steps as self.left allows."
     )
     place, velocity = bounced(even, STEP)
     got = bounced(odd, STEP)

@@ -224,8 +224,8 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
         left = mass - right
         near, far = (mass, 0.0) if x < 0.5 else (0.0, mass)
         mistakes = [
-            (_masses(1.0, right, left), "The loads of the two ends are swapped. The end nearer the "
-                                        "weight carries more."),
+            (_masses(1.0, right, left), "You swapped the loads of the two ends. The end nearer "
+                                        "the weight carries more."),
             (_masses(1.0, 2.0 * left, 2.0 * right), "You give each particle the whole load of its "
                                                     "end. Each end has two particles, so give each "
                                                     "of them half."),
@@ -253,8 +253,8 @@ def test_both_ends_carry_the_weight(rng: Random) -> None:
     expect_close(
         got[2:],
         [1.0] * 4,
-        cause="The old weight still counts. A weight of 0 kg replaces it, so each particle of the "
-        "ends has only its own mass again.",
+        cause="The old weight still counts. A weight of 0 kg replaces it, so each particle at "
+        "the ends must have only its own mass again.",
     )
 
 
@@ -310,8 +310,8 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     )
     expect_that(seen == right, seen, right)
     length = math.dist(places[2], places[4])
-    about.cause = "Your platform changes its length, because its rods have no effect. Add the rods "
-    about.cause += "to the world's contact generators."
+    about.cause = "The length of your platform changes, because its rods have no effect. Add the "
+    about.cause += "rods to the world's contact generators."
     expect_close(length, 7.0, then="; its distance from the right end", unit="m", tolerance=0.01)
 
 

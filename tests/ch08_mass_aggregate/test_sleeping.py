@@ -62,8 +62,8 @@ def test_slow_steps_count_only_in_a_row(rng: Random) -> None:
     about.call += "again; a SleepingWorld with sleep_frames=5; which particles are asleep after "
     about.call += "each step"
     about(
-        cause="You still count the slow steps before the fast one. After a fast step, set the "
-        "count back to 0.",
+        cause="You still count the slow steps before the fast one. After a fast step, reset the "
+        "count to 0.",
         read=FALL,
     )
     wanted = [[]] * (slow + 1 + 4) + [[0]]
@@ -93,7 +93,7 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
             why = "Particle 0 never falls asleep, because an old contact keeps it awake. Forget a "
             why += "contact after sleep_frames steps."
             if not any(left_alone([0.0], 8)):
-                why = "Particle 0 never falls asleep, not even without contacts. Count its slow "
+                why = "Particle 0 never falls asleep, even without contacts. Count its slow "
                 why += "steps first."
         elif any(seen[: last + 4]):
             why = "Particle 0 falls asleep too early, because you forget its contact with the fast "
@@ -150,7 +150,7 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
          "Particle 0 is fast, and through the chain of contacts it keeps all the others awake. The "
          "order of the contacts should make no difference."),
         ("1 and 0", [0.0, 2.0], [(1, 0)], (), [], "Particle 0 touches particle 1, which is fast, "
-                                                  "so it has to stay awake. The restless particle "
+                                                  "so it has to stay awake. The fast particle "
                                                   "can be either one of a pair, so check both."),
         ("0 and 1", [0.0, 0.0], [(0, 1)], (), [0, 1], "Both particles are slow, so they don't keep "
                                                       "each other awake. Both should fall asleep."),
@@ -187,21 +187,23 @@ def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     for name, shown in (("place asleep", "position"), ("place later", "position, 20 steps later")):
         expect_close(done[name], place, then=f"; particle.{shown}", tolerance=1e-12)
     about.call = f"{about.call}; world.wake(particle)"
-    about.cause = "Your particle stays immovable when it wakes. In wake, give it back its old "
+    about.cause = "Your particle stays immovable when it wakes. In wake, restore its old "
     about.cause += "inverse mass."
     got = done["inverse mass awake"]
     if got:
-        about.cause = "Your particle has the wrong mass when it wakes. In wake, give it back its "
+        about.cause = "Your particle has the wrong mass when it wakes. In wake, restore its "
         about.cause += "old inverse mass."
     expect_close(got, 1.0 / mass, then="; particle.inverse_mass")
-    about.cause = "Your particle is still in self.asleep after it wakes. Remove it there in wake."
+    about.cause = (
+        "Your particle is still in self.asleep after it wakes. Remove it from there in wake."
+    )
     expect_sleepers(done["asleep"], [], then="; which particles are asleep")
-    about.cause = "Your particle keeps its old count of slow steps when it wakes. In wake, set its "
-    about.cause += "count of slow steps back to 0."
+    about.cause = "Your particle keeps its old count of slow steps when it wakes. In wake, reset "
+    about.cause += "its count of slow steps to 0."
     got = done["frames to sleep again"]
     if got > 3:
-        about.cause = "Your particle falls asleep again too late, or not at all. In wake, set its "
-        about.cause += "count of slow steps back to 0."
+        about.cause = "Your particle falls asleep again too late, or not at all. In wake, reset "
+        about.cause += "its count of slow steps to 0."
     expect_exactly(got, 3, then="; how many more steps it takes to fall asleep again", unit="steps")
     about.call = "a particle that is awake and has been slow for 2 steps; a SleepingWorld with "
     about.call += "sleep_frames=3; world.wake(particle)"

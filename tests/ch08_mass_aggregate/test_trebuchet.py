@@ -181,7 +181,7 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     distance, share, frames, flies, _ = throw(design, "up")
     seen = (
         "You keep calling self.step after the sling has let go. Stop as soon as self.flies is "
-        "true, and compute the flight by formula."
+        "true, and compute the flight with the formula."
     )
     seen = cause_of(
         frames,

@@ -31,7 +31,7 @@ NEVER = "The particle is at rest, but it has not fallen asleep. Check fall_aslee
 SIGNS = {
     "velocity": "its velocity is no longer 0",
     "force": "its force_accumulator is no longer 0",
-    "place": "its position differs from the one in its Sleep",
+    "place": "its position differs from the one stored in self.asleep",
     "mass": "its inverse_mass is no longer 0",
 }
 
@@ -55,8 +55,8 @@ def test_a_changed_particle_wakes(
     new = how.replace("place", "position")
     about.call = f"particle 0, of 2 kg, sleeps on the ground and gets a new {new}; one step of "
     about.call += "1/60 s, which calls wake_moved()"
-    why = f"A particle with a new {new} must wake, but yours stays asleep. In wake_moved, also "
-    why += f"test whether {SIGNS.get(how)}."
+    why = f"A sleeping particle doesn't wake when its {new} changes. In wake_moved, also "
+    why += f"check whether {SIGNS.get(how)}."
     if how == "nothing":
         about.call = "particle 0, of 2 kg, sleeps on the ground, and nothing about it changes; one "
         about.call += "step of 1/60 s, which calls wake_moved()"
@@ -68,7 +68,7 @@ def test_a_changed_particle_wakes(
     expect_sleepers(before, [0], then="; which particles are asleep before that")
     about.cause = why
     expect_sleepers(got, sleeps, then="; which particles are asleep afterward")
-    about.cause = "Your particle has the wrong mass after it wakes. Give it back the mass that it "
+    about.cause = "Your particle has the wrong mass after it wakes. Restore the mass that it "
     about.cause += "had before it fell asleep."
     if how == "mass":
         about.cause = "Your wake method overwrites the new mass with the old one. Restore the old "
@@ -78,7 +78,7 @@ def test_a_changed_particle_wakes(
     about.cause = "Your particle wakes too late to move in this step. Call wake_moved before the "
     about.cause += "integrator."
     if how == "force" and any(woken_by_hand("place")[3]):  # which wakes in time
-        about.cause = "The force is lost. If wake_moved takes it out of the accumulator to test "
+        about.cause = "The force is lost. If wake_moved removes it from the accumulator to check "
         about.cause += "it, add it again."
     expect_close(fast, velocity, then="; particle.velocity", unit="m/s", tolerance=1e-12)
 
@@ -95,16 +95,16 @@ def test_a_slightly_changed_particle_wakes(how: str) -> None:
         about.cause += "fall_asleep first."
         before, after = woken_by_little(how, axis, by)
         expect_sleepers(before, [0, 1, 2], then="; which particles are asleep before that")
-        about.cause = f"You don't notice a change of the {new} along {axis}. Compare all three "
+        about.cause = f"You don't detect a change of the {new} along {axis}. Compare all three "
         about.cause += "components."
         if by < 0.0:
-            about.cause = f"You notice a new {new} only if a component grows. Test whether it is "
-            about.cause += "different, because a change can be negative."
+            about.cause = f"You detect a new {new} only if a component increases. Test whether it "
+            about.cause += "is different, because a change can be negative."
         if after in ([0, 1], [0, 2]):
-            about.cause = f"You wake only one of the two particles with a new {new}. Test every "
+            about.cause = f"You wake only one of the two particles with a new {new}. Check every "
             about.cause += "sleeping particle."
         elif 0 not in after:
-            about.cause = "You also wake particle 0, about which nothing has changed."
+            about.cause = "You also wake particle 0, although nothing about it has changed."
         expect_sleepers(after, [0], then="; which particles are asleep afterward")
 
 
@@ -120,12 +120,12 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
     ):
         about.call = "particle 0, of 2 kg, sleeps while two forces of 3 and 2 N/kg push it against "
         about.call += "a wall; steps of 1/60 s, of which every tenth calls wake_pushed()"
-        about.cause = "You call the force generators while the particle's mass is infinite. Give "
-        about.cause += "it back its own mass during these calls."
+        about.cause = "You call the force generators while the particle's mass is infinite. "
+        about.cause += "Restore its own mass during these calls."
         done = pushed(*change)
         about.cause = "Your particle is awake although it is at rest and the forces on it are "
-        about.cause += "still the same. Compare the whole acceleration a + f / m with the one "
-        about.cause += "stored in its Sleep."
+        about.cause += "still the same. Compare the total acceleration a + f / m with the one "
+        about.cause += "stored in self.asleep."
         expect_sleepers(done["before"], [0], then="; which particles are asleep")
         about.cause = "The forces that you evaluated for the comparison are still in the "
         about.cause += "accumulator. If the particle stays asleep, clear the accumulator and set "
@@ -209,8 +209,8 @@ def test_a_touched_group_wakes(rng: Random, first: bool) -> None:
     about.cause += "only when another one touches it."
     expect_sleepers(done["seen"][0], [0, 1, 2], then="; which particles are asleep after one step")
     hit = next((i for i, now in enumerate(done["seen"]) if now != [0, 1, 2]), -1)
-    about.cause = "Only some of the particles wake. One that wakes can touch the next one, so go "
-    about.cause += "through the contacts again until no more particles wake in this step."
+    about.cause = "Only some of the particles wake. A particle that wakes can touch the next one, "
+    about.cause += "so go through the contacts again until no more particles wake in this step."
     if hit < 0:
         about.cause = "No particle wakes, although particle 3 hits a sleeping one. "
         about.cause += (
@@ -271,8 +271,8 @@ def test_a_group_wakes_together() -> None:
     if 0 in support_gone(1)[1]:  # later it sleeps again
         about.cause = "Particle 0 stays asleep although it was moved. Check wake_moved first."
     expect_that(1 not in after, "particle 1 still sleeps", "particle 1 is awake")
-    about.cause = "Particle 1 should fall from the step on in which particle 0 wakes. Wake both in "
-    about.cause += "the same step, before the integrator."
+    about.cause = "Particle 1 should start to fall in the step in which particle 0 wakes. Wake "
+    about.cause += "both in the same step, before you call the integrator."
     expect_close(speed, -1.0, then="; its vertical velocity", unit="m/s", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
@@ -282,7 +282,7 @@ def test_a_group_wakes_together() -> None:
             about.cause = "Not all five particles fall asleep, although all are at rest. Check "
             about.cause += "fall_asleep before you work on wake."
             expect_sleepers(was, [0, 1, 2, 3, 4], then="; which particles are asleep before that")
-            about.cause = "You wake particle 4, which touches no other. Wake only neighbors."
+            about.cause = "You wake particle 4, which is not a neighbor. Wake only neighbors."
             if 4 in now:
                 about.cause = "You wake only part of the group. Wake the neighbors of every "
                 about.cause += "particle that wakes."
@@ -351,8 +351,8 @@ def test_sleeping_particles_cost_no_work(rng: Random) -> None:
     expect_exactly(
         given, 20 * awake, then="; the number of particles passed to the integrator in all steps"
     )
-    about.cause = "You call update_force too often for sleeping particles. Call wake_pushed, which "
-    about.cause += "does this, only in every tenth step."
+    about.cause = "You call update_force too often for sleeping particles. Call wake_pushed only "
+    about.cause += "in every tenth step."
     if asked < 20 * awake + 2 * (count - awake):
         about.cause = "You call update_force too rarely. Call it in every step for a particle that "
         about.cause += "is awake, and in every tenth step for a sleeping one."
@@ -369,8 +369,8 @@ def test_balls_rest_where_they_would_without_sleep() -> None:
     about.read = RUN
     about.call = "two balls bounce for 6 s until they rest, by run_physics(); the final position "
     about.call += "of a ball, which should be the same as in a world without sleep"
-    about.cause = "You put a ball to sleep while it still moves, so it stops too early. Put only "
-    about.cause += "particles to sleep that have come to rest."
+    about.cause = "You put a ball to sleep while it still moves, so it stops too early. Particles "
+    about.cause += "may fall asleep only when they have come to rest."
     places, awake, sleepers = both_ways(360)
     for got, wanted in zip(places, awake, strict=True):
         # A ball that falls asleep has at most 0.17 m/s. Damping of 0.5 would stop it within 0.25 m.

@@ -112,7 +112,7 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     force = components(rng)
     about.call = "a world of four particles, of which particles[1] is immovable; "
     about.call += f"add_force(Vector3{force}) for each of them; world.start_frame()"
-    about.cause = "start_frame clears no forces. Call clear_forces() for every particle."
+    about.cause = "start_frame doesn't clear any forces. Call clear_forces() for every particle."
     done = started(bodies, force)
     kept = [i for i in range(4) if done["after"][i] != ZERO]
     if 0 < len(kept) < 4:
@@ -146,7 +146,7 @@ def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     about.cause = f"You return only {len(got)} contacts. The book's world has a maximum number of "
     about.cause += "contacts, but yours should return all of them."
     if len(got) > 3 * count:
-        about.cause = "You return some contacts more than once. Call each contacts() only once."
+        about.cause = "You return some contacts more than once. Call each contacts() once."
     first = "Your loop ends after the first floor, which touches no particle. Continue with the "
     first += "other floors."
     only = f"You return the contacts of only {len(got) // count} of the 3 floors that touch the "
@@ -197,7 +197,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                            "twice. Only pass it to the integrator, which calls it for you."),
                 (0.0, 1.0, "run_physics clears the force that was added after start_frame. Only "
                            "start_frame should clear forces."),
-                (0.0, 0.0, "Only the acceleration has an effect, and all forces are gone. Pass "
+                (0.0, 0.0, "Only the acceleration has an effect, and all forces are lost. Pass "
                            "self.registry.update_forces to the integrator, and don't clear the "
                            "forces in run_physics."),
             )
@@ -226,7 +226,7 @@ def test_a_step_clears_earlier_forces(rng: Random) -> None:
     velocity = [v[j] + a[j] * h for j in range(3)]
     got = done["states"][0][1]
     pushed = [v[j] + (a[j] + force[j] / m) * h for j in range(3)]
-    seen = "Your step doesn't clear the force that was added before it. Call start_frame before "
+    seen = "Your step doesn't clear the force that was added earlier. Call start_frame before "
     blame(got, [(pushed, f"{seen}run_physics.")])
     expect_close(got, velocity, then="; particle.velocity", unit="m/s", tolerance=1e-12)
     about.call = "a subclass of ParticleWorld that only records calls of run_physics; "
@@ -324,7 +324,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.cause += "the whole duration."
     name = f"{about.call}: the duration that resolve_contacts gets"
     expect_close(calls[0][1], h, call=name, unit="s", tolerance=1e-13 * (high - 1.0))
-    about.cause = "You pass the resolver wrong contacts. Pass it those of all generators."
+    about.cause = "You pass the wrong contacts to the resolver. Pass it those of all generators."
     name = f"{about.call}: the penetrations of the contacts that resolve_contacts gets"
     expect_close(calls[0][2], depths, call=name, unit="m")
     about.cause = "Call contacts() of each generator exactly once in a step."

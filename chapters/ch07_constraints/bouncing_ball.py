@@ -1,8 +1,8 @@
-"""Going further, complete: a bouncing ball, computed from its impacts instead of time steps.
+"""Going further: a bouncing ball, computed from its impacts instead of time steps.
 
 Between two impacts the height of the ball is a parabola, so a formula gives the time of the next
 impact. Small time steps are therefore unnecessary. The function computes only the impacts, and the
-height at the end of each frame.
+height at the end of each frame. This file is complete.
 """
 
 from __future__ import annotations

@@ -19,8 +19,8 @@ def read_drops(path: Path) -> list[tuple[str, float, float]]:
     """Read a file and return its drops in the order of its lines, without empty lines.
 
     Raises:
-        ValueError: if a line lacks a column or a height is not a number. The message names the
-            line.
+        ValueError: if a line lacks a column or a height is not a number. The message gives the
+            number of the line.
     """
     drops = []
     with path.open(encoding="utf-8-sig", newline="") as file:

@@ -1,4 +1,4 @@
-"""Going further, complete: rods as forces, so that any integrator of chapter 6 can step a chain.
+"""Going further: rods as forces, so that any integrator of chapter 6 can step a chain.
 
 A resolver corrects a rod only after a step has changed its length. This module instead computes the
 tensions that keep the lengths of the rods constant, and adds them as forces. Any integrator can
@@ -8,7 +8,7 @@ resolver has order 1 and DirectChain has order 2.
 If a rod keeps its length, the relative acceleration of its ends along the rod is known. Each
 tension accelerates the two ends of its rod. It therefore appears in the equation of this rod and in
 the equations of the two neighboring rods. The equations are solved from the anchor to the tip and
-back.
+back. This file is complete.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
-"""Going further, complete: sequential impulses with warm starting, as in Box2D.
+"""Going further: sequential impulses with warm starting, as in Box2D.
 
 ContactResolver moves the particles first, and then corrects the overlaps that result. This solver
-corrects the velocities first, so that the particles hardly overlap after they have moved. It visits
-all contacts in order, several times, and applies an impulse at each visit. Two ideas make this
-accurate (Catto, "Iterative Dynamics with Temporal Coherence", 2005):
+corrects the velocities first, so that the particles overlap very little after they have moved. It
+visits all contacts in order, several times, and applies an impulse at each visit. This file is
+complete. Two ideas make the solver accurate (Catto, "Iterative Dynamics with Temporal Coherence",
+2005):
 
 - A contact must never pull, but this applies only to the sum of its impulses. A single impulse may
   pull, so a later visit can take back part of an earlier impulse that was too large.
@@ -25,7 +26,7 @@ STILL = Vector3()  # stands for the velocity, and the position, of the world
 
 
 class Row:
-    """A contact in plain numbers, with the sum of its impulses in N s.
+    """A contact stored as plain numbers, with the sum of its impulses in N s.
 
     ``key`` consists of the contact's generator and its particles, and identifies the contact in the
     next step.
@@ -48,11 +49,11 @@ class Row:
         self.impulse = 0.0
 
     def along(self, v: Vector3, w: Vector3) -> float:
-        """Return the component of v - w along the normal."""
+        """Return the component of the difference v - w along the normal."""
         return (v.x - w.x) * self.x + (v.y - w.y) * self.y + (v.z - w.z) * self.z
 
     def change(self, v: Vector3, w: Vector3, amount: float) -> None:
-        """Apply ``amount`` to the vectors of the two particles, in opposite directions."""
+        """Change the vectors of the two particles in opposite directions, along the normal."""
         part = amount * self.inverse_a
         v.x += self.x * part
         v.y += self.y * part
@@ -69,7 +70,7 @@ class Row:
         self.change(self.v, self.w, impulse)
 
     def solve(self) -> None:
-        """Bring the contact to its target velocity, unless the sum of impulses would then pull."""
+        """Bring the contact to its target velocity, but never let the sum of its impulses pull."""
         missing = self.target - self.along(self.v, self.w)
         self.push(max(missing * self.mass, -self.impulse))
 

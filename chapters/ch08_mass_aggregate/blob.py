@@ -90,9 +90,9 @@ class Blob:
     """A blob of particles, joined by bonds, that falls to the ground.
 
     ``world`` simulates the blob, which consists of ``particles`` and ``bonds``. The blob is flat,
-    so all particles start at z = 0. Its middle starts ``height`` m above the ground. A bond joins
-    every two particles. If ``cables`` is True, a cable also joins them. It is as long as the bond's
-    ``break_length``, so it keeps the bond from breaking.
+    so all particles start at z = 0. Its middle starts ``height`` m above the ground. Every two
+    particles are joined by a bond. If ``cables`` is True, they are also joined by a cable as long
+    as the bond's ``break_length``, which keeps the bond from breaking.
 
     Set ``push`` to a force in N to push the blob. It acts on each particle in every step.
 
@@ -127,7 +127,7 @@ class Blob:
     def step(self, duration: float) -> None:
         """Advance the blob by one time step, in which the force ``push`` acts on every particle.
 
-        ``duration`` is in s. If the push is not finite, ``add_force`` raises its usual error.
+        ``duration`` is in s. A push that is not finite is rejected by ``add_force``.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

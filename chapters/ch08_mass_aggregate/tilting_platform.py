@@ -80,8 +80,9 @@ class TiltingPlatform:
 
         Give each of the pivot's two particles the mass ``MASS``. A rod must now keep them the same
         distance apart, because they are no longer immovable. If no rod joins them yet, add one to
-        ``self.rods`` and to the contact generators of the world. The ground has no friction. This
-        method is called only once. Mini-project 8.1.
+        ``self.rods`` and to the contact generators of the world. The pivot can then slide, because
+        the ground has no friction. You may assume that this method is called only once.
+        Mini-project 8.1.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 

@@ -61,7 +61,7 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Let ``m @ v`` return ``m.transform(v)``, and let ``a @ b`` return ``a.product(b)``."""
+        """Return ``transform(other)`` for a vector, or ``product(other)`` for a matrix."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
@@ -74,7 +74,7 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Multiply two matrices: the new matrix ``self @ m`` transforms a vector by ``m`` first.
+        """Return the product ``self @ m``, a new matrix that applies ``m`` first.
 
         Book: section 9.4.2.
         """
@@ -88,7 +88,7 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def determinant(self) -> float:
-        """Compute the determinant, which says how much the matrix enlarges volumes.
+        """Compute the determinant, the factor by which the matrix enlarges volumes.
 
         It is negative for a reflection. Book: section 9.4.3.
         """

@@ -21,7 +21,7 @@ def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
 
     Raises:
         ValueError: if the first line is not the heading, or a line is not a name, a mass and a
-            position. The message names the line.
+            position. The message gives the number of the line.
     """
     stones = []
     with path.open(encoding="utf-8-sig", newline="") as file:

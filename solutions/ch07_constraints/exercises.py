@@ -1,7 +1,7 @@
 """Functions that solve exercises 7.1, 7.3 and 7.4 of the book.
 
 You compute the restitution of real balls from measured bounces, and the speed of a ball that was
-dropped on top of another one. You also replace a push that is shorter than a frame by a weaker
+dropped on top of another one. You also replace a push that is shorter than a frame with a weaker
 force that acts for the whole frame.
 """
 

@@ -30,8 +30,8 @@ class Rules:
     """The rules of the bridge game, which keep the score and count the lives.
 
     ``rows`` is the number of rows of planks on the bridge, and ``visited`` is the set of rows on
-    which the ball has landed. This class knows nothing about particles. Instead, the game calls
-    ``landed`` or ``fell`` whenever the ball lands on a row or touches the ground.
+    which the ball has landed. The rules do not look at the particles. The game calls ``landed``
+    whenever the ball lands on a row, and ``fell`` whenever it touches the ground.
 
     Raises:
         ValueError: if ``rows`` is less than 1.

@@ -23,10 +23,10 @@ _ON_THE_LINE = 1e-9
 def two_other_turns() -> tuple[float, float]:
     """Exercise 9.1: find two rotations that have the same effect as two others.
 
-    Rotate an object by 90 degrees about X and then by 90 degrees about Y. You get the same result
-    if you rotate it by an angle ``a`` about Z and then by an angle ``b`` about X. Return the tuple
-    (``a``, ``b``), with both angles in degrees, from -180 to 180. The axes are those of the world,
-    so they do not rotate with the object, and rotations are right-handed.
+    Rotate an object by 90 degrees about X and then by 90 degrees about Y. The result is the same if
+    you rotate the object by an angle ``a`` about Z and then by an angle ``b`` about X. Return the
+    tuple (``a``, ``b``), with both angles in degrees, from -180 to 180. The axes are those of the
+    world, so they do not rotate with the object, and rotations are right-handed.
     """
     return -90.0, 90.0
 
@@ -69,10 +69,10 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Quaternion:
-    """Exercise 9.4: rotate an orientation steadily about the world's X axis, in a single rotation.
+    """Exercise 9.4: rotate an orientation at a constant rate about the world's X axis.
 
-    The axis stays the same throughout, so you can make the whole turn in one rotation. ``rate`` is
-    in rad/s and may be negative, and ``duration`` is in s. The result is a new quaternion.
+    The axis never changes, so you can compute the result with a single rotation. ``rate`` is in
+    rad/s and may be negative, and ``duration`` is in s. The result is a new quaternion.
 
     Raises:
         ValueError: if the rate is not finite, or the duration is not positive and finite.

@@ -61,7 +61,7 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Let ``m @ v`` return ``m.transform(v)``, and let ``a @ b`` return ``a.product(b)``."""
+        """Return ``transform(other)`` for a vector, or ``product(other)`` for a matrix."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
@@ -78,7 +78,7 @@ class Matrix3:
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Multiply two matrices: the new matrix ``self @ m`` transforms a vector by ``m`` first.
+        """Return the product ``self @ m``, a new matrix that applies ``m`` first.
 
         Book: section 9.4.2.
         """
@@ -101,7 +101,7 @@ class Matrix3:
         return Matrix3(a, d, g, b, e, h, c, f, i)
 
     def determinant(self) -> float:
-        """Compute the determinant, which says how much the matrix enlarges volumes.
+        """Compute the determinant, the factor by which the matrix enlarges volumes.
 
         It is negative for a reflection. Book: section 9.4.3.
         """

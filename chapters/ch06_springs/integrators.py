@@ -9,7 +9,7 @@ they are empty, and ``Particle.last_acceleration`` is the mean acceleration of t
 In the formulas, p is a position, v a velocity, a an acceleration and h the ``duration`` in s. A
 particle's own damping d multiplies its velocity by d^h once, at the end of a step. Immovable
 particles do not move. The orders are given for d = 1, because for any other d the order is 1.
-Stability limits apply to k h^2 / m, for a mass m on an undamped spring k, at d = 1 or as stated.
+Stability limits apply to k h^2 / m, for a mass m on an undamped spring k, and d = 1 unless noted.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
 not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception

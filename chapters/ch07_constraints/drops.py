@@ -16,7 +16,7 @@ COLUMNS = ["material", "initial_height", "bounce_height"]
 
 
 def read_drops(path: Path) -> list[tuple[str, float, float]]:
-    """Read a file and return its drops in the order of its lines, without empty lines.
+    """Read a file and return its drops in the order of the lines, ignoring empty lines.
 
     Raises:
         ValueError: if a line lacks a column or a height is not a number. The message gives the

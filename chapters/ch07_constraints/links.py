@@ -77,7 +77,7 @@ class Rod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
+        """Return a contact if the rod is too short or too long, and an empty list if it is not.
 
         In the contact, ``particle`` is ``a`` and ``other`` is ``b``. If the rod is too long, it
         pulls, so the normal points from ``a`` to ``b``. If it is too short, it pushes, so the
@@ -101,10 +101,10 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
+        """Return a contact if the rod is too short or too long, and an empty list if it is not.
 
-        The contact is the same as for ``Rod``, except that the anchor takes the place of the second
-        particle and ``other`` is None.
+        The contact is the same as for ``Rod``, except that ``other`` is None and the anchor takes
+        the place of the second particle.
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 

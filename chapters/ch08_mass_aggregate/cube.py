@@ -1,4 +1,4 @@
-"""A cube made of rods: how many rods make it rigid, and which ones? (Mini-project 8.2.)
+"""Find out how many rods make a cube rigid, and which ones (mini-project 8.2).
 
 With too few rods, or with rods between the wrong corners, the cube can change its shape.
 """

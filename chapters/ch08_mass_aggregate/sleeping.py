@@ -129,9 +129,9 @@ class SleepingWorld(ParticleWorld):
         they never sleep.
 
         A particle is tired if its last ``sleep_frames`` steps were all slow. A group falls asleep
-        when all of its particles are tired, because a particle that still moves would soon push the
-        sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its ``velocity``
-        and ``inverse_mass`` to 0.
+        only when all of its particles are tired. Otherwise a particle that still moves would soon
+        push the sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its
+        ``velocity`` and ``inverse_mass`` to 0.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

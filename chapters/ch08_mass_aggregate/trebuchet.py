@@ -119,9 +119,9 @@ class Trebuchet:
     def lets_go(self) -> bool:
         """Return True if the sling should release the projectile now.
 
-        The projectile must be above the pivot, and must fly forward at the release angle or lower.
-        It also swings forward below the pivot before the actual throw, but that would be too early
-        to release it.
+        The projectile must be above the pivot, and must fly forward at or below the release angle.
+        Before the actual throw, it also swings forward below the pivot. There it must not be
+        released.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
@@ -138,7 +138,7 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Simulate a throw, and return its range and the fraction of the energy used.
+        """Simulate the throw, and return the result as a ``Throw``.
 
         Make steps of ``STEP`` until the sling releases the projectile. From then on the projectile
         flies without drag until it reaches the ground, which is at a height of 0. The throw fails

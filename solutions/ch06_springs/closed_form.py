@@ -16,10 +16,9 @@ def damped_spring_state(
     """Compute the position and velocity of a damped spring after ``time`` s, without time steps.
 
     A spring pulls a body toward position 0. The body starts at the position ``x0`` in m with the
-    velocity ``v0`` in m/s, and its equation of motion is m x'' = -k x - c x'. Here k is
-    ``stiffness`` in N/m, c is ``damping`` in N s/m and m is ``mass`` in kg. The result is a tuple
-    of the body's position in m and velocity in m/s. The kind of motion depends on the sign of c^2 -
-    4 k m:
+    velocity ``v0`` in m/s. Its equation of motion is m x'' = -k x - c x'. Here k is ``stiffness``
+    in N/m, c is ``damping`` in N s/m and m is ``mass`` in kg. The result is a tuple of the body's
+    position in m and velocity in m/s. The kind of motion depends on the damping:
 
     - If c^2 < 4 k m, it oscillates through 0 (under-damped).
     - If c^2 = 4 k m, it comes to rest as quickly as possible (critically damped).

@@ -80,7 +80,7 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: push the balloon up with the lift that it has at its current height."""
+        """Exercise 6.2: add the lift at the balloon's current height."""
         height = max(particle.position.y, 0.0)
         lift = self.max_lift * math.exp(-height / self.scale_height)
         particle.add_force(Vector3(0.0, lift, 0.0))
@@ -106,9 +106,9 @@ class Overcrowding:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.3: push ``particle`` away from every other particle that is too close.
 
-        If another particle is at a distance l, and l is less than ``distance``, it pushes with a
-        force of k (``distance`` - l). Here k is ``stiffness``. A particle at exactly the same
-        position exerts no force, because the direction of the push would be undefined.
+        Let l be the distance to another particle. If l is less than ``distance``, that particle
+        pushes with the force k (``distance`` - l), where k is ``stiffness``. A particle at exactly
+        the same position does not push, because the direction would be undefined.
         """
         for other in self.particles:
             away = particle.position - other.position

@@ -85,7 +85,7 @@ def time_division_step(
 
 
 def _fly(particles: Sequence[Particle], time: float) -> None:
-    """Move all particles forward by ``time`` s, in which there is no impact.
+    """Move all particles forward by ``time`` s, during which there must be no impact.
 
     Each particle moves with its old velocity for half the time, and with its new velocity for the
     other half. This is exact, because the acceleration is constant.

@@ -30,7 +30,7 @@ class Rules:
     """The rules of the bridge game, which keep the score and count the lives.
 
     ``rows`` is the number of rows of planks on the bridge, and ``visited`` is the set of rows on
-    which the ball has landed. The rules do not look at the particles. The game calls ``landed``
+    which the ball has landed. The rules do not depend on the particles. The game calls ``landed``
     whenever the ball lands on a row, and ``fell`` whenever it touches the ground.
 
     Raises:

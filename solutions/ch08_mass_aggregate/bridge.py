@@ -81,11 +81,10 @@ class Deck:
     def nearest(self) -> tuple[int, float] | None:
         """Find the row of planks nearest to the ball, and the height of the deck below the ball.
 
-        The result is the index of the row and the height in m. Treat each row as a point, the
-        midpoint of its two ends. The nearest row is the one whose midpoint is nearest along X. The
-        deck is a line of straight segments that connect these midpoints. It continues at the same
-        height before the first row and after the last one. The returned height is the height of the
-        deck directly below the ball.
+        The result is the index of the row, and the height in m directly below the ball. Treat each
+        row as a point, the midpoint of its two ends. The nearest row is the one whose midpoint is
+        nearest along X. The deck is a line of straight segments that connect these midpoints. It
+        continues at the same height before the first row and after the last one.
 
         If two rows are equally near, return the first one. Return None if the ball is more than
         half a ``SPACING`` beyond the first or last row.

@@ -1,9 +1,9 @@
 """Run the simulation with a fixed time step at any frame rate, by accumulating the elapsed time.
 
 Frames do not all take the same time. One frame may take 5 ms, and the next one half a second
-because the disk is busy. A time step of half a second would let bodies pass through each other, or
-make the simulation explode. A fixed time step prevents this, and it gives the same results on every
-machine. Arguments of the wrong type raise TypeError.
+because the disk is busy. A time step of half a second could let bodies pass through each other, or
+make the simulation explode. A fixed time step prevents this, and also gives the same results on
+every machine. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations

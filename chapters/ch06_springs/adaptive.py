@@ -194,7 +194,7 @@ class _Moving:
         return rates
 
     def finish(self, start: Numbers, duration: float) -> None:
-        """Set the final velocities with one update, which starts from the initial velocities.
+        """Set the final velocities in one update that starts from the initial velocities.
 
         The update applies a constant force that, without damping, would lead to the velocities
         found by the steps. It also applies the damping, as in the other integrators. Afterward,

@@ -18,8 +18,8 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
 
     ``duration`` is in s, and you may divide it into as many parts as you like. Each call of
     ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators. So clear the
-    accumulators before you call it again, and also at the end of the step. Remember that a
-    particle's own acceleration acts in addition to the forces.
+    accumulators before the next call, and also at the end of the step. Remember that a particle's
+    own acceleration acts in addition to the forces.
 
     Your method is graded on one revolution of an orbit with an eccentricity of 0.5. The revolution
     takes 60 frames, and ``my_step`` is called once per frame. The grade depends on the number of

@@ -21,9 +21,8 @@ def hang_bridge(
     """Hang each plank of a bridge from its own spring, and join neighboring planks with springs.
 
     Each plank hangs from an anchor that is ``height`` m straight above it. All springs have the
-    same ``stiffness`` in N/m and ``damping`` in N s/m. The rest length of each spring is its
-    current length, so the springs neither push nor pull at the start. Add all of them to
-    ``registry``.
+    same ``stiffness`` in N/m and ``damping`` in N s/m. Each spring has its current length as its
+    rest length, so it exerts no force at the start. Add all springs to ``registry``.
 
     Raises:
         ValueError: if the height is not positive, the stiffness or damping is negative, or one of

@@ -7,7 +7,9 @@ can make a rod too long, and with Runge-Kutta 4 the angles have an error of orde
 The equations of motion need the tensions of the rods. Each tension accelerates the two ends of its
 rod. It therefore appears in the equation of this rod and in the equations of the two neighboring
 rods. The equations are solved from the anchor to the tip and back, in a time proportional to the
-number of rods. This file is complete.
+number of rods.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations

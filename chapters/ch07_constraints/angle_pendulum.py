@@ -4,7 +4,9 @@ In a plane, a mass on a rod can only move along a circle, so one angle is enough
 pendulum. A model with a particle and a rod first moves two coordinates, and then has to correct
 them. A model with only the angle needs no contacts, because the rod is never too long, and
 Runge-Kutta 4 keeps its order of 4. In the same way, two angles describe a double pendulum. The
-module angle_chain.py does this for any number of rods. This file is complete.
+module angle_chain.py does this for any number of rods.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations

@@ -2,7 +2,9 @@
 
 The rope moves exactly as an AngleChain of equal rods does. Because all lengths and masses are
 equal, they cancel in the equations of motion, and only the ratio gravity / length is left. A step
-therefore takes about 15 % less time. This file is complete.
+therefore takes about 15 % less time.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations

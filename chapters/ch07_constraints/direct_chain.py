@@ -7,7 +7,9 @@ tensions together instead, so no rod is too long afterward.
 The tension of a rod changes only three lengths: the length of this rod, and the lengths of its two
 neighbors. Each equation for the tensions therefore has at most three unknowns. Such equations can
 be solved from the anchor to the free end and back. For each rod, this takes about as much work as
-resolving the rod once. This file is complete.
+resolving the rod once.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations

@@ -5,8 +5,9 @@ coefficients in the equations of a net are therefore 0. Elimination turns some o
 other numbers, which are called fill-in and cost time. The amount of fill-in depends on the order of
 elimination. A good rule is minimum degree: always eliminate the unknown whose equation has the
 fewest other unknowns (Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801). The nonzero
-coefficients of a net are always in the same positions, so the order is found only once. This file
-is complete.
+coefficients of a net are always in the same positions, so the order is found only once.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations

@@ -12,7 +12,9 @@ that changed, and each update visits only about log n of its entries. For ten co
 all of them is fast enough. For 300 contacts the heap is many times faster (`make bench`).
 
 To reach this speed, the resolver works in plain floats on the particles' own vectors. It computes
-everything that does not change during a step only once. This file is complete.
+everything that does not change during a step only once.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -32,7 +34,7 @@ Plan = tuple[float, float, float, float, list[Row]]
 
 
 class HeapResolver(ContactResolver):
-    """A ContactResolver whose cost grows with n log n instead of n^2, with the same results.
+    """A ContactResolver with the same results, whose cost grows with n log n instead of n^2.
 
     The resolver contains a copy of Contact's formulas and does not call its methods. If a subclass
     of Contact overrides these methods, the overrides have no effect here.

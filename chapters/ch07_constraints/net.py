@@ -1,7 +1,9 @@
 """Going further: the links of a net as plain numbers, and the equations for their pulls.
 
 DirectNet and SmoothNet solve for the pulls of all links at once. Both inherit from the class Net in
-this module. Net stores the links as plain numbers and sets up the equations. This file is complete.
+this module. Net stores the links as plain numbers and sets up the equations.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -40,7 +42,7 @@ class Strut:
 
 
 def limits_of(link: Any) -> list[Limit]:
-    """List the limits of ``link``, as tuples of one end, the other end, the length and the kind.
+    """Return the limits of ``link`` as tuples (one end, other end, length, kind).
 
     The length is in m. A Limits object has two entries: a cable and, unless ``min_length`` is 0, a
     strut.

@@ -8,7 +8,9 @@ resolver has order 1 and DirectChain has order 2.
 If a rod keeps its length, the relative acceleration of its ends along the rod is known. Each
 tension accelerates the two ends of its rod. It therefore appears in the equation of this rod and in
 the equations of the two neighboring rods. The equations are solved from the anchor to the tip and
-back. This file is complete.
+back.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations

@@ -2,14 +2,15 @@
 
 ContactResolver moves the particles first, and then corrects the overlaps that result. This solver
 corrects the velocities first, so that the particles overlap very little after they have moved. It
-visits all contacts in order, several times, and applies an impulse at each visit. This file is
-complete. Two ideas make the solver accurate (Catto, "Iterative Dynamics with Temporal Coherence",
-2005):
+visits all contacts in order, several times, and applies an impulse at each visit. Two ideas
+make the solver accurate (Catto, "Iterative Dynamics with Temporal Coherence", 2005):
 
 - A contact must never pull, but this applies only to the sum of its impulses. A single impulse may
   pull, so a later visit can take back part of an earlier impulse that was too large.
 - Warm starting: the sums of the last step are the first guess for this step. In a stack at rest
   they are already right, no matter how tall the stack is, so a few visits per step are enough.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ class Row:
         return (v.x - w.x) * self.x + (v.y - w.y) * self.y + (v.z - w.z) * self.z
 
     def change(self, v: Vector3, w: Vector3, amount: float) -> None:
-        """Change the vectors of the two particles in opposite directions, along the normal."""
+        """Change vectors of the two particles, ``v`` and ``w``, in opposite directions."""
         part = amount * self.inverse_a
         v.x += self.x * part
         v.y += self.y * part

@@ -9,7 +9,8 @@ corrections are those of an implicit step.
 Each constraint is corrected once per step. If that is not accurate enough, use shorter steps
 instead of more iterations. For the same work they give a much smaller error (Macklin and others,
 "Small Steps in Physics Simulation", 2019). The solver stores nothing from one step for the next.
-This file is complete.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -91,7 +92,7 @@ def correct(contact: Contact, softness: float) -> None:
 
 
 def bounce(contact: Contact, wanted: float) -> None:
-    """Set the separating velocity of the two particles to ``wanted``, in m/s."""
+    """Give the two particles the separating velocity ``wanted``, in m/s."""
     a, b = contact.particle, contact.other
     inverse_b = 0.0 if b is None else b.inverse_mass
     impulse = (wanted - contact.separating_velocity()) / (a.inverse_mass + inverse_b)

@@ -1,4 +1,4 @@
-"""Going further: a net of rods and cables that is stepped by Runge-Kutta 4, with order 4.
+"""Going further: a net of rods and cables, stepped with Runge-Kutta 4 at order 4.
 
 DirectNet finds the pulls that give the links the right lengths at the end of a step. SmoothNet
 instead finds the pulls whose accelerations keep the lengths of rods and taut cables constant. It
@@ -8,7 +8,9 @@ that the links allow. This projection does not lower the order (Hairer, Lubich a
 Numerical Integration, IV.4).
 
 A cable that becomes taut stops its ends at once. A method of order 4 loses its order if it steps
-across such an impact, so the step stops at the impact, as in time division. This file is complete.
+across such an impact, so the step stops at the impact, as in time division.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -147,7 +149,7 @@ class SmoothNet(Net):
         forces: Forces | None,
         duration: float,
     ) -> list[float]:
-        """Return the accelerations without the pulls. They are zero for immovable ends."""
+        """Return the accelerations from all forces except the pulls, and 0 for immovable ends."""
         if forces:
             self.write(places, speeds)
             forces(duration)

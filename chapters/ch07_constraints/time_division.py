@@ -20,8 +20,8 @@ from ch07_constraints.detectors import Detector
 class TooManyImpacts(ArithmeticError):  # noqa: N818
     """Raised when a step has more impacts than allowed, for example if a body has come to rest.
 
-    ``impacts`` is the number of impacts that were resolved. ``contact`` is the contact of the next
-    impact, and ``time`` is the time of this impact in s since the start of the step.
+    ``impacts`` is the number of impacts that were resolved. ``contact`` belongs to the next impact,
+    and ``time`` is the time of that impact in s, counted from the start of the step.
     """
 
     def __init__(self, impacts: int, time: float, contact: Contact) -> None:
@@ -52,8 +52,8 @@ def time_division_step(
     Immovable particles do not move.
 
     Impacts at the same time are resolved one after the other, in the order in which the detector
-    finds them. A ball that hits a row of touching balls therefore passes its motion on to the last
-    ball. If two balls hit a third ball from both sides at once, the result depends on the order.
+    finds them. So if a ball hits a row of touching balls, its motion is passed on to the last ball.
+    If two balls hit a third ball from both sides at once, the result depends on the order.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.

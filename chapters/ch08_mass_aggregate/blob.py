@@ -31,11 +31,11 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 class Bond:
     """A soft spring between two particles that has an elastic limit, can break, and can heal.
 
-    Up to the length ``limit`` the bond is an ordinary spring with a ``stiffness`` in N/m. Beyond
-    the limit it is softer, because the length beyond it pulls with only the fraction ``share`` of
-    the stiffness, as in exercise 6.1. If the bond gets longer than ``break_length``, it breaks and
-    exerts no force until it heals. It heals when the distance between its ends is ``rest_length``
-    or less. ``holds`` is False while the bond is broken.
+    Up to the length ``limit`` the bond is an ordinary spring with a ``stiffness`` in N/m. The part
+    of its length beyond the limit pulls with only the fraction ``share`` of the stiffness, as in
+    exercise 6.1. If the bond gets longer than ``break_length``, it breaks and exerts no force until
+    it heals. It heals when the distance between its ends is ``rest_length`` or less. ``holds`` is
+    False while the bond is broken.
 
     All lengths are in m. Register the bond for both particles, because each call of
     ``update_force`` pulls on one end only.
@@ -69,7 +69,7 @@ class Bond:
         """Break or heal the bond if necessary, and pull on ``particle`` if the bond is intact.
 
         The registry calls this method once for each end. Check the length before you compute the
-        force, so that a bond that breaks or heals does so for both ends in the same step.
+        force, so that the bond breaks or heals for both ends in the same step.
         """
         raise NotImplementedError("Exercise B8.8: Bonds that break and heal")
 

@@ -2,13 +2,15 @@
 
 At rest, all forces on a particle add up to zero. They are its weight, the forces of the registry,
 and the pulls of the rods and cables that hold it. In addition, these rods and cables must have the
-right lengths. Newton's method solves all of these equations together. The search also finds out
-which cables are taut, with an active set. A cable that would have to push becomes slack, and a
-cable that would get too long becomes taut.
+right lengths. Newton's method solves all these equations together. The search also finds out which
+cables are taut, with an active set. A cable that would have to push becomes slack, and a cable that
+would get too long becomes taut.
 
 Far from rest, a step of Newton's method can be much too large. So the particles get some inertia,
 as in a step of backward Euler. They resist each move with a force of m / t^2 N per m. The time t
-doubles from step to step, until the inertia has no effect any more. This file is complete.
+doubles from step to step, until the inertia has no effect any more.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations

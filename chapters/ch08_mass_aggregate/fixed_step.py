@@ -52,7 +52,7 @@ class FixedStep:
 
         Time that is too short for a whole step stays in ``left`` until the next call. Because of
         rounding errors, ``left`` can be slightly shorter than a step even though a step is due. So
-        make a step even if up to the fraction ``SHARE`` of its duration is missing. Sixty frames of
+        make the step if at most the fraction ``SHARE`` of its duration is missing. Sixty frames of
         1/60 s then give exactly sixty steps.
 
         If more than ``max_steps`` steps are due, skip the steps beyond the limit by moving their

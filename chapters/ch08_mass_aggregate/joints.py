@@ -55,8 +55,8 @@ def partners(generator: object) -> list[Particle]:
 
     If you write a generator whose force depends on other particles, give it one of these
     attributes. If it stores the particles in some other way, give it a property called
-    ``particles``. A generator without such an attribute joins nothing. A particle that it pushes
-    then sleeps independently of other particles, and wakes when the push changes.
+    ``particles``. A generator without such an attribute joins nothing. The particles that it pushes
+    then sleep independently of each other, and wake when the push changes.
     """
     found: list[Particle] = []
     for name in PARTNERS:

@@ -111,9 +111,9 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: invert a matrix of a rotation and a translation, without any division.
 
     The inverse of a rotation is its transpose, so transpose the 3x3 part. Then multiply the
-    translation by this transpose and negate it. The result is a new matrix. If the 3x3 part is not
-    a rotation, the result is wrong. Do not check this, because a check would cost most of the time
-    that this method saves.
+    translation by this transpose and negate it. The result is a new matrix. The result is wrong if
+    the 3x3 part is not a rotation. Do not check for this, because the check would cost most of the
+    time that this method saves.
     """
     raise NotImplementedError("Exercise 9.6: The inverse, the easy way")
 
@@ -148,10 +148,10 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
     """Exercise 9.7: add up the masses in kg to the left and to the right of the balance edge.
 
-    The edge is the one from ``balance_offset``. The book says that the two masses are equal
-    (erratum E-32). They need not be, because a small mass far from the edge balances a large mass
-    near it. A stone belongs to the side on which its center lies, or to neither side if its center
-    is within 1e-9 m of the edge.
+    ``balance_offset`` computes the position of the edge. The book says that the two masses are
+    equal (erratum E-32). They can differ, because a small mass far from the edge balances a large
+    mass near it. A stone belongs to the side on which its center lies, or to neither side if its
+    center is within 1e-9 m of the edge.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``balance_offset``.

@@ -42,7 +42,7 @@ class Matrix4:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Test whether all numbers of two matrices are exactly equal."""
+        """Return True if all numbers of the two matrices are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:

@@ -46,7 +46,7 @@ class Matrix3:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Test whether all numbers of two matrices are exactly equal."""
+        """Return True if all numbers of the two matrices are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
@@ -111,7 +111,7 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def is_rotation(self) -> bool:
-        """Test whether the matrix only rotates, without scaling, shear or reflection.
+        """Return True if the matrix only rotates, without scaling, shear or reflection.
 
         The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
         with itself must be 1, and its scalar product with each other row must be 0, both within

@@ -51,7 +51,7 @@ class Quaternion:
         yield self.k
 
     def __eq__(self, other: object) -> bool:
-        """Test whether all components are exactly equal.
+        """Return True if all components are exactly equal.
 
         The quaternions q and -q are therefore unequal, although they represent the same
         orientation.
@@ -72,7 +72,7 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
     def is_unit(self) -> bool:
-        """Test whether the length is 1 to within ``UNIT_TOLERANCE``, as an orientation requires.
+        """Return True if the length is 1 to within ``UNIT_TOLERANCE``, as an orientation requires.
 
         If a component is NaN, the result is False.
         """

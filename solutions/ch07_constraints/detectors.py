@@ -149,9 +149,9 @@ class ParticlePairs:
         """Predict the first impact of two spheres within ``duration`` s.
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
-        Relative to each other, two particles with the same acceleration therefore move in a
-        straight line. This makes the time of their impact easy to compute. Treat the velocity and
-        the acceleration of an immovable particle as zero.
+        Two particles with the same acceleration move in a straight line relative to each other, so
+        the time of their impact is easy to compute. Treat the velocity and the acceleration of an
+        immovable particle as zero.
 
         Two spheres have an impact when they touch or overlap while they approach each other faster
         than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding

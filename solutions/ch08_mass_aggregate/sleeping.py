@@ -236,7 +236,7 @@ class SleepingWorld(ParticleWorld):
 
 
 def _was_moved(particle: Particle, sleep: Sleep) -> bool:
-    """Test whether code outside the world has changed a sleeping particle."""
+    """Return True if code outside the world has changed a sleeping particle."""
     v, p = particle.velocity, particle.position
     if v.x or v.y or v.z or (p.x, p.y, p.z) != sleep.place or particle.inverse_mass:
         return True
@@ -250,7 +250,7 @@ def _was_moved(particle: Particle, sleep: Sleep) -> bool:
 def _is_pushed_otherwise(
     particle: Particle, force: tuple[float, float, float], sleep: Sleep
 ) -> bool:
-    """Test whether the acceleration a + f / m of a particle has changed since it fell asleep.
+    """Return True if a particle's acceleration a + f / m has changed since it fell asleep.
 
     Relative changes of up to SAME are ignored. A world whose particles are asleep spends most of
     its time here, so the sum uses plain numbers, which are three times as fast as vectors.

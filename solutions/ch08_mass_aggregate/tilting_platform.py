@@ -117,9 +117,9 @@ class TiltingPlatform:
 
         ``x`` is the position along the platform in m, from ``LEFT`` to ``RIGHT``. There is no
         particle at this position, so the two ends of the platform carry the weight. Divide the mass
-        between the ends so that their torque about the pivot equals the torque of the weight at
-        ``x``. Since each end consists of two particles, each of them carries half of the mass at
-        its end, in addition to its own ``MASS``.
+        between the ends so that the torque about the pivot is the same as with the weight at ``x``.
+        Each end consists of two particles. Each of these carries half of the mass at its end, in
+        addition to its own ``MASS``.
 
         Raises:
             ValueError: if the mass is negative or not finite, or x is not between the ends. In that

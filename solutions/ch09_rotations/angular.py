@@ -18,9 +18,9 @@ def velocity_of_point(
 ) -> Vector3:
     """Compute the velocity of a point on an object that moves and rotates at the same time.
 
-    The object as a whole moves with ``velocity`` in m/s, and it also rotates about ``position`` in
-    m. ``point`` is the world position of the point in m. ``angular_velocity`` is in rad/s. The
-    result is a new vector in m/s.
+    The object moves with ``velocity`` in m/s, and rotates about ``position`` in m with
+    ``angular_velocity`` in rad/s. ``point`` is the world position of the point in m. The result is
+    a new vector in m/s.
 
     Raises:
         ValueError: if a component is not finite.

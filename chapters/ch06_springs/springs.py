@@ -166,8 +166,8 @@ class FakeStiffSpring:
 
         On each axis the force is m ((T - x) / h^2 - v / h). Here h is ``duration``, v is the
         velocity, x is the position, and T is the position after h on a real spring. Measure
-        positions from the anchor. Raise ValueError unless h is positive and finite, and then skip
-        immovable particles.
+        positions from the anchor. Raise ValueError unless h is positive and finite, even if the
+        particle is immovable and gets no force.
         """
         raise NotImplementedError("Exercise B6.11: The faked stiff spring")
 

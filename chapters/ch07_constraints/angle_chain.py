@@ -4,8 +4,8 @@ One angle is enough to describe a pendulum. In a chain too, the outer end of eac
 along a circle around the inner end. One angle per rod therefore describes the whole chain. No step
 can make a rod too long, and with Runge-Kutta 4 the angles have an error of order 4.
 
-The equations of motion need the tensions of the rods. Each tension accelerates the two ends of its
-rod. It therefore appears in the equation of this rod and in the equations of the two neighboring
+The equations of motion need the tensions of the rods. The tension of a rod accelerates both of its
+ends. Each tension therefore appears in the equations of its own rod and of the two neighboring
 rods. The equations are solved from the anchor to the tip and back, in a time proportional to the
 number of rods.
 

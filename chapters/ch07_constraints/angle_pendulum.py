@@ -1,10 +1,10 @@
 """Going further: a pendulum and a double pendulum, described by their angles.
 
 In a plane, a mass on a rod can only move along a circle, so one angle is enough to describe a
-pendulum. A model with a particle and a rod first moves two coordinates, and then has to correct
-them. A model with only the angle needs no contacts, because the rod is never too long, and
-Runge-Kutta 4 keeps its order of 4. In the same way, two angles describe a double pendulum. The
-module angle_chain.py does this for any number of rods.
+pendulum. A model with a particle and a rod changes two coordinates and then has to correct them. A
+model with only the angle needs no corrections, so Runge-Kutta 4 keeps its order of 4. In the same
+way, two angles describe a double pendulum. The module angle_chain.py does this for any number of
+rods.
 
 This file is complete, so there is nothing to fill in.
 """

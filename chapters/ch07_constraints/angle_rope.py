@@ -39,8 +39,8 @@ class AngleRope(AngleChain):
     ) -> tuple[list[float], list[float]]:
         """Return the same rates as AngleChain._rates, from simpler equations.
 
-        The equal lengths and masses cancel. Equation i for the tensions is 2 t[i] - cos t[i-1] -
-        cos t[i+1] = w^2, where t is tension / (mass length).
+        The equal lengths and masses cancel. Let t be tension / (mass length). Equation i for the
+        tensions is then 2 t[i] - cos t[i-1] - cos t[i+1] = w^2.
         """
         angles, velocities = self.angles, self.angular_velocities
         gravity = self.gravity / self.lengths[0]

@@ -11,8 +11,8 @@ For each resolution, ContactResolver compares all n contacts. The heap updates o
 that changed, and each update visits only about log n of its entries. For ten contacts, comparing
 all of them is fast enough. For 300 contacts the heap is many times faster (`make bench`).
 
-To reach this speed, the resolver works in plain floats on the particles' own vectors. It computes
-everything that does not change during a step only once.
+To reach this speed, the resolver computes with plain floats, and changes the particles' vectors in
+place. It computes anything that is constant during a step only once.
 
 This file is complete, so there is nothing to fill in.
 """

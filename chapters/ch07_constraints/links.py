@@ -139,8 +139,8 @@ class Limits:
         If the distance is ``max_length`` or more, the contact is like the contact of a Cable. If it
         is ``min_length`` or less, the contact pushes: its normal points away from ``b``, and its
         penetration is ``min_length`` minus the distance. If both limits are reached, return both
-        contacts, in the order given here. Each contact has the restitution of the link. If both
-        ends are at the same position, use +Y as the direction from ``a`` to ``b``.
+        contacts, in this order. Each contact has the restitution of the link. If both ends are at
+        the same position, use +Y as the direction from ``a`` to ``b``.
         """
         raise NotImplementedError("Exercise 7.6: A link with two limits")
 

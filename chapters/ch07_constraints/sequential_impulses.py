@@ -83,7 +83,7 @@ class Row:
 
 
 class SequentialImpulses:
-    """Steps particles and resolves their contacts with impulses, which it remembers between steps.
+    """A solver that steps particles, and remembers the impulses at their contacts between steps.
 
     ``generators`` are contact generators of this chapter. Use TwoSidedRod instead of Rod, because a
     Rod of the right length has no contact and therefore no impulse to remember. ``iterations`` is

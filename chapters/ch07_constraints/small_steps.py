@@ -8,7 +8,8 @@ corrections are those of an implicit step.
 
 Each constraint is corrected once per step. If that is not accurate enough, use shorter steps
 instead of more iterations. For the same work they give a much smaller error (Macklin and others,
-"Small Steps in Physics Simulation", 2019). The solver stores nothing from one step for the next.
+"Small Steps in Physics Simulation", 2019). The solver does not store anything from one step to the
+next.
 
 This file is complete, so there is nothing to fill in.
 """
@@ -23,7 +24,7 @@ from ch07_constraints.contacts import Contact, ContactGenerator
 
 
 class SmallSteps:
-    """Steps particles, and enforces their contacts and links by correcting positions softly.
+    """A solver that steps particles, and enforces their contacts and links by moving them.
 
     ``generators`` are contact generators of this chapter. ``compliance`` is in m/N, and is the same
     for all of them. Call ``step`` several times per frame, each time with a fraction of the frame's

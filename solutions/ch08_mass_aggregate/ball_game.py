@@ -127,7 +127,7 @@ class BallGame:
     def start_ball(self) -> None:
         """Place the ball at rest above the first row of the bridge.
 
-        Its x is the current x of the first row, and its height is ``HEIGHT + DROP``.
+        The ball's x is the current x of the first row, and its height is ``HEIGHT + DROP``.
         """
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()

@@ -113,7 +113,7 @@ class Blob:
     particles are joined by a bond. If ``cables`` is True, they are also joined by a cable as long
     as the bond's ``break_length``, which keeps the bond from breaking.
 
-    Set ``push`` to a force in N to push the blob. It acts on each particle in every step.
+    ``push`` is a force in N that acts on each particle in every step. Set it to push the blob.
 
     Raises:
         ValueError: if the height is not finite, or is less than ``RADIUS``. The blob would then

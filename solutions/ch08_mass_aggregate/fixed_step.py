@@ -52,8 +52,8 @@ class FixedStep:
 
         Time that is too short for a whole step stays in ``left`` until the next call. Because of
         rounding errors, ``left`` can be slightly shorter than a step even though a step is due. So
-        make the step if at most the fraction ``SHARE`` of its duration is missing. Sixty frames of
-        1/60 s then give exactly sixty steps.
+        make the step if at most the fraction ``SHARE`` of its duration is missing. Then sixty
+        frames of 1/60 s give exactly sixty steps of 1/60 s.
 
         If more than ``max_steps`` steps are due, skip the steps beyond the limit by moving their
         time from ``left`` to ``dropped``.

@@ -32,8 +32,8 @@ class Sleep:
     """A record of a sleeping particle, with the data that the world needs to wake it.
 
     The particle gets ``inverse_mass`` back when it wakes. ``place`` is the position at which it
-    fell asleep, and ``acceleration`` was its acceleration there. If either has changed since then,
-    the particle must wake. Its ``neighbors`` wake with it.
+    fell asleep, and ``acceleration`` is the acceleration that it had there. If either has changed
+    since then, the particle must wake. Its ``neighbors`` wake with it.
     """
 
     inverse_mass: float  # 1/kg
@@ -51,9 +51,9 @@ class SleepingWorld(ParticleWorld):
     velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each sleeping particle to its
     ``Sleep`` record.
 
-    The world cannot notice every change. Call ``wake`` for a sleeping particle yourself before you
-    make it immovable, or join something new to it. Also do so before you move the ground or an
-    anchor that supports it.
+    The world cannot detect every change. Call ``wake`` yourself before you make a sleeping particle
+    immovable or join something new to it. Also call it before you move the ground or an anchor that
+    supports the particle.
 
     Raises:
         ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than
@@ -131,7 +131,7 @@ class SleepingWorld(ParticleWorld):
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
         """Wake every sleeping particle that is in contact with a particle that can move.
 
-        Return True if any particle woke. The caller must then find the contacts again.
+        Return True if any particle woke, because the caller must then find the contacts again.
         """
         woken = False
         for contact in contacts:

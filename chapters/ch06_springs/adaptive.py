@@ -1,9 +1,9 @@
 """Going further: an integrator that takes a tolerance instead of a step size.
 
-A fixed step must be short enough for the fastest part of a motion, and then it is shorter than
-necessary for the rest. A comet, for example, needs short steps while it passes the sun, but long
-steps are enough for the rest of its orbit. `adaptive` chooses the steps by itself. It estimates the
-error of every step and repeats a step that was too long. After a step that was more accurate than
+A fixed step must be short enough for the fastest part of a motion, so it is shorter than necessary
+for the rest. A comet, for example, needs short steps while it passes the sun, but long steps are
+enough for the rest of its orbit. This integrator adjusts its steps to the motion. It estimates the
+error of every step, and repeats a step that was too long. After a step that was more accurate than
 necessary, it makes a longer one.
 """
 
@@ -57,12 +57,12 @@ def adaptive(tolerance: float) -> AdaptiveStep:
 
 
 class AdaptiveStep:
-    """An integrator ``(particles, apply_forces, duration)``. Create it with `adaptive`.
+    """An integrator that chooses its own steps. Create it with `adaptive`.
 
-    A call moves the particles by exactly ``duration``, in as many steps as necessary. Each step
-    evaluates the forces six times. Each call also evaluates them once at its start, so you may
-    change particles and forces between calls. ``evaluations`` counts all evaluations, and you may
-    reset it to 0.
+    Call it with ``(particles, apply_forces, duration)``, like the other integrators. A call moves
+    the particles by exactly ``duration``, in as many steps as necessary. Each step evaluates the
+    forces six times. Each call also evaluates them once at its start, so you may change particles
+    and forces between calls. ``evaluations`` counts all evaluations, and you may reset it to 0.
 
     The integrator remembers only the length of its last good step, as a first guess for the next
     call. You can therefore use the same integrator for several groups of particles in turn.
@@ -155,7 +155,7 @@ class AdaptiveStep:
 
 
 class _Moving:
-    """The particles that can move, with their state as a list of numbers.
+    """Stores the particles that can move, and represents their state as a list of numbers.
 
     The state lists six numbers for each particle: its position and its velocity. The rates of the
     state list its velocity and its acceleration in the same order.
@@ -194,11 +194,11 @@ class _Moving:
         return rates
 
     def finish(self, start: Numbers, duration: float) -> None:
-        """Compute the final velocities from the initial ones, in one kick with the mean force.
+        """Set the final velocities in one update that starts from the initial velocities.
 
-        The mean force is the one that leads to the same velocities without damping. The kick also
-        damps the velocities, as in the other integrators, and last_acceleration becomes the mean
-        acceleration of the call.
+        The update applies a constant force that, without damping, would lead to the velocities
+        found by the steps. It also applies the damping, as in the other integrators. Afterward,
+        last_acceleration is the mean acceleration of the call.
         """
         self._clear()
         for i, (particle, m, a, _, v) in enumerate(self.bodies):

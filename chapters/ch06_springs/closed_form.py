@@ -1,6 +1,6 @@
-"""The exact state of a damped spring at any time, computed without time steps (book 6.3).
+"""Compute the exact state of a damped spring at any time, without time steps (book 6.3).
 
-Use it to check an integrator, or to fake a spring that is too stiff for the time steps.
+Use this module to check an integrator, or to replace a spring that is too stiff for the time steps.
 """
 
 from __future__ import annotations
@@ -11,17 +11,17 @@ def damped_spring_state(
 ) -> tuple[float, float]:
     """Compute the position and velocity of a damped spring after ``time`` s, without time steps.
 
-    A body starts at the position ``x0`` in m with the velocity ``v0`` in m/s, and a spring pulls it
-    toward position 0. Its equation of motion is m x'' = -k x - c x'. Here k is ``stiffness`` in
-    N/m, c is ``damping`` in N s/m and m is ``mass`` in kg. The result is a tuple of its position in
-    m and its velocity in m/s. How the body moves depends on the sign of c^2 - 4 k m:
+    A spring pulls a body toward position 0. The body starts at the position ``x0`` in m with the
+    velocity ``v0`` in m/s. Its equation of motion is m x'' = -k x - c x'. Here k is ``stiffness``
+    in N/m, c is ``damping`` in N s/m and m is ``mass`` in kg. The result is a tuple of the body's
+    position in m and velocity in m/s. The kind of motion depends on the damping:
 
     - If c^2 < 4 k m, it oscillates through 0 (under-damped).
     - If c^2 = 4 k m, it comes to rest as quickly as possible (critically damped).
     - If c^2 > 4 k m, it creeps back to 0 without oscillating (over-damped).
 
-    If the stiffness is 0, there is no spring force, so the body only coasts and is slowed down by
-    the damping. The book covers only the under-damped case (erratum E-23).
+    If the stiffness is 0, the body feels no spring force. It keeps moving in its direction, and
+    only the damping slows it down. The book covers only the under-damped case (erratum E-23).
 
     Raises:
         ValueError: if the mass is not positive, the stiffness, damping or time is negative, or an

@@ -1,4 +1,4 @@
-"""A cloth whose knots are joined by springs, the most demanding scene of this chapter.
+"""A cloth of knots joined by springs, which is the most demanding scene in this chapter.
 
 This file is complete. The plots, the demo and the benchmarks use it.
 """

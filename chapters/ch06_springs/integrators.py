@@ -8,8 +8,8 @@ they are empty, and ``Particle.last_acceleration`` is the mean acceleration of t
 
 In the formulas, p is a position, v a velocity, a an acceleration and h the ``duration`` in s. A
 particle's own damping d multiplies its velocity by d^h once, at the end of a step. Immovable
-particles stay put. Orders are given for d = 1, because for any other d the order is 1. Stability
-limits apply to k h^2 / m for a mass m on an undamped spring k, and to d = 1 if no other d is named.
+particles do not move. The orders are given for d = 1, because for any other d the order is 1.
+Stability limits apply to k h^2 / m, for a mass m on an undamped spring k, and d = 1 unless noted.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
 not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
@@ -33,9 +33,9 @@ def explicit_euler(
     """Move each particle with its old velocity, and then update the velocity, as the book does.
 
     A step is p' = p + v h, and then v' = (v + a h) d^h. It has order 1, is not symplectic, and
-    evaluates the forces once. At d = 1 every spring is unstable. For d < 1, springs below
-    ``max_stable_stiffness`` are stable, and with a damper c a spring is stable if k h < c and c h /
-    m < 2. The book calls it by another name (3.3.2, erratum E-17).
+    evaluates the forces once. At d = 1 every undamped spring is unstable. For d < 1, undamped
+    springs below ``max_stable_stiffness`` are stable. A spring with a damper c is stable if k h < c
+    and c h / m < 2. The book calls it by another name (3.3.2, erratum E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -55,7 +55,7 @@ def semi_implicit_euler(
 
 
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Move for half of the step, update the velocity for all of it, and move for the other half.
+    """Move for half the step, update the velocity for the whole step, and move for the other half.
 
     A step is p1 = p + v h / 2, then v' = (v + a h) d^h with a at p1, then p' = p1 + v' h / 2. The
     forces are evaluated only once, in the middle of the step, and the damping acts once.
@@ -64,9 +64,9 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     force that does depend on it is evaluated with the old velocity, which reduces the order to 1.
 
     It is stable for k h^2 / m < 4. With damping d and a damper c in the spring, the condition is k
-    h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits, because after
-    its first half drift leapfrog alternates kicks and drifts in the same way. Source: Hairer,
-    Lubich and Wanner, Acta Numerica 12 (2003), 399.
+    h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits. After its
+    first half step, leapfrog updates the velocity and the position in turn, just as semi-implicit
+    Euler does. Source: Hairer, Lubich and Wanner, Acta Numerica 12 (2003), 399.
     """
     raise NotImplementedError("Exercise B6.6b: Leapfrog")
 
@@ -91,10 +91,10 @@ def runge_kutta_4(
 ) -> None:
     """Step with the weighted mean of four rates: at the start, twice in the middle, and at the end.
 
-    A rate is the velocity and the acceleration of a particle in some state. The first one belongs
-    to the state at the start. For each later rate, go back to the start, move at the previous rate,
-    and use the state that you reach. Move for half the step for the second and third rates, and for
-    the whole step for the fourth. In the mean, the second and third rates count double.
+    A rate consists of the velocity and the acceleration of a particle in some state. The first is
+    the rate at the start. For each later rate, go back to the start, move at the previous rate, and
+    use the state that you reach. Move for half the step for the second and third rates, and for the
+    whole step for the fourth. The second and third rates count double in the mean.
 
     The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
     drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, or more if d < 1.
@@ -142,9 +142,9 @@ def trapezoidal(
 class SimulationDiverged(ArithmeticError):  # noqa: N818
     """Raised when a particle moves faster than any particle in its scene should.
 
-    It usually means that the time step is too long for forces this strong. ``particle`` is the
-    index of the particle, and ``step`` is the number of the step after which it was too fast,
-    counted from 1. ``speed`` and ``limit`` are in m/s.
+    The usual cause is a time step that is too long for such strong forces. ``particle`` is the
+    index of the particle. ``step`` is the number of the step, counted from 1, after which the
+    particle was too fast. ``speed`` and ``limit`` are in m/s.
     """
 
     def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:
@@ -156,9 +156,9 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 
 
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
-    """Wrap an integrator in one that also checks the speed of every particle after each step.
+    """Return an integrator that also checks the speed of every particle after each step.
 
-    Use it to notice at once that a simulation explodes. The new integrator takes the same arguments
+    Use it to detect at once that a simulation explodes. The new integrator takes the same arguments
     and counts its steps. It raises SimulationDiverged for the first particle whose speed is NaN or
     above ``speed_limit`` in m/s. A step in which ``integrator`` raises an exception does not count.
 

@@ -1,4 +1,4 @@
-"""Going further: a rope bridge whose planks hang on springs, and a walker who crosses it.
+"""Going further: a rope bridge whose planks hang on springs, and a person who walks across.
 
 The bridge comes from the exercises of the book's chapter 6.
 """
@@ -21,9 +21,8 @@ def hang_bridge(
     """Hang each plank of a bridge from its own spring, and join neighboring planks with springs.
 
     Each plank hangs from an anchor that is ``height`` m straight above it. All springs have the
-    same ``stiffness`` in N/m and ``damping`` in N s/m. The rest length of each spring is its
-    current length, so the springs neither push nor pull at the start. Add all of them to
-    ``registry``.
+    same ``stiffness`` in N/m and ``damping`` in N s/m. Each spring has its current length as its
+    rest length, so it exerts no force at the start. Add all springs to ``registry``.
 
     Raises:
         ValueError: if the height is not positive, the stiffness or damping is negative, or one of
@@ -33,12 +32,12 @@ def hang_bridge(
 
 
 def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
-    """Put the weight of a walker on the planks of a bridge, as forces that act for one step.
+    """Add the weight of a person to the planks of a bridge, as forces that act for one step.
 
-    ``x`` is the walker's position in m, and ``weight`` is in N. ``planks`` are in order along x.
-    The walker stands between two planks, which share the weight so that the nearer plank carries
-    more of it. If the walker is before the first plank or beyond the last one, that plank carries
-    the whole weight.
+    ``x`` is the person's position in m, and ``weight`` is in N. ``planks`` must be in order along
+    x. The person stands between two planks, and the nearer one carries more of the weight. If the
+    person is before the first plank or beyond the last one, the nearest plank carries the whole
+    weight.
 
     Raises:
         ValueError: if there are no planks, ``x`` is not finite, or the weight is negative or not

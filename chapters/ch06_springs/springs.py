@@ -28,9 +28,8 @@ def spring_force(
     ``offset`` and ``velocity`` are the position in m and the velocity in m/s of this end, both
     relative to the other end. The force is -(k (l - l0) + c l') d^. Here l is the length of
     ``offset``, d^ is its direction, k is ``stiffness``, l0 is ``rest_length`` and c is ``damping``.
-    The spring gets longer at the rate l', which is the component of ``velocity`` along d^. A zero
-    offset has no direction, so the force is then zero. The arguments are not checked, because the
-    constructors of the springs check them.
+    The rate at which the spring gets longer is l', the component of ``velocity`` along d^. A zero
+    offset has no direction, so the force is then zero. The arguments are not checked.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls, because
     the listing takes the absolute value of the extension (erratum E-3). Book: Eq. 6.1, 6.2.
@@ -41,7 +40,7 @@ def spring_force(
 class Spring:
     """A spring that acts on one particle only (book 6.2.1).
 
-    The particle ``other`` at its other end feels no force. To act on both, use ``connect``.
+    The particle at the other end, ``other``, feels no force. Use ``connect`` to act on both ends.
     """
 
     def __init__(
@@ -60,8 +59,8 @@ class Spring:
 class AnchoredSpring:
     """A spring between a particle and an anchor, which is a fixed position.
 
-    You may move ``anchor``, for example to let a camera follow a player. The damping then still
-    treats the anchor as if it were at rest. Book: section 6.2.2.
+    You may move ``anchor``, for example to let a camera follow a player. The damping treats even a
+    moving anchor as if it were at rest. Book: section 6.2.2.
     """
 
     def __init__(
@@ -73,14 +72,14 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Compute the spring force on ``particle``, with an anchor at rest, and add it."""
+        """Add the spring force to ``particle``, as if the anchor were at rest."""
         raise NotImplementedError("Exercise B6.1: Springs")
 
 
 class Bungee(Spring):
     """An elastic rope to the particle ``other``: a spring that pulls but never pushes (book 6.2.3).
 
-    If its length is at most the rest length, the rope is slack and exerts no force. The book's
+    The rope is slack, and exerts no force, unless it is longer than its rest length. The book's
     listing subtracts the lengths in the wrong order, so its rope pushes (erratum E-4).
     """
 
@@ -140,8 +139,8 @@ def connect(
 class FakeStiffSpring:
     """A substitute for a spring that is too stiff for the time steps (book 6.3.2).
 
-    It uses ``damped_spring_state`` to compute where a real spring would have moved the particle by
-    the end of the step. Then it adds the constant force that takes the particle there. Its rest
+    The substitute calls ``damped_spring_state`` to find out where a real spring would move the
+    particle in one step. Then it adds the constant force that takes the particle there. Its rest
     length is 0, and its other end is ``anchor``.
 
     The force is meant for semi-implicit Euler, p' = p + v' h. With it, the particle reaches the
@@ -165,9 +164,10 @@ class FakeStiffSpring:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force that moves the particle to where a real spring would take it in this step.
 
-        On each axis it is m ((T - x) / h^2 - v / h). Here h is ``duration`` and v is the velocity.
-        Relative to the anchor, x is the position now, and T the position after h on a real spring.
-        Raise ValueError unless the duration is positive and finite. Then skip immovable particles.
+        On each axis the force is m ((T - x) / h^2 - v / h). Here h is ``duration``, v is the
+        velocity, x is the position, and T is the position after h on a real spring. Measure
+        positions from the anchor. Raise ValueError unless h is positive and finite, even if the
+        particle is immovable and gets no force.
         """
         raise NotImplementedError("Exercise B6.11: The faked stiff spring")
 
@@ -195,15 +195,15 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the spring force, which does not jump at the elastic limit."""
+        """Exercise 6.1: add the spring force. It must be continuous at the elastic limit."""
         raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
     """Exercise 6.6b: compute the stiffness in N/m above which a spring makes a simulation explode.
 
-    If ``Particle.integrate`` makes steps of h s, the limit is m (d^-h - 1) / h^2. Here h is
-    ``duration``, d is the particle's ``damping``, and m is ``mass`` in kg. The limit holds for an
+    For steps of ``Particle.integrate``, the limit is m (d^-h - 1) / h^2. Here h is ``duration`` in
+    s, d is the particle's ``damping``, and m is ``mass`` in kg. The formula is for an
     AnchoredSpring without damping. If d is 1 or more, no spring is stable, so the result is 0. If d
     is 0, or d^-h is too large for a float, the result is ``math.inf``.
 

@@ -1,13 +1,15 @@
-"""Going further, complete: a chain of rods in a plane, described by its angles.
+"""Going further: a chain of rods in a plane, described by its angles.
 
 One angle is enough to describe a pendulum. In a chain too, the outer end of each rod can only move
 along a circle around the inner end. One angle per rod therefore describes the whole chain. No step
 can make a rod too long, and with Runge-Kutta 4 the angles have an error of order 4.
 
-The equations of motion need the tensions of the rods. Each tension accelerates the two ends of its
-rod. It therefore appears in the equation of this rod and in the equations of the two neighboring
+The equations of motion need the tensions of the rods. The tension of a rod accelerates both of its
+ends. Each tension therefore appears in the equations of its own rod and of the two neighboring
 rods. The equations are solved from the anchor to the tip and back, in a time proportional to the
 number of rods.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -31,7 +33,7 @@ class AngleChain:
     - ``angular_velocities`` are in rad/s. If they are omitted, all are 0.
     - ``gravity`` is in m/s^2.
 
-    The attributes have the names of the arguments.
+    Each argument is stored in an attribute of the same name.
 
     Raises:
         ValueError: if the lists are empty or differ in length, if a length, a mass or gravity is
@@ -69,7 +71,7 @@ class AngleChain:
         return places
 
     def step(self, duration: float) -> None:
-        """Make one Runge-Kutta 4 step. ``duration`` is in s.
+        """Move the chain by one Runge-Kutta 4 step of ``duration`` s.
 
         Raises:
             ValueError: if the duration is not positive and finite.

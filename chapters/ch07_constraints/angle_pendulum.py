@@ -1,10 +1,12 @@
-"""Going further, complete: a pendulum and a double pendulum, described by their angles.
+"""Going further: a pendulum and a double pendulum, described by their angles.
 
 In a plane, a mass on a rod can only move along a circle, so one angle is enough to describe a
-pendulum. A model with a particle and a rod first moves two coordinates, and then has to correct
-them. A model with only the angle needs no contacts, because the rod is never too long, and
-Runge-Kutta 4 keeps its order of 4. In the same way, two angles describe a double pendulum. The
-module angle_chain.py does this for any number of rods.
+pendulum. A model with a particle and a rod changes two coordinates and then has to correct them. A
+model with only the angle needs no corrections, so Runge-Kutta 4 keeps its order of 4. In the same
+way, two angles describe a double pendulum. The module angle_chain.py does this for any number of
+rods.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -20,8 +22,9 @@ class AnglePendulum:
     """A mass on a massless rod that swings about the origin in the X-Y plane.
 
     ``length`` is in m. ``angle`` is in radians, measured from straight down toward +X.
-    ``angular_velocity`` is in rad/s and ``gravity`` in m/s^2. The attributes have the names of the
-    arguments. There is no argument for the mass, because it does not affect the motion.
+    ``angular_velocity`` is in rad/s and ``gravity`` in m/s^2. Each argument is stored in an
+    attribute of the same name. There is no argument for the mass, because it does not affect the
+    motion.
 
     Raises:
         ValueError: if length or gravity is not positive, or a number is not finite.
@@ -43,7 +46,7 @@ class AnglePendulum:
         return Vector3(x, y)
 
     def step(self, duration: float) -> None:
-        """Make one Runge-Kutta 4 step. ``duration`` is in s.
+        """Move the pendulum by one Runge-Kutta 4 step of ``duration`` s.
 
         The angular acceleration is -(g / l) sin(angle).
 
@@ -69,8 +72,8 @@ class DoublePendulum:
 
     It swings in the X-Y plane. The first rod rotates about the origin, and the second rod about the
     first mass. ``lengths`` are in m and ``masses`` in kg. ``angles`` are in radians, measured from
-    straight down toward +X. ``angular_velocities`` are in rad/s and ``gravity`` is in m/s^2. The
-    attributes have the names of the arguments.
+    straight down toward +X. ``angular_velocities`` are in rad/s and ``gravity`` is in m/s^2. Each
+    argument is stored in an attribute of the same name.
 
     An AngleChain with two rods moves in the same way, but its steps take twice as long.
 
@@ -105,9 +108,10 @@ class DoublePendulum:
         return [Vector3(x, y), Vector3(x + outer * math.sin(b), y - outer * math.cos(b))]
 
     def step(self, duration: float) -> None:
-        """Make one Runge-Kutta 4 step of Lagrange's equations. ``duration`` is in s.
+        """Move the pendulum by one Runge-Kutta 4 step of ``duration`` s.
 
-        Here a and b are the two angles, d is a - b, and M is the sum of the masses m1 and m2:
+        The step solves Lagrange's equations. Here a and b are the two angles, d is a - b, and M is
+        the sum of the masses m1 and m2:
 
             M l1 a'' + m2 l2 b'' cos d = -m2 l2 b'^2 sin d - M g sin a
               l1 a'' cos d + l2 b''    =     l1 a'^2 sin d -   g sin b

@@ -1,8 +1,10 @@
-"""Going further, complete: a rope of equal links in a plane, described by its angles.
+"""Going further: a rope of equal links in a plane, described by its angles.
 
 The rope moves exactly as an AngleChain of equal rods does. Because all lengths and masses are
 equal, they cancel in the equations of motion, and only the ratio gravity / length is left. A step
 therefore takes about 15 % less time.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -37,8 +39,8 @@ class AngleRope(AngleChain):
     ) -> tuple[list[float], list[float]]:
         """Return the same rates as AngleChain._rates, from simpler equations.
 
-        The equal lengths and masses cancel. Equation i for the tensions is 2 t[i] - cos t[i-1] -
-        cos t[i+1] = w^2, where t is tension / (mass length).
+        The equal lengths and masses cancel. Let t be tension / (mass length). Equation i for the
+        tensions is then 2 t[i] - cos t[i-1] - cos t[i+1] = w^2.
         """
         angles, velocities = self.angles, self.angular_velocities
         gravity = self.gravity / self.lengths[0]

@@ -1,8 +1,10 @@
-"""Going further, complete: a bouncing ball, computed from its impacts instead of time steps.
+"""Going further: a bouncing ball, computed from its impacts instead of time steps.
 
 Between two impacts the height of the ball is a parabola, so a formula gives the time of the next
 impact. Small time steps are therefore unnecessary. The function computes only the impacts, and the
 height at the end of each frame.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -57,5 +59,5 @@ def heights_in_frames(
 
 
 def _time_of_fall(height: float, speed: float, gravity: float) -> float:
-    """Return the time in s at which a freely moving ball reaches the ground."""
+    """Return the time in s that a freely moving ball takes to reach the ground."""
     return (speed + math.sqrt(speed * speed + 2.0 * gravity * height)) / gravity

@@ -68,10 +68,10 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Compute how fast the two bodies move apart, (va - vb) . n, in m/s (Eq. 7.2).
+        """Compute how fast the two bodies move apart, in m/s (Eq. 7.2).
 
-        Here va and vb are the velocities of ``particle`` and ``other``, and n is the normal. The
-        result is negative while the bodies approach each other. If ``other`` is None, vb is 0.
+        The result is (va - vb) . n, where n is the normal, va is the velocity of ``particle``, and
+        vb is the velocity of ``other``, or 0 without it. It is negative while the bodies approach.
         """
         raise NotImplementedError("Exercise B7.1: Separating velocity")
 
@@ -83,11 +83,11 @@ class Contact:
 
         A body at rest on the ground also has a closing contact, because gravity has just
         accelerated it for one time step. If this small velocity made it bounce, the body would
-        jitter. So if the acceleration closes the contact, (aa - ab) . n < 0, leave out the velocity
-        that it has built up. Return c (-v_s + (aa - ab) . n h), but never less than 0. Here h is
-        ``duration`` in s, and aa and ab are the ``last_acceleration`` of the particles, which
-        includes forces. Use 0 for an immovable or missing particle. The book uses only the constant
-        acceleration, so a body under a gravity generator would jitter (7.2.3, erratum E-26).
+        jitter. Let a be (aa - ab) . n. If a is negative, leave out the velocity a h that it has
+        built up. Return c (a h - v_s), but never less than 0. Here h is ``duration`` in s, and aa
+        and ab are the ``last_acceleration`` of the particles, which includes forces. Use 0 for an
+        immovable or missing particle. The book uses only the constant acceleration, so a body under
+        a gravity generator would jitter (7.2.3, erratum E-26).
 
         Time division resolves each impact at the moment when it happens. No such velocity has built
         up by then, so pass a duration of 0.
@@ -101,9 +101,9 @@ class Contact:
         """Apply the impulse that changes the separating velocity to ``velocity_after(duration)``.
 
         The impulse g in N s acts on ``particle`` along the normal n, and on ``other`` in the
-        opposite direction. With the masses ma and mb, va' = va + n g / ma and vb' = vb - n g / mb.
-        This conserves momentum. Nothing changes if the contact is not closing, or if neither
-        particle can move. Book: sections 7.1.4 and 7.2.1.
+        opposite direction. The new velocities are va' = va + n g / ma and vb' = vb - n g / mb. Here
+        ma and mb are the masses. This conserves momentum. Nothing changes if the contact is not
+        closing, or if neither particle can move. Book: sections 7.1.4 and 7.2.1.
 
         Raises:
             ValueError: if the duration is negative or not finite, even if nothing would change.
@@ -143,7 +143,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """The interface of contact generators: any object with a method ``contacts`` is one."""
+    """The interface of contact generators, which are objects with a method ``contacts``."""
 
     def contacts(self) -> Iterable[Contact]:
         """Find all contacts at the current positions and return them."""
@@ -177,7 +177,7 @@ class ContactResolver:
 
         ``duration`` is the time step in s. This method changes velocities, positions and
         penetrations. It ignores contacts in which neither particle can move, so they do not count
-        toward the limit.
+        toward ``iterations``.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

@@ -1,10 +1,9 @@
 """Detectors: objects that find out which particles touch, and predict the next impact.
 
-A detector answers two questions. After each step, the engine calls its method ``contacts()`` to
-find out which particles touch. Particles that just touch also have a contact, with a penetration of
-0, and the contacts are always in the order of the particles. Time division asks the second
-question. It must stop at the time of the next impact, so it calls ``next_impact(duration)`` before
-it moves the particles.
+A detector has two methods. The engine calls ``contacts()`` after each step to find out which
+particles touch. Particles that just touch also have a contact, with a penetration of 0, and the
+contacts are always in the order of the particles. Time division calls ``next_impact(duration)``
+before it moves the particles, because it must stop at the next impact.
 
 Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
 particles to the list later. Constructors raise ValueError for a number that is not finite, a radius
@@ -40,8 +39,8 @@ class Detector(Protocol):
 class GroundPlane:
     """Exercise 7.5: a detector for particles that touch level ground at ``height``.
 
-    The particles are points, or spheres that all have the same ``radius``. Everything below the
-    height is ground. A particle that ends a step below it is in contact, however deep it is, so
+    The particles are points, or spheres that all have the same ``radius``. Everything below
+    ``height`` is ground. A particle that ends a step there is in contact, however deep it is, so
     even a very fast particle cannot pass through the ground.
     """
 
@@ -114,9 +113,9 @@ class ParticlePairs:
         """Predict the first impact of two spheres within ``duration`` s.
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
-        Relative to each other, two particles with the same acceleration therefore move in a
-        straight line. This makes the time of their impact easy to compute. Treat the velocity and
-        the acceleration of an immovable particle as zero.
+        Two particles with the same acceleration move in a straight line relative to each other, so
+        the time of their impact is easy to compute. Treat the velocity and the acceleration of an
+        immovable particle as zero.
 
         Two spheres have an impact when they touch or overlap while they approach each other faster
         than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding
@@ -165,17 +164,17 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     """Compute how long it takes until the gap between a body and the ground closes, in s.
 
     The result is the first time at which the gap is 0 or negative and still decreasing. After t
-    seconds the gap is gap + v t + a t^2 / 2, where v is ``velocity`` in m/s and a is
-    ``acceleration`` in m/s^2. A negative v makes the gap smaller. If the gap is already 0 or
+    seconds the gap is g + v t + a t^2 / 2. Here g is ``gap`` in m, v is ``velocity`` in m/s and a
+    is ``acceleration`` in m/s^2. A negative v makes the gap smaller. If the gap is already 0 or
     negative at the start, the result depends on v:
 
     - If v is negative, or if v is 0 and a is negative, the result is 0.
     - If v is positive and a is negative, the result is the time at which the gap returns to 0. If
       the gap never becomes positive, the result is the time at which v reverses.
 
-    A very slow velocity may be only a rounding error. So if a is not negative, a velocity of
-    -VELOCITY_TOLERANCE or more does not close the gap. Return ``math.inf`` if the gap never closes,
-    and also if the velocity reverses exactly when the gap is 0. The arguments are not checked.
+    A very small velocity may be only a rounding error. So if v is between -VELOCITY_TOLERANCE and
+    0, the gap closes only if a is negative. Return ``math.inf`` if the gap never closes, and also
+    if the velocity reverses exactly when the gap is 0. The arguments are not checked.
     """
     raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
 

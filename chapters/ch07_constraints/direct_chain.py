@@ -1,4 +1,4 @@
-"""Going further, complete: a chain that solves for the tensions of all its rods at once.
+"""Going further: a chain that solves for the tensions of all its rods at once.
 
 A resolver corrects one rod after another, and each correction disturbs the neighboring rods. In a
 long chain, a pull therefore needs many iterations to travel from link to link. This chain finds all
@@ -6,8 +6,10 @@ tensions together instead, so no rod is too long afterward.
 
 The tension of a rod changes only three lengths: the length of this rod, and the lengths of its two
 neighbors. Each equation for the tensions therefore has at most three unknowns. Such equations can
-be solved from the anchor to the free end and back. This takes about as much work per rod as
-resolving it once.
+be solved from the anchor to the free end and back. For each rod, this takes about as much work as
+resolving the rod once.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -80,14 +82,14 @@ class DirectChain:
         self._pulls = self._pull_and_drift(self._kick_and_eliminate(duration, time), duration)
 
     def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
-        """Kick the particles for ``time`` s, and simplify the equations for the tensions.
+        """Apply the forces for ``time`` s, and simplify the equations for the tensions.
 
-        There is one equation for each rod. With the tensions of the last step, rod i would have a
-        wrong length at the end of this step. Equation i says how the tensions i - 1, i and i + 1
-        must change so that this length is right. The change of tension i - 1 is eliminated at once
-        (Thomas, 1949).
+        There is one equation for each rod. If the tensions stayed the same as in the last step, rod
+        i would have a wrong length at the end of this step. Equation i says how the tensions i - 1,
+        i and i + 1 must change to correct this length. The change of tension i - 1 is eliminated at
+        once (Thomas, 1949).
 
-        All numbers are plain floats, because a step with vectors, or in separate passes, takes
+        The method uses plain floats and a single loop, because vectors or several loops take
         longer.
         """
         rows: list[Row] = []
@@ -136,10 +138,10 @@ class DirectChain:
         return rows
 
     def _pull_and_drift(self, rows: list[Row], duration: float) -> list[float]:
-        """Find the tension of each rod, last rod first, and drift the far end of the rod.
+        """Find the tension of each rod, from the last to the first, and move its far end.
 
-        Each tension pulls on the far end before that end drifts. Return the tensions divided by the
-        lengths, in N/m, in the order of the rods.
+        Each tension changes the velocity of the far end before that end moves. Return the tensions
+        divided by the lengths, in N/m, in the order of the rods.
         """
         pulls = []
         change = next_x = next_y = next_z = 0.0

@@ -1,4 +1,4 @@
-"""Going further, complete: a net of rods and cables that solves for all pulls at once.
+"""Going further: a net of rods and cables that solves for all pulls at once.
 
 DirectNet does for any net what DirectChain does for a chain, but a net is harder in two respects.
 First, the equations of a chain can be solved from one end to the other. A net has no such natural
@@ -8,6 +8,8 @@ find out which cables are taut.
 A chain is also a net, and both solvers have the same error. But for 30 rods a step of the net takes
 3.6 times as long (`make bench`), because the net looks up which links meet at each particle. This
 is why DirectChain has a solver of its own.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -110,7 +112,7 @@ class DirectNet(Net):
         becomes taut. After several such changes, only one link changes at a time, which guarantees
         that the search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
 
-        All numbers are plain floats, because a step with vectors takes three times as long.
+        The method uses plain floats, because a step with vectors takes three times as long.
         """
         xs, ys, zs = places
         us, vs, ws = velocities

@@ -16,11 +16,11 @@ COLUMNS = ["material", "initial_height", "bounce_height"]
 
 
 def read_drops(path: Path) -> list[tuple[str, float, float]]:
-    """Read a file and return its drops in the order of its lines, without empty lines.
+    """Read a file and return its drops in the order of the lines, ignoring empty lines.
 
     Raises:
-        ValueError: if a line lacks a column or a height is not a number. The message names the
-            line.
+        ValueError: if a line lacks a column or a height is not a number. The message gives the
+            number of the line.
     """
     drops = []
     with path.open(encoding="utf-8-sig", newline="") as file:

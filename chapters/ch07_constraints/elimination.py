@@ -1,4 +1,4 @@
-"""Going further, complete: sparse symmetric equations, solved by elimination (LDL^T).
+"""Going further: solve sparse symmetric equations by elimination (LDL^T).
 
 The pull of a link appears only in the equations of links that share a particle with it. Most
 coefficients in the equations of a net are therefore 0. Elimination turns some of these zeros into
@@ -6,6 +6,8 @@ other numbers, which are called fill-in and cost time. The amount of fill-in dep
 elimination. A good rule is minimum degree: always eliminate the unknown whose equation has the
 fewest other unknowns (Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801). The nonzero
 coefficients of a net are always in the same positions, so the order is found only once.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -22,9 +24,9 @@ class Elimination:
     ``count`` is the number of unknowns. ``pairs`` are the pairs (i, j) for which A[i][j] may differ
     from 0. The unknowns with numbers below ``first`` are eliminated before the others.
 
-    The values of A are a list of length ``size``. It begins with the ``count`` numbers on the
-    diagonal. Because A is symmetric, A[i][j] and A[j][i] are stored only once, at the index that
-    ``slot_of`` returns.
+    The values of A are passed as a list of length ``size``, which begins with the ``count`` numbers
+    on the diagonal. Because A is symmetric, A[i][j] and A[j][i] share one entry of the list.
+    ``slot_of`` returns the index of this entry.
 
     This class does not search for pivots, so the order of elimination must suit A. Every order
     works if A is positive definite. It also works if A consists of a positive definite block, a

@@ -1,8 +1,8 @@
 """Functions that solve exercises 7.1, 7.3 and 7.4 of the book.
 
-You compute the restitution of real balls from measured bounces, and the speed of a ball that was
-dropped on top of another one. You also replace a push that is shorter than a frame by a weaker
-force that acts for the whole frame.
+The functions compute the restitution of real balls from measured bounces, and the speed of a ball
+that was dropped on top of another one. They also replace a push that is shorter than a frame with a
+weaker force that acts for the whole frame.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float |
 
     Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height, both in
     m. The table has a row for each material: (material, number of drops, mean restitution, standard
-    error of the mean). The standard error is s / sqrt(n) for n drops. Here s is the standard
-    deviation of their restitutions, computed with n - 1. A single drop has no standard deviation,
-    so its standard error is None. The rows are in the order in which the materials first appear.
+    error of the mean). For n drops the standard error is s / sqrt(n), where s is the sample
+    standard deviation (with n - 1) of the restitutions. A single drop has no standard deviation, so
+    the standard error is then None. The rows are in the order in which the materials first appear.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``restitution_of_drop``.

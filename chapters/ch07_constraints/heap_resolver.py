@@ -1,17 +1,20 @@
-"""Going further, complete: a resolver that finds the worst contact without comparing all of them.
+"""Going further: a resolver that finds the worst contact without comparing all of them.
 
 Resolving a contact moves two particles, so it changes only the contacts of these two particles. The
 resolver keeps a list of contacts for each particle, and a heap that gives the worst contact of all.
-If several contacts are equally bad, the resolver takes the first, as ContactResolver does. So both
-resolve the same contacts in the same order and give the same results, apart from rounding. If many
-contacts are equally bad, a rounding error may decide which of them is resolved first.
+If several contacts are equally bad, the resolver takes the first, as ContactResolver does. The two
+resolvers therefore resolve the same contacts in the same order, and give the same results apart
+from rounding. If many contacts are equally bad, a rounding error may decide which of them is
+resolved first.
 
 For each resolution, ContactResolver compares all n contacts. The heap updates only the few contacts
 that changed, and each update visits only about log n of its entries. For ten contacts, comparing
 all of them is fast enough. For 300 contacts the heap is many times faster (`make bench`).
 
-To reach this speed, the resolver works in plain floats on the particles' own vectors. It computes
-everything that does not change during a step only once.
+To reach this speed, the resolver computes with plain floats, and changes the particles' vectors in
+place. It computes anything that is constant during a step only once.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -31,7 +34,7 @@ Plan = tuple[float, float, float, float, list[Row]]
 
 
 class HeapResolver(ContactResolver):
-    """A ContactResolver whose cost grows with n log n instead of n^2, with the same results.
+    """A ContactResolver with the same results, whose cost grows with n log n instead of n^2.
 
     The resolver contains a copy of Contact's formulas and does not call its methods. If a subclass
     of Contact overrides these methods, the overrides have no effect here.

@@ -1,7 +1,9 @@
-"""Going further, complete: the links of a net in plain numbers, and the equations for their pulls.
+"""Going further: the links of a net as plain numbers, and the equations for their pulls.
 
 DirectNet and SmoothNet solve for the pulls of all links at once. Both inherit from the class Net in
-this module. Net stores the links as plain numbers and sets up the equations for their pulls.
+this module. Net stores the links as plain numbers and sets up the equations.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -32,7 +34,7 @@ Row = tuple[int, int, float, int]  # the two ends, the length squared in m^2, an
 
 @dataclass(frozen=True)
 class Strut:
-    """Keeps two particles at least ``min_length`` m apart, like two balls that touch."""
+    """A link that keeps two particles at least ``min_length`` m apart, like two balls that touch."""
 
     a: Particle
     b: Particle
@@ -40,7 +42,7 @@ class Strut:
 
 
 def limits_of(link: Any) -> list[Limit]:
-    """List the limits of ``link`` as tuples of two ends, the length between them and the kind.
+    """Return the limits of ``link`` as tuples (one end, other end, length, kind).
 
     The length is in m. A Limits object has two entries: a cable and, unless ``min_length`` is 0, a
     strut.
@@ -73,8 +75,8 @@ class Net:
 
     ``links`` are rods, cables and Limits of chapter 7, and Struts. ``others`` are particles that no
     link holds, but that move together with the net. ``particles`` lists every particle once. The
-    particles of the links come first, in the order in which the links name them. The net reads the
-    lengths of the links only once, when it is created.
+    particles of the links come first, in the order of the links. The net reads the lengths of the
+    links only once, when it is created.
 
     Raises:
         ValueError: if there are no links.

@@ -1,14 +1,15 @@
-"""Going further, complete: rods as forces, so that any integrator of chapter 6 can step a chain.
+"""Going further: rods as forces, so that any integrator of chapter 6 can step a chain.
 
 A resolver corrects a rod only after a step has changed its length. This module instead computes the
 tensions that keep the lengths of the rods constant, and adds them as forces. Any integrator can
 then step the chain with its own order of accuracy. So Runge-Kutta 4 reaches order 4, while a
 resolver has order 1 and DirectChain has order 2.
 
-If a rod keeps its length, the relative acceleration of its ends along the rod is known. Each
-tension accelerates the two ends of its rod. It therefore appears in the equation of this rod and in
-the equations of the two neighboring rods. The equations are solved from the anchor to the tip and
-back.
+If a rod keeps its length, the relative acceleration of its ends along the rod is known. The tension
+of a rod accelerates both of its ends. Each tension therefore appears in the equations of its own
+rod and of the two neighboring rods. The equations are solved from the anchor to the tip and back.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -56,8 +57,8 @@ class RodTensions:
         """Add the tensions to the accumulators of the particles.
 
         Add all other forces before you call this method, because the tensions depend on them. If
-        there are no other forces, pass the method to an integrator as ``apply_forces``. It does not
-        use ``duration``.
+        there are no other forces, pass the method to an integrator as ``apply_forces``. The
+        argument ``duration`` is not used.
 
         Raises:
             ArithmeticError: if the tensions have no unique solution, as in a straight chain between

@@ -1,14 +1,16 @@
-"""Going further, complete: sequential impulses with warm starting, as in Box2D.
+"""Going further: sequential impulses with warm starting, as in Box2D.
 
 ContactResolver moves the particles first, and then corrects the overlaps that result. This solver
-corrects the velocities first, so that the particles hardly overlap after they have moved. It visits
-all contacts in order, several times, and applies an impulse at each visit. Two ideas make this
-accurate (Catto, "Iterative Dynamics with Temporal Coherence", 2005):
+corrects the velocities first, so that the particles overlap very little after they have moved. It
+visits all contacts in order, several times, and applies an impulse at each visit. Two ideas
+make the solver accurate (Catto, "Iterative Dynamics with Temporal Coherence", 2005):
 
 - A contact must never pull, but this applies only to the sum of its impulses. A single impulse may
   pull, so a later visit can take back part of an earlier impulse that was too large.
 - Warm starting: the sums of the last step are the first guess for this step. In a stack at rest
   they are already right, no matter how tall the stack is, so a few visits per step are enough.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ STILL = Vector3()  # stands for the velocity, and the position, of the world
 
 
 class Row:
-    """A contact in plain numbers, with the sum of its impulses in N s.
+    """A contact stored as plain numbers, with the sum of its impulses in N s.
 
     ``key`` consists of the contact's generator and its particles, and identifies the contact in the
     next step.
@@ -48,11 +50,11 @@ class Row:
         self.impulse = 0.0
 
     def along(self, v: Vector3, w: Vector3) -> float:
-        """Return the component of v - w along the normal."""
+        """Return the component of the difference v - w along the normal."""
         return (v.x - w.x) * self.x + (v.y - w.y) * self.y + (v.z - w.z) * self.z
 
     def change(self, v: Vector3, w: Vector3, amount: float) -> None:
-        """Apply ``amount`` to the vectors of the two particles, in opposite directions."""
+        """Change vectors of the two particles, ``v`` and ``w``, in opposite directions."""
         part = amount * self.inverse_a
         v.x += self.x * part
         v.y += self.y * part
@@ -69,7 +71,7 @@ class Row:
         self.change(self.v, self.w, impulse)
 
     def solve(self) -> None:
-        """Bring the contact to its target velocity, unless the sum of impulses would then pull."""
+        """Bring the contact to its target velocity, but never let the sum of its impulses pull."""
         missing = self.target - self.along(self.v, self.w)
         self.push(max(missing * self.mass, -self.impulse))
 
@@ -81,7 +83,7 @@ class Row:
 
 
 class SequentialImpulses:
-    """Steps particles and resolves their contacts with impulses, which it remembers between steps.
+    """A solver that steps particles, and remembers the impulses at their contacts between steps.
 
     ``generators`` are contact generators of this chapter. Use TwoSidedRod instead of Rod, because a
     Rod of the right length has no contact and therefore no impulse to remember. ``iterations`` is

@@ -1,4 +1,4 @@
-"""Going further, complete: soft constraints with small steps, known as XPBD.
+"""Going further: soft constraints with small steps, known as XPBD.
 
 Instead of applying impulses, this solver corrects positions, and then computes the velocities from
 the distances that the particles have moved. Each constraint has a compliance, which is the inverse
@@ -8,7 +8,10 @@ corrections are those of an implicit step.
 
 Each constraint is corrected once per step. If that is not accurate enough, use shorter steps
 instead of more iterations. For the same work they give a much smaller error (Macklin and others,
-"Small Steps in Physics Simulation", 2019). The solver remembers nothing from one step to the next.
+"Small Steps in Physics Simulation", 2019). The solver does not store anything from one step to the
+next.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -21,7 +24,7 @@ from ch07_constraints.contacts import Contact, ContactGenerator
 
 
 class SmallSteps:
-    """Steps particles and enforces their contacts and links by soft corrections of positions.
+    """A solver that steps particles, and enforces their contacts and links by moving them.
 
     ``generators`` are contact generators of this chapter. ``compliance`` is in m/N, and is the same
     for all of them. Call ``step`` several times per frame, each time with a fraction of the frame's
@@ -73,7 +76,7 @@ class SmallSteps:
 
 
 def correct(contact: Contact, softness: float) -> None:
-    """Move the two particles apart, by the full depth or, if the contact is soft, by less.
+    """Move the two particles apart by the full depth, or by less if the contact is soft.
 
     The depth is divided into three parts. The first two are the displacements of the particles, in
     proportion to their inverse masses. The third part is proportional to ``softness``, and remains
@@ -90,7 +93,7 @@ def correct(contact: Contact, softness: float) -> None:
 
 
 def bounce(contact: Contact, wanted: float) -> None:
-    """Set the separating velocity of the two particles to ``wanted``, in m/s."""
+    """Give the two particles the separating velocity ``wanted``, in m/s."""
     a, b = contact.particle, contact.other
     inverse_b = 0.0 if b is None else b.inverse_mass
     impulse = (wanted - contact.separating_velocity()) / (a.inverse_mass + inverse_b)

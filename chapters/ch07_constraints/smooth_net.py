@@ -1,4 +1,4 @@
-"""Going further, complete: a net of rods and cables that Runge-Kutta 4 steps, at order 4.
+"""Going further: a net of rods and cables, stepped with Runge-Kutta 4 at order 4.
 
 DirectNet finds the pulls that give the links the right lengths at the end of a step. SmoothNet
 instead finds the pulls whose accelerations keep the lengths of rods and taut cables constant. It
@@ -9,6 +9,8 @@ Numerical Integration, IV.4).
 
 A cable that becomes taut stops its ends at once. A method of order 4 loses its order if it steps
 across such an impact, so the step stops at the impact, as in time division.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -107,8 +109,8 @@ class SmoothNet(Net):
         """Return the accelerations, the directions of the links, and the factors of the equations.
 
         The pulls accelerate the ends of each active link so that it keeps its length. If
-        ``chooses`` is True, as in the first stage, the links at their limit that pull become the
-        active links.
+        ``chooses`` is True, as in the first stage, first choose the active links: the links that
+        are at their limit and pull.
         """
         count, rows = self.count, self.rows
         rates = self._free_rates(places, speeds, constant, forces, duration)
@@ -147,7 +149,7 @@ class SmoothNet(Net):
         forces: Forces | None,
         duration: float,
     ) -> list[float]:
-        """Return the accelerations by all forces except the pulls. Immovable ends have none."""
+        """Return the accelerations from all forces except the pulls, and 0 for immovable ends."""
         if forces:
             self.write(places, speeds)
             forces(duration)
@@ -213,8 +215,8 @@ class SmoothNet(Net):
     ) -> None:
         """Restore the lengths of the active links, and stop motion that would change them.
 
-        The links in ``hit`` have just become taut. Their impact stops their ends without a bounce,
-        and it may release other cables.
+        The links in ``hit`` have just become taut. This impact stops the ends of the links without
+        a bounce, and may release other cables.
         """
         _, factors = solved
         for _ in range(CORRECTIONS):
@@ -249,8 +251,9 @@ def hermite(
     """Return positions within a step, from the positions and velocities at its two ends.
 
     ``share`` is the elapsed fraction of the step, and ``duration`` is its length in s. ``old`` and
-    ``new`` are the positions at the start and the end. ``fast`` and ``later`` are the velocities
-    there. The cubic curve through them has an error of order 4, like the step itself.
+    ``new`` are the positions at the start and the end. ``fast`` and ``later`` are the velocities at
+    the start and the end. The cubic curve through them has an error of order 4, like the step
+    itself.
     """
     s, left = share, 1.0 - share
     p, q = left * left * (1.0 + 2.0 * s), s * s * (3.0 - 2.0 * s)
@@ -266,7 +269,7 @@ def _moved(places: Sequence[float], speeds: Sequence[float], time: float) -> lis
 
 
 def _mean(start: Sequence[float], sixth: float, *rates: Sequence[float]) -> list[float]:
-    """Return ``start`` changed by the weighted mean of four ``rates`` times the duration.
+    """Return ``start`` plus the weighted mean of four ``rates``, multiplied by the duration.
 
     ``sixth`` is a sixth of the duration in s.
     """

@@ -31,11 +31,11 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 class Bond:
     """A soft spring between two particles that has an elastic limit, can break, and can heal.
 
-    Up to the length ``limit`` the bond is an ordinary spring with a ``stiffness`` in N/m. Beyond
-    the limit it is softer, because the length beyond it pulls with only the fraction ``share`` of
-    the stiffness, as in exercise 6.1. If the bond gets longer than ``break_length``, it breaks and
-    exerts no force until it heals. It heals when the distance between its ends is ``rest_length``
-    or less. ``holds`` is False while the bond is broken.
+    Up to the length ``limit`` the bond is an ordinary spring with a ``stiffness`` in N/m. The part
+    of its length beyond the limit pulls with only the fraction ``share`` of the stiffness, as in
+    exercise 6.1. If the bond gets longer than ``break_length``, it breaks and exerts no force until
+    it heals. It heals when the distance between its ends is ``rest_length`` or less. ``holds`` is
+    False while the bond is broken.
 
     All lengths are in m. Register the bond for both particles, because each call of
     ``update_force`` pulls on one end only.
@@ -69,7 +69,7 @@ class Bond:
         """Break or heal the bond if necessary, and pull on ``particle`` if the bond is intact.
 
         The registry calls this method once for each end. Check the length before you compute the
-        force, so that a bond that breaks or heals does so for both ends in the same step.
+        force, so that the bond breaks or heals for both ends in the same step.
         """
         raise NotImplementedError("Exercise B8.8: Bonds that break and heal")
 
@@ -90,11 +90,11 @@ class Blob:
     """A blob of particles, joined by bonds, that falls to the ground.
 
     ``world`` simulates the blob, which consists of ``particles`` and ``bonds``. The blob is flat,
-    so all particles start at z = 0. Its middle starts ``height`` m above the ground. A bond joins
-    every two particles. If ``cables`` is True, a cable also joins them. It is as long as the bond's
-    ``break_length``, so it keeps the bond from breaking.
+    so all particles start at z = 0. Its middle starts ``height`` m above the ground. Every two
+    particles are joined by a bond. If ``cables`` is True, they are also joined by a cable as long
+    as the bond's ``break_length``, which keeps the bond from breaking.
 
-    Set ``push`` to a force in N to push the blob. It acts on each particle in every step.
+    ``push`` is a force in N that acts on each particle in every step. Set it to push the blob.
 
     Raises:
         ValueError: if the height is not finite, or is less than ``RADIUS``. The blob would then
@@ -127,7 +127,7 @@ class Blob:
     def step(self, duration: float) -> None:
         """Advance the blob by one time step, in which the force ``push`` acts on every particle.
 
-        ``duration`` is in s. If the push is not finite, ``add_force`` raises its usual error.
+        ``duration`` is in s. A push that is not finite is rejected by ``add_force``.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

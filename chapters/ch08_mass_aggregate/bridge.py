@@ -23,13 +23,13 @@ ITERATIONS = 200
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
     """Create the rods and cables that hold the ``rows`` of planks of a rope bridge together.
 
-    Call this function while the planks are at their start positions, on which the anchors depend.
-    It returns these links:
+    The planks must be at their start positions, because the positions of the anchors depend on
+    them. The result is a list of these links:
 
     - A Rod of length ``WIDTH`` joins the two ends of each row.
     - A Cable of ``CABLE_LENGTH`` joins each end to the end on the same side of the next row.
-    - An AnchoredCable of ``support_length(row number)`` joins each end to its anchor,
-      ``anchor_of(end)``.
+    - An AnchoredCable joins each end to its anchor, ``anchor_of(end)``. Its length is
+      ``support_length(row)``, where ``row`` is the index of the row.
 
     All cables have a restitution of 0.
     """
@@ -61,11 +61,10 @@ class Deck:
     def nearest(self) -> tuple[int, float] | None:
         """Find the row of planks nearest to the ball, and the height of the deck below the ball.
 
-        The result is the index of the row and the height in m. Treat each row as a point, the
-        midpoint of its two ends. The nearest row is the one whose midpoint is nearest along X. The
-        deck is a line of straight segments that connect these midpoints. It continues at the same
-        height before the first row and after the last one. The returned height is the height of the
-        deck directly below the ball.
+        The result is the index of the row, and the height in m directly below the ball. Treat each
+        row as a point, the midpoint of its two ends. The nearest row is the one whose midpoint is
+        nearest along X. The deck is a line of straight segments that connect these midpoints. It
+        continues at the same height before the first row and after the last one.
 
         If two rows are equally near, return the first one. Return None if the ball is more than
         half a ``SPACING`` beyond the first or last row.

@@ -1,4 +1,4 @@
-"""A cube made of rods: how many rods make it rigid, and which ones? (Mini-project 8.2.)
+"""Find out how many rods make a cube rigid, and which ones (mini-project 8.2).
 
 With too few rods, or with rods between the wrong corners, the cube can change its shape.
 """
@@ -45,8 +45,8 @@ def cube_rods() -> list[tuple[int, int]]:
     """Choose rods that make the cube rigid, and return them as pairs of corners.
 
     A pair contains two indices into ``CORNERS``. Any set of rods is accepted if it lets the cube
-    move and rotate only as a whole. You need at least ``fewest_rods(8)`` rods, but the number alone
-    is not enough, because the rods must also join the right corners. Mini-project 8.2.
+    move and rotate only as a whole. You need at least ``fewest_rods(8)`` rods, and they must also
+    join the right corners. Mini-project 8.2.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 
@@ -56,7 +56,7 @@ class Cube:
 
     ``world`` simulates the ``particles``, which are the corners. The cube starts at rest and
     slightly rotated, with its lowest corner ``height`` m above the ground. ``rods`` is a list of
-    pairs of corner indices. If it is None, the cube uses ``cube_rods()``.
+    pairs of corner indices, or None to use ``cube_rods()``.
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.

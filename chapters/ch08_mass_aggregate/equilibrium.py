@@ -1,14 +1,16 @@
-"""Going further, complete: find the positions at which a world is at rest, without stepping it.
+"""Going further: find the positions at which a world is at rest, without stepping it.
 
 At rest, all forces on a particle add up to zero. They are its weight, the forces of the registry,
 and the pulls of the rods and cables that hold it. In addition, these rods and cables must have the
-right lengths. Newton's method solves all of these equations together. The search also finds out
-which cables are taut, with an active set. A cable that would have to push becomes slack, and a
-cable that would get too long becomes taut.
+right lengths. Newton's method solves all these equations together. The search also finds out which
+cables are taut, with an active set. A cable that would have to push becomes slack, and a cable that
+would get too long becomes taut.
 
 Far from rest, a step of Newton's method can be much too large. So the particles get some inertia,
 as in a step of backward Euler. They resist each move with a force of m / t^2 N per m. The time t
 doubles from step to step, until the inertia has no effect any more.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -61,7 +63,7 @@ class Hold:
             self.excess = 0.5 * (x * x + y * y + z * z - self.length * self.length)
 
     def change(self, moves: Mapping[Any, Triple]) -> float:
-        """Return how much the excess length changes if the ends make ``moves``, to first order."""
+        """Return the first-order change of the excess length if the ends are moved by ``moves``."""
         x, y, z = self.direction
         ax, ay, az = moves.get(self.a, STILL)
         bx, by, bz = moves.get(self.b, STILL)
@@ -69,7 +71,7 @@ class Hold:
 
 
 class Balance:
-    """The equations that hold in a world at rest, and a step of Newton's method to solve them."""
+    """The equations for a world at rest, and a step of Newton's method to solve them."""
 
     def __init__(self, world: ParticleWorld) -> None:
         self.world = world
@@ -154,13 +156,13 @@ class Balance:
 
     @staticmethod
     def is_wrong(hold: Hold, moves: Mapping[Any, Triple]) -> bool:
-        """Return True if a taut hold would have to push, or a slack one would get too long."""
+        """Return True if a taut Hold would have to push, or a slack Hold would get too long."""
         if hold.is_active:
             return hold.pull * hold.kind < 0.0
         return (hold.excess + hold.change(moves)) * hold.kind > EXACT * hold.length**2
 
     def find_slopes(self) -> dict[tuple[int, int], float]:
-        """Return how much each component of a force changes per m of each coordinate."""
+        """Return the derivative of each component of a force with respect to each coordinate."""
         slopes: dict[tuple[int, int], float] = {}
         if not self.has_forces:
             return slopes
@@ -219,7 +221,7 @@ class Balance:
         return {p: (found[i], found[i + 1], found[i + 2]) for p, i in self.number.items()}
 
     def equations(self, slopes: Mapping[tuple[int, int], float]) -> Elimination:
-        """Return the positions of the nonzero coefficients. They change only if the holds do."""
+        """Return a solver for the equations. Create a new one only if their structure changed."""
         shape = [(h.a, h.b) for h in self.holds], [*slopes]
         if self.shape != shape:
             count = len(self.forces)

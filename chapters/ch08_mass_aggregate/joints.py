@@ -4,7 +4,7 @@ Two particles are connected if they touch, or if the force on one of them depend
 find such pairs, this file reads the attributes of contacts and force generators. A contact stores
 its two particles in attributes. A force generator must likewise store the particles on which its
 force depends in public attributes. The generators of chapters 6 and 8 already do so, because they
-store each of these particles under the name of its argument.
+store every argument of this kind under its own name.
 """
 
 from __future__ import annotations
@@ -55,8 +55,8 @@ def partners(generator: object) -> list[Particle]:
 
     If you write a generator whose force depends on other particles, give it one of these
     attributes. If it stores the particles in some other way, give it a property called
-    ``particles``. A generator without such an attribute joins nothing. A particle that it pushes
-    then sleeps independently of other particles, and wakes when the push changes.
+    ``particles``. A generator without such an attribute joins nothing. The particles that it pushes
+    then sleep independently of each other, and wake when the push changes.
     """
     found: list[Particle] = []
     for name in PARTNERS:

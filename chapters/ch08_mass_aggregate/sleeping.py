@@ -28,10 +28,11 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """A record of a sleeping particle, which tells the world when and how to wake it.
+    """A record of a sleeping particle, with the data that the world needs to wake it.
 
-    The particle gets ``inverse_mass`` back when it wakes. ``place`` and ``acceleration`` show
-    whether it has been moved or is now pushed differently. The ``neighbors`` wake with it.
+    The particle gets ``inverse_mass`` back when it wakes. ``place`` is the position at which it
+    fell asleep, and ``acceleration`` is the acceleration that it had there. If either has changed
+    since then, the particle must wake. Its ``neighbors`` wake with it.
     """
 
     inverse_mass: float  # 1/kg
@@ -47,11 +48,11 @@ class SleepingWorld(ParticleWorld):
     ``sleep_energy``, in J/kg. After ``sleep_frames`` slow steps in a row the particle is tired, and
     when all particles of a group are tired, the group falls asleep. A sleeping particle has no
     velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each sleeping particle to its
-    Sleep.
+    ``Sleep`` record.
 
-    The world cannot notice every change. Call ``wake`` for a sleeping particle yourself before you
-    make it immovable, or join something new to it. Also do so before you move the ground or an
-    anchor that supports it.
+    The world cannot detect every change. Call ``wake`` yourself before you make a sleeping particle
+    immovable or join something new to it. Also call it before you move the ground or an anchor that
+    supports the particle.
 
     Raises:
         ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than
@@ -91,9 +92,8 @@ class SleepingWorld(ParticleWorld):
     def wake_moved(self) -> None:
         """Wake every sleeping particle that was changed by hand since it fell asleep.
 
-        If nobody changes a sleeping particle, it keeps its position and its infinite mass, it has
-        no velocity, and its accumulator contains no force. Wake it if any of these conditions no
-        longer holds.
+        A sleeping particle keeps its position and its infinite mass, has no velocity, and has no
+        force in its accumulator. Wake the particle if any of this is no longer true.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -116,7 +116,7 @@ class SleepingWorld(ParticleWorld):
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
         """Wake every sleeping particle that is in contact with a particle that can move.
 
-        The result is True if any particle woke, because the contacts must then be found again.
+        Return True if any particle woke, because the caller must then find the contacts again.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -129,9 +129,9 @@ class SleepingWorld(ParticleWorld):
         they never sleep.
 
         A particle is tired if its last ``sleep_frames`` steps were all slow. A group falls asleep
-        when all of its particles are tired, because a particle that still moves would soon push the
-        sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its ``velocity``
-        and ``inverse_mass`` to 0.
+        only when all of its particles are tired. Otherwise a particle that still moves would soon
+        push the sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its
+        ``velocity`` and ``inverse_mass`` to 0.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

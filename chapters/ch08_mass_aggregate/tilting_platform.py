@@ -80,8 +80,9 @@ class TiltingPlatform:
 
         Give each of the pivot's two particles the mass ``MASS``. A rod must now keep them the same
         distance apart, because they are no longer immovable. If no rod joins them yet, add one to
-        ``self.rods`` and to the contact generators of the world. The ground has no friction. This
-        method is called only once. Mini-project 8.1.
+        ``self.rods`` and to the contact generators of the world. The pivot can then slide, because
+        the ground has no friction. You may assume that this method is called only once.
+        Mini-project 8.1.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 
@@ -90,9 +91,9 @@ class TiltingPlatform:
 
         ``x`` is the position along the platform in m, from ``LEFT`` to ``RIGHT``. There is no
         particle at this position, so the two ends of the platform carry the weight. Divide the mass
-        between the ends so that their torque about the pivot equals the torque of the weight at
-        ``x``. Since each end consists of two particles, each of them carries half of the mass at
-        its end, in addition to its own ``MASS``.
+        between the ends so that the torque about the pivot is the same as with the weight at ``x``.
+        Each end consists of two particles. Each of these carries half of the mass at its end, in
+        addition to its own ``MASS``.
 
         Raises:
             ValueError: if the mass is negative or not finite, or x is not between the ends. In that

@@ -44,8 +44,8 @@ class RimDrive:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Push ``particle`` around the hub, in the X-Y plane and at a right angle to its spoke.
 
-        A positive force rotates the wheel counter-clockwise. The force is the same at every
-        distance from the hub. Only a particle at the hub's position gets no force, because the
+        A positive force rotates the wheel counter-clockwise. The force does not depend on the
+        distance from the hub. However, a particle at the hub's position gets no force, because the
         direction would be undefined there.
         """
         raise NotImplementedError("Exercise 8.3b: Drive the rim")

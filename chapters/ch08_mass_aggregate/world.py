@@ -21,11 +21,11 @@ class ParticleWorld:
 
     ``particles`` and ``contact_generators`` are copied into new lists, to which you may add later.
     A particle may be listed only once. ``registry`` is a ForceRegistry that starts empty, and
-    ``integrator`` can be any integrator of chapter 6. ``resolver`` is a ContactResolver that gets
-    the argument ``iterations``.
+    ``integrator`` can be any integrator of chapter 6. ``resolver`` is a ContactResolver, to which
+    ``iterations`` is passed.
 
-    A step can have any number of contacts. The book's world silently ignores all contacts beyond a
-    fixed limit.
+    A step can have any number of contacts. In the book's world this number has a limit, and all
+    contacts beyond it are silently ignored.
 
     Raises:
         ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.
@@ -103,8 +103,8 @@ def mechanical_energy(particles: Iterable[Particle]) -> float:
     """Add up the kinetic and potential energy of the particles, in J, to check a simulation.
 
     The result is the sum of m v^2 / 2 - m a . p, where a is the particle's own acceleration and p
-    is its position. For a = (0, -g, 0) this is m v^2 / 2 + m g y. The forces of generators do not
-    contribute, and neither do immovable particles. The energy should stay constant as long as there
-    is no damping and no generator adds a force.
+    is its position. For a = (0, -g, 0) this is m v^2 / 2 + m g y. Springs and other generators do
+    not contribute, and neither do immovable particles. The energy should stay constant as long as
+    there is no damping and no generator adds a force.
     """
     raise NotImplementedError("Exercise B8.1: Mechanical energy")

@@ -1,10 +1,12 @@
-"""Going further, complete: a box that rotates freely, with its inertia tensor.
+"""Going further: a box that rotates freely, with its inertia tensor.
 
 No torque acts on the box, so its angular momentum is constant, but its angular velocity is not.
 Like every body, the box has three principal axes, and a moment of inertia about each of them. A
 rotation about the axis of the largest or the smallest moment is stable, but a rotation about the
 third axis is not. After the smallest disturbance the body flips over again and again, like a book
 that you throw into the air.
+
+This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations
@@ -56,7 +58,7 @@ class FreeBox:
         return 0.5 * spin.dot(self.inertia.component_product(spin))
 
     def step(self, duration: float) -> None:
-        """Make one time step. ``duration`` is in s.
+        """Rotate the box by one time step of ``duration`` s.
 
         The rotation is split into five rotations, each about one principal axis. Each of the five
         can be computed exactly, because a rotation about a principal axis does not change the

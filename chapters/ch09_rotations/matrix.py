@@ -42,7 +42,7 @@ class Matrix4:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Test whether all numbers of two matrices are exactly equal."""
+        """Return True if all numbers of the two matrices are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
@@ -57,7 +57,7 @@ class Matrix4:
     @overload
     def __matmul__(self, other: Matrix4) -> Matrix4: ...
     def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
-        """Let ``m @ v`` return ``m.transform(v)``, and let ``a @ b`` return ``a.product(b)``."""
+        """Return ``transform(other)`` for a vector, or ``product(other)`` for a matrix."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
@@ -70,14 +70,14 @@ class Matrix4:
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Multiply two matrices: the new matrix ``self @ m`` transforms a point by ``m`` first.
+        """Return the product ``self @ m``, a new matrix that applies ``m`` first.
 
         Book: section 9.4.2.
         """
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def determinant(self) -> float:
-        """Compute the determinant of the 3x3 part, which says how much it enlarges volumes.
+        """Compute the determinant of the 3x3 part, the factor by which it enlarges volumes.
 
         It is negative for a reflection. The book's listing has a wrong sign (erratum E-28).
         """
@@ -140,8 +140,8 @@ def change_basis(m: M, basis: M) -> M:
     """Convert the matrix ``m`` to other axes, and return the product basis * m * basis^-1.
 
     ``m`` works on coordinates in the old axes, and ``basis`` converts these coordinates to the new
-    axes. The result does the same as ``m`` for coordinates in the new axes: it converts them to the
-    old axes, applies ``m``, and converts back.
+    axes. The result has the same effect as ``m``, but on coordinates in the new axes. It converts
+    them to the old axes, applies ``m``, and converts the result back.
 
     Raises:
         ValueError: if ``basis`` has no inverse.

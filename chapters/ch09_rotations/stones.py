@@ -17,11 +17,11 @@ COLUMNS = ("what", "mass", "x", "y")
 
 
 def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
-    """Read a file and return its stones in the order of its lines, without empty lines.
+    """Read a file and return its stones in the order of the lines, ignoring empty lines.
 
     Raises:
-        ValueError: if the first line is not the heading, or a line is not a name, a mass and a
-            position. The message names the line.
+        ValueError: if the first line is not the heading, or a line does not contain a name, a mass
+            and a position. The message gives the number of the line.
     """
     stones = []
     with path.open(encoding="utf-8-sig", newline="") as file:

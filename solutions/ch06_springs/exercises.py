@@ -1,8 +1,8 @@
 """Measure how stiff a spring may be before its oscillations grow (exercise 6.5).
 
 A spring that is too stiff for the time step makes a simulation explode. These functions find the
-largest stable stiffness by experiment. They simulate a particle on a spring, and check whether it
-swings farther and farther.
+largest stable stiffness by experiment. They simulate a particle on a spring, and check whether its
+oscillations grow.
 """
 
 from __future__ import annotations
@@ -23,15 +23,15 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
-    """Exercise 6.5: simulate a particle on a spring, and find out whether its oscillations grow.
+    """Exercise 6.5: return True if the oscillations of a particle on a spring grow.
 
-    The result is True if they grow, which means that the spring is too stiff for the integrator.
-    Oscillations of constant amplitude do not count as growing.
+    If they grow, the spring is too stiff for the integrator. Oscillations of constant amplitude do
+    not count as growing.
 
-    Simulate a particle with a mass of 1 kg and the given ``damping``, without gravity. Release it
-    at rest, ``START`` m away from an anchor. A spring with a rest length of 0 and the given
-    ``stiffness`` in N/m pulls it toward this anchor. Let the integrator make ``FRAMES`` steps of
-    ``duration`` s each.
+    Simulate a particle with a mass of 1 kg and the given ``damping``, without gravity. A spring
+    with a rest length of 0 and the given ``stiffness`` in N/m pulls the particle toward an anchor.
+    Release the particle at rest, ``START`` m away from the anchor. Let the integrator make
+    ``FRAMES`` steps of ``duration`` s each.
 
     The answer must be correct if the stiffness differs from the limit by at least 1 % and an
     oscillation takes at most FRAMES / 6 steps. The only exception is a particle without damping
@@ -71,8 +71,8 @@ def largest_stable_stiffness(integrator: Integrator, damping: float, duration: f
     return 0 or almost 0. If even the stiffest spring is stable, return STIFFEST / h^2.
 
     The result must be within 1 % of the true limit for a damping from 0.3 to 0.9 and a duration
-    from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required. The oscillations
-    of the book's step then grow so slowly that the growth cannot be seen within ``FRAMES`` steps.
+    from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required. With the book's
+    integrator, the oscillations then grow so slowly that ``FRAMES`` steps do not show the growth.
 
     Raises:
         ValueError: if the damping is negative, the duration is not positive, or one of them is not

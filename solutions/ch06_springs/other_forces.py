@@ -49,8 +49,7 @@ class Buoyancy:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add an upward force that equals the weight of the displaced water.
 
-        The body displaces a volume of water equal to the volume of its part below the surface. So
-        the force is rho V g times the fraction of the body that is under water. Here rho is
+        The force is rho V g times the fraction of the body that is under water. Here rho is
         ``liquid_density``, V is ``volume`` and g is ``gravity``. The fraction is (y_w + s - y) / (2
         s), limited to the range from 0 to 1. In this formula s is ``max_depth``, y_w is the height
         of the water surface and y is the height of the particle.
@@ -67,9 +66,9 @@ class Buoyancy:
 class LighterThanAir:
     """Exercise 6.2: the lift of a balloon, which decreases with height as the air gets thinner.
 
-    At a height of y, the lift is F e^(-y / H). F is ``max_lift`` in N, which is the lift at ground
-    level, where y is 0. H is ``scale_height`` in m: each time the balloon rises by this height, its
-    lift is divided by e. Below the ground the lift stays at ``max_lift``.
+    At the height y, the lift is F e^(-y / H). Here F is ``max_lift`` in N, the lift at ground level
+    (y = 0). H is ``scale_height`` in m. Each time the balloon rises by this height, its lift is
+    divided by e. Below the ground the lift stays at ``max_lift``.
 
     Raises:
         ValueError: if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them is
@@ -81,7 +80,7 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: push the balloon up with the lift that it has at its current height."""
+        """Exercise 6.2: add the lift at the balloon's current height."""
         height = max(particle.position.y, 0.0)
         lift = self.max_lift * math.exp(-height / self.scale_height)
         particle.add_force(Vector3(0.0, lift, 0.0))
@@ -90,10 +89,9 @@ class LighterThanAir:
 class Overcrowding:
     """Exercise 6.3: a force that pushes crowded particles apart, like a compressed spring.
 
-    ``particles`` is the list of all particles in the crowd, and may also contain the particle that
-    is pushed. The generator does not copy this list, so particles that you add to it later also
-    belong to the crowd. Two particles are too close if they are less than ``distance`` m apart.
-    ``stiffness`` is in N/m.
+    ``particles`` is the list of all particles in the crowd, and may include the particle that is
+    pushed. The list is not copied, so you can add particles to the crowd later. Two particles are
+    too close if they are less than ``distance`` m apart. ``stiffness`` is in N/m.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -108,9 +106,9 @@ class Overcrowding:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.3: push ``particle`` away from every other particle that is too close.
 
-        If another particle is at a distance l, and l is less than ``distance``, it pushes with a
-        force of k (``distance`` - l). Here k is ``stiffness``. A particle at exactly the same
-        position exerts no force, because the direction of the push would be undefined.
+        Let l be the distance to another particle. If l is less than ``distance``, that particle
+        pushes with the force k (``distance`` - l), where k is ``stiffness``. A particle at exactly
+        the same position does not push, because the direction would be undefined.
         """
         for other in self.particles:
             away = particle.position - other.position
@@ -122,10 +120,10 @@ class Overcrowding:
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    A bullet that steers toward the current position of a moving target always arrives behind it. So
+    A bullet that steers toward the current position of a moving target always lags behind. So
     compute where the bullet and the target will be after ``look_ahead`` s if they keep their
     current velocities. The force on the bullet is the pull of a spring between these two positions.
-    Its rest length is 0, and its ``stiffness`` is in N/m.
+    The spring has a rest length of 0 and the given ``stiffness`` in N/m.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:

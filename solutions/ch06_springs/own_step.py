@@ -1,7 +1,7 @@
-"""Your own integrator, which should be accurate with only a few force evaluations per step.
+"""Write your own integrator that is accurate with only a few force evaluations per step.
 
-An evaluation computes all forces once, and is the most expensive part of a time step. A step can
-use more evaluations to be more accurate, so every integrator is a compromise, and the best
+Each evaluation computes all forces, which is the most expensive part of a time step. An integrator
+that evaluates the forces more often can be more accurate, but it is also slower. The best
 compromise depends on the scene. In this exercise the scene is an orbit.
 """
 
@@ -14,15 +14,15 @@ from ch06_springs.integrators import ApplyForces
 
 
 def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Move ``particles`` by one time step with an integrator that you design yourself.
+    """Move ``particles`` by one time step, with a method that you design yourself.
 
     ``duration`` is in s, and you may divide it into as many parts as you like. Each call of
     ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators. So clear the
-    accumulators before you call it again, and also at the end of the step. Remember that a
-    particle's own acceleration acts in addition to the forces.
+    accumulators before the next call, and also at the end of the step. Remember that a particle's
+    own acceleration acts in addition to the forces.
 
     Your method is graded on one revolution of an orbit with an eccentricity of 0.5. The revolution
-    takes 60 frames, and your step is called once per frame. The grade depends on the number of
+    takes 60 frames, and ``my_step`` is called once per frame. The grade depends on the number of
     evaluations and on the error. The error is the largest distance from the true position after any
     frame, in units of the semi-major axis. With at most 500 evaluations, an error of 1e-3 is good
     and 1e-4 is better. The run is stopped after 5000 evaluations.

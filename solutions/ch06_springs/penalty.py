@@ -15,12 +15,12 @@ class PenaltyGround:
 
     ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m.
 
-    No stiffness k works well. Soft ground is like a sponge, because a body of mass m at rest on it
-    sinks in by m g / k. Hard ground has a different problem. It begins to push only after a step
-    has ended below the ground. It then pushes for the whole next step, which may be too long.
-    Without damping, a body can therefore bounce higher than the height from which it fell. To avoid
-    this, k h^2 / m must be far below 1, where h is the length of a step in s. If k h^2 / m is above
-    4, the ground even throws bodies that rest on it.
+    No stiffness k works well. If the ground is soft, a body of mass m that rests on it sinks in by
+    m g / k. If the ground is hard, it pushes for too long. It starts to push only after a step has
+    ended below the ground, and then it pushes for the whole next step. Without damping, a body can
+    therefore bounce higher than the height from which it fell. To avoid this, k h^2 / m must be far
+    below 1, where h is the length of a step in s. If k h^2 / m is above 4, the ground even throws
+    bodies that rest on it.
 
     Raises:
         ValueError: if the height is not finite, or another argument is negative or not finite.
@@ -35,8 +35,8 @@ class PenaltyGround:
         """Push a particle upward if it is below the ground, with the force k depth - c v_y.
 
         Here k is ``stiffness``, c is ``damping``, and v_y is the upward velocity of the particle.
-        Add the force only if it is positive. On a particle that is already moving out of the
-        ground, the damping reduces the push, but the ground must not pull it back.
+        Add the force only if it is positive. The damping reduces the push on a particle that is
+        already moving out of the ground, but the ground must not pull this particle back.
         """
         depth = self.height - particle.position.y
         if depth > 0.0:

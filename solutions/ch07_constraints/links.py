@@ -1,8 +1,8 @@
 """Links that limit the distance between two particles, or a particle and an anchor.
 
-Cables and rods are links. A link is a contact generator. While its length is within its limits, it
-generates no contact. As soon as the length reaches or passes a limit, ``contacts()`` returns a
-contact, and resolving this contact brings the length back to the limit.
+Cables and rods are links. A link is a contact generator. It generates no contact while its length
+is within its limits. When the length reaches or passes a limit, ``contacts()`` returns a contact.
+Resolving this contact brings the length back to the limit.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
 outside 0 to 1 and anything that is not finite. They raise TypeError for an argument of the wrong
@@ -77,7 +77,7 @@ class Rod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
+        """Return a contact if the rod is too short or too long, and an empty list if it is not.
 
         In the contact, ``particle`` is ``a`` and ``other`` is ``b``. If the rod is too long, it
         pulls, so the normal points from ``a`` to ``b``. If it is too short, it pushes, so the
@@ -101,10 +101,10 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is shorter or longer than ``length``, and none otherwise.
+        """Return a contact if the rod is too short or too long, and an empty list if it is not.
 
-        The contact is the same as for ``Rod``, except that the anchor takes the place of the second
-        particle and ``other`` is None.
+        The contact is the same as for ``Rod``, except that ``other`` is None and the anchor takes
+        the place of the second particle.
         """
         return _of_rod(self, self.particle, None, self.anchor)
 
@@ -139,8 +139,8 @@ class Limits:
         If the distance is ``max_length`` or more, the contact is like the contact of a Cable. If it
         is ``min_length`` or less, the contact pushes: its normal points away from ``b``, and its
         penetration is ``min_length`` minus the distance. If both limits are reached, return both
-        contacts in this order. Each contact has the link's restitution. If both ends are at the
-        same position, use +Y as the direction from ``a`` to ``b``.
+        contacts, in this order. Each contact has the restitution of the link. If both ends are at
+        the same position, use +Y as the direction from ``a`` to ``b``.
         """
         offset = self.b.position - self.a.position
         length = offset.magnitude()
@@ -159,8 +159,8 @@ class TwoSidedRod(Rod):
     """G7.1: a rod with two contacts in every step, one that pulls and one that pushes.
 
     A ``Rod`` gets a contact only if its length is wrong at the start of a step. If its ends move
-    apart later in the step, nothing stops them until the next one. Such delays add up in a chain:
-    correcting one rod stretches the next, which gets its contact only in the next step. A pull
+    apart later in the step, nothing stops them until the next step. Such delays add up in a chain,
+    because correcting one rod stretches the next, which gets its contact one step later. A pull
     then travels about one rod per step, however many iterations there are. With two contacts per
     rod, there is no delay.
     """

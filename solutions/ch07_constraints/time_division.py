@@ -1,11 +1,11 @@
-"""Time division: a time step that stops at each impact, so that each one is resolved on time.
+"""Time division: a time step that stops at each impact to resolve it at the right moment.
 
 An ordinary step finds a collision only after the bodies overlap. Time division instead predicts
 when the next impact happens, moves all particles to that moment, resolves the impact, and continues
-from there. Between impacts, every particle moves exactly as its constant acceleration requires. The
-motion is therefore exact as long as bodies only fly and bounce, as in billiards. The price is that
-the cost grows with the number of impacts, and a body at rest has endless impacts. So use a resolver
-for resting bodies. Book: section 7.3.
+from there. Between impacts, every particle moves with a constant acceleration, for which the motion
+is exact. The results are therefore exact as long as bodies only fly and bounce, as in billiards.
+However, the cost grows with the number of impacts, and a body at rest has endless impacts. So use a
+resolver for resting bodies. Book: section 7.3.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from ch07_constraints.detectors import Detector
 class TooManyImpacts(ArithmeticError):  # noqa: N818
     """Raised when a step has more impacts than allowed, for example if a body has come to rest.
 
-    ``impacts`` is the number of impacts that were resolved. ``contact`` is the contact of the next
-    impact, and ``time`` is the time of this impact in s since the start of the step.
+    ``impacts`` is the number of impacts that were resolved. ``contact`` belongs to the next impact,
+    and ``time`` is the time of that impact in s, counted from the start of the step.
     """
 
     def __init__(self, impacts: int, time: float, contact: Contact) -> None:
@@ -42,9 +42,9 @@ def time_division_step(
     ``duration`` is in s. ``particles`` contains every particle of the detector exactly once.
 
     The acceleration of a particle is constant during the step. It is the particle's own
-    acceleration plus f / m, where f is the sum of the forces added before the step. The step uses
-    up these forces, as ``Particle.integrate`` does. Do this before you look for impacts, because
-    detectors read the acceleration from ``last_acceleration``.
+    acceleration plus f / m, where f is the sum of the forces added before the step. Clear these
+    forces, as ``Particle.integrate`` does. Store the acceleration in ``last_acceleration`` before
+    you look for impacts, because detectors read it from there.
 
     Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
     in the rest of the step, resolve the velocity of its contact with a duration of 0. Do not
@@ -53,8 +53,8 @@ def time_division_step(
     Immovable particles do not move.
 
     Impacts at the same time are resolved one after the other, in the order in which the detector
-    finds them. A ball that hits a row of touching balls therefore passes its motion on to the last
-    ball. If two balls hit a third ball from both sides at once, the result depends on the order.
+    finds them. So if a ball hits a row of touching balls, its motion is passed on to the last ball.
+    If two balls hit a third ball from both sides at once, the result depends on the order.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.
@@ -85,10 +85,10 @@ def time_division_step(
 
 
 def _fly(particles: Sequence[Particle], time: float) -> None:
-    """Move all particles forward by ``time`` s, during which none of them hits anything.
+    """Move all particles forward by ``time`` s, during which there must be no impact.
 
-    They drift for half of the time with the old velocity, and for the other half with the new one.
-    On average they move with the mean of the two, which is exact for a constant acceleration.
+    Each particle moves with its old velocity for half the time, and with its new velocity for the
+    other half. This is exact, because the acceleration is constant.
     """
     for particle in particles:
         if particle.inverse_mass:

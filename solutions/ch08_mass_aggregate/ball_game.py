@@ -30,8 +30,8 @@ class Rules:
     """The rules of the bridge game, which keep the score and count the lives.
 
     ``rows`` is the number of rows of planks on the bridge, and ``visited`` is the set of rows on
-    which the ball has landed. This class knows nothing about particles. Instead, the game calls
-    ``landed`` or ``fell`` whenever the ball lands on a row or touches the ground.
+    which the ball has landed. The rules do not depend on the particles. The game calls ``landed``
+    whenever the ball lands on a row, and ``fell`` whenever it touches the ground.
 
     Raises:
         ValueError: if ``rows`` is less than 1.
@@ -127,7 +127,7 @@ class BallGame:
     def start_ball(self) -> None:
         """Place the ball at rest above the first row of the bridge.
 
-        Its x is the current x of the first row, and its height is ``HEIGHT + DROP``.
+        The ball's x is the current x of the first row, and its height is ``HEIGHT + DROP``.
         """
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()

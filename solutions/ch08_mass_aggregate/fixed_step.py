@@ -1,9 +1,9 @@
 """Run the simulation with a fixed time step at any frame rate, by accumulating the elapsed time.
 
 Frames do not all take the same time. One frame may take 5 ms, and the next one half a second
-because the disk is busy. A time step of half a second would let bodies pass through each other, or
-make the simulation explode. A fixed time step prevents this, and it gives the same results on every
-machine. Arguments of the wrong type raise TypeError.
+because the disk is busy. A time step of half a second could let bodies pass through each other, or
+make the simulation explode. A fixed time step prevents this, and also gives the same results on
+every machine. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -52,8 +52,8 @@ class FixedStep:
 
         Time that is too short for a whole step stays in ``left`` until the next call. Because of
         rounding errors, ``left`` can be slightly shorter than a step even though a step is due. So
-        make a step even if up to the fraction ``SHARE`` of its duration is missing. Sixty frames of
-        1/60 s then give exactly sixty steps.
+        make the step if at most the fraction ``SHARE`` of its duration is missing. Then sixty
+        frames of 1/60 s give exactly sixty steps of 1/60 s.
 
         If more than ``max_steps`` steps are due, skip the steps beyond the limit by moving their
         time from ``left`` to ``dropped``.

@@ -62,10 +62,10 @@ class Design:
 class Throw:
     """The result of a throw: its range, and the fraction of the energy that reached the projectile.
 
-    The range is in m, measured from the pivot. The share is a fraction, such as 0.4 for 40 %. It is
-    the kinetic and potential energy that the projectile gained, divided by the potential energy
-    that the counterweight lost. Both are measured from the start to the release. If the projectile
-    was never released, both numbers are 0.
+    ``range`` is in m, measured from the pivot. ``share`` is a fraction, such as 0.4 for 40 %. To
+    compute it, divide the kinetic and potential energy that the projectile gained by the potential
+    energy that the counterweight lost. Both energies are measured from the start to the release. If
+    the projectile was never released, ``range`` and ``share`` are 0.
     """
 
     range: float
@@ -76,9 +76,10 @@ def my_design() -> Design:
     """Return your own design of a trebuchet, which should throw far.
 
     The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
-    ``LONGEST_BEAM``. Your grade depends on the range and on the share of the energy that reaches
-    the projectile. A range of 60 m and a share of 40 % are good, and 80 m and 50 % are better. The
-    checks simulate the throw themselves, so only the numbers in your design count. Project 8.2b.
+    ``LONGEST_BEAM``. Your grade depends on the range and on the fraction of the energy that reaches
+    the projectile. A range of 60 m and a fraction of 40 % are good, and 80 m and 50 % are better.
+    The checks simulate the throw themselves, so only the numbers in your design count. Project
+    8.2b.
     """
     return Design(400.0, 0.8, 4.2, 3.0, 27.0)
 
@@ -117,12 +118,11 @@ class Trebuchet:
         return [TwoSidedRod(a, b, (b.position - a.position).magnitude()) for a, b in ends]
 
     def lets_go(self) -> bool:
-        """Decide whether the sling should release the projectile now.
+        """Return True if the sling should release the projectile now.
 
-        Release it when it flies forward, at the release angle or lower, and is above the pivot. The
-        second condition is necessary because the projectile also swings forward below the pivot
-        before the actual throw. Without that condition, the sling would release the projectile too
-        early.
+        The projectile must be above the pivot, and must fly forward at or below the release angle.
+        Before the actual throw, it also swings forward below the pivot. There it must not be
+        released.
         """
         velocity = self.projectile.velocity
         if velocity.x <= 0.0 or self.projectile.position.y <= PIVOT_HEIGHT:
@@ -143,7 +143,7 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Simulate a throw, and return its range and its share of the energy.
+        """Simulate the throw, and return the result as a ``Throw``.
 
         Make steps of ``STEP`` until the sling releases the projectile. From then on the projectile
         flies without drag until it reaches the ground, which is at a height of 0. The throw fails

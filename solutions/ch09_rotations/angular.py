@@ -18,9 +18,9 @@ def velocity_of_point(
 ) -> Vector3:
     """Compute the velocity of a point on an object that moves and rotates at the same time.
 
-    The object as a whole moves with ``velocity`` in m/s, and it also rotates about ``position`` in
-    m. ``point`` is the world position of the point in m. ``angular_velocity`` is in rad/s. The
-    result is a new vector in m/s.
+    The object moves with ``velocity`` in m/s, and rotates about ``position`` in m with
+    ``angular_velocity`` in rad/s. ``point`` is the world position of the point in m. The result is
+    a new vector in m/s.
 
     Raises:
         ValueError: if a component is not finite.
@@ -60,15 +60,14 @@ def integrate_rotation(
 
 
 def first_order_drift(angular_speed: float, duration: float, steps: int) -> tuple[float, float]:
-    """Measure how far off a steady rotation is when it is computed with Eq. 9.5.
+    """Measure the error of a steady rotation that is computed with Eq. 9.5.
 
     Rotate a unit quaternion about one axis at ``angular_speed`` in rad/s for ``duration`` in s.
     Make ``steps`` equal steps of ``Quaternion.add_scaled``, and never normalize the quaternion, so
     that the errors add up. The first result is the length of the quaternion at the end, which
-    should be 1. The second result is the angle in radians by which the rotation lags behind. It is
-    ``angular_speed`` times ``duration``, minus the angle by which the quaternion has really
-    rotated. For a negative speed, it is negative. Normalizing would correct the length (erratum
-    E-31), but not the angle.
+    should be 1. The second result is the angle in radians by which the rotation lags behind:
+    ``angular_speed`` times ``duration``, minus the actual angle of rotation. This angle is negative
+    for a negative speed. Normalizing would correct the length (erratum E-31), but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

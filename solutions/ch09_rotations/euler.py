@@ -61,9 +61,9 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
 
     Raises:
         ValueError: in gimbal lock, which means that |cos y| is at most ``SINGULAR`` of matrix3.py.
-            Check this yourself, because ``Matrix3.inverse`` does not notice it in every case. It
-            compares the determinant, which is cos y, with the lengths of the rows. At z = 0 one row
-            is just as short, so the ratio is not small.
+            Check this yourself, because ``Matrix3.inverse`` does not always detect gimbal lock. It
+            compares the determinant, which is cos y, with the product of the lengths of the rows.
+            At z = 0 this product is just as small, so the ratio is not small.
     """
     velocity = finite_vector("angular_velocity", angular_velocity)
     rates = rate_map(x, y, z)

@@ -23,10 +23,10 @@ _ON_THE_LINE = 1e-9
 def two_other_turns() -> tuple[float, float]:
     """Exercise 9.1: find two rotations that have the same effect as two others.
 
-    Rotate an object by 90 degrees about X and then by 90 degrees about Y. You get the same result
-    if you rotate it by an angle ``a`` about Z and then by an angle ``b`` about X. Return the tuple
-    (``a``, ``b``), with both angles in degrees, from -180 to 180. The axes are those of the world,
-    so they do not rotate with the object, and rotations are right-handed.
+    Rotate an object by 90 degrees about X and then by 90 degrees about Y. The result is the same if
+    you rotate the object by an angle ``a`` about Z and then by an angle ``b`` about X. Return the
+    tuple (``a``, ``b``), with both angles in degrees, from -180 to 180. The axes are those of the
+    world, so they do not rotate with the object, and rotations are right-handed.
     """
     return -90.0, 90.0
 
@@ -69,10 +69,10 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Quaternion:
-    """Exercise 9.4: rotate an orientation steadily about the world's X axis, in a single rotation.
+    """Exercise 9.4: rotate an orientation at a constant rate about the world's X axis.
 
-    The axis stays the same throughout, so you can make the whole turn in one rotation. ``rate`` is
-    in rad/s and may be negative, and ``duration`` is in s. The result is a new quaternion.
+    The axis never changes, so you can compute the result with a single rotation. ``rate`` is in
+    rad/s and may be negative, and ``duration`` is in s. The result is a new quaternion.
 
     Raises:
         ValueError: if the rate is not finite, or the duration is not positive and finite.
@@ -134,9 +134,9 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: invert a matrix of a rotation and a translation, without any division.
 
     The inverse of a rotation is its transpose, so transpose the 3x3 part. Then multiply the
-    translation by this transpose and negate it. The result is a new matrix. If the 3x3 part is not
-    a rotation, the result is wrong. Do not check this, because a check would cost most of the time
-    that this method saves.
+    translation by this transpose and negate it. The result is a new matrix. The result is wrong if
+    the 3x3 part is not a rotation. Do not check for this, because the check would cost most of the
+    time that this method saves.
     """
     if not isinstance(matrix, Matrix4):
         raise TypeError(f"matrix must be a Matrix4, got {matrix!r}")
@@ -181,10 +181,10 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
     """Exercise 9.7: add up the masses in kg to the left and to the right of the balance edge.
 
-    The edge is the one from ``balance_offset``. The book says that the two masses are equal
-    (erratum E-32). They need not be, because a small mass far from the edge balances a large mass
-    near it. A stone belongs to the side on which its center lies, or to neither side if its center
-    is within 1e-9 m of the edge.
+    ``balance_offset`` computes the position of the edge. The book says that the two masses are
+    equal (erratum E-32). They can differ, because a small mass far from the edge balances a large
+    mass near it. A stone belongs to the side on which its center lies, or to neither side if its
+    center is within 1e-9 m of the edge.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``balance_offset``.

@@ -46,7 +46,7 @@ class Matrix3:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Test whether all numbers of two matrices are exactly equal."""
+        """Return True if all numbers of the two matrices are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
@@ -61,7 +61,7 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Let ``m @ v`` return ``m.transform(v)``, and let ``a @ b`` return ``a.product(b)``."""
+        """Return ``transform(other)`` for a vector, or ``product(other)`` for a matrix."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
@@ -78,7 +78,7 @@ class Matrix3:
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Multiply two matrices: the new matrix ``self @ m`` transforms a vector by ``m`` first.
+        """Return the product ``self @ m``, a new matrix that applies ``m`` first.
 
         Book: section 9.4.2.
         """
@@ -101,7 +101,7 @@ class Matrix3:
         return Matrix3(a, d, g, b, e, h, c, f, i)
 
     def determinant(self) -> float:
-        """Compute the determinant, which says how much the matrix enlarges volumes.
+        """Compute the determinant, the factor by which the matrix enlarges volumes.
 
         It is negative for a reflection. Book: section 9.4.3.
         """
@@ -136,7 +136,7 @@ class Matrix3:
         return Matrix3(*(number for row in zip(*scaled, strict=True) for number in row))
 
     def is_rotation(self) -> bool:
-        """Test whether the matrix only rotates, without scaling, shear or reflection.
+        """Return True if the matrix only rotates, without scaling, shear or reflection.
 
         The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
         with itself must be 1, and its scalar product with each other row must be 0, both within

@@ -25,9 +25,9 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    The components are converted by float(). They may have any values, because the length is checked
-    only when the quaternion has to rotate something. Quaternion() is the reference orientation,
-    which rotates nothing.
+    The components are converted by float(). They may have any values. The length is checked only
+    when the quaternion has to rotate something. Quaternion() is the reference orientation, which
+    rotates nothing.
     """
 
     __slots__ = ("i", "j", "k", "r")
@@ -53,7 +53,7 @@ class Quaternion:
         yield self.k
 
     def __eq__(self, other: object) -> bool:
-        """Test whether all components are exactly equal.
+        """Return True if all components are exactly equal.
 
         The quaternions q and -q are therefore unequal, although they represent the same
         orientation.
@@ -74,7 +74,7 @@ class Quaternion:
         return math.hypot(self.r, self.i, self.j, self.k)
 
     def is_unit(self) -> bool:
-        """Test whether the length is 1 to within ``UNIT_TOLERANCE``, as an orientation requires.
+        """Return True if the length is 1 to within ``UNIT_TOLERANCE``, as an orientation requires.
 
         If a component is NaN, the result is False.
         """
@@ -104,7 +104,7 @@ class Quaternion:
         return Quaternion(self.r, -self.i, -self.j, -self.k)
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Multiply two quaternions: the new quaternion ``self * q`` rotates by q first.
+        """Return the product ``self * q``, a new quaternion that rotates by ``q`` first.
 
         Book: section 9.4.9.
         """

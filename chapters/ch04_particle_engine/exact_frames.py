@@ -1,9 +1,9 @@
-"""Compute the exact position of a particle in every frame of an animation (going further).
+"""Going further: compute the exact position of a particle in every frame of an animation.
 
 The exact solution contains three factors that depend only on the damping and the duration of a
 frame. If all frames are equally long, these factors need to be computed only once. After that, a
 frame takes only a few additions and multiplications of plain numbers. The only errors are rounding
-errors. This file is complete.
+errors. This file is complete, so there is nothing to fill in.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from pathlib import Path
 from matplotlib import pyplot
 
 from autograder.manifest import ROOT
-from autograder.text.wrapping import plain_console
+from autograder.text.wrapping import plain_console, print_wrapped
 from studies.drawing import BLUE, GRAY
 from studies.reason import shown
 from studies.timing import Line, Measurement, measure, timer, versus
@@ -50,7 +50,8 @@ def main(arguments: list[str]) -> int:
     )
     console.print("Time per frame with a part / without it (quartiles):")
     for line in lines:
-        console.print(f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}")
+        told = f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}"
+        print_wrapped(console, told, hanging=21)
     options.out.parent.mkdir(parents=True, exist_ok=True)
     draw(lines, options.out)
     with options.out.with_suffix(".csv").open("w", encoding="utf-8", newline="") as file:

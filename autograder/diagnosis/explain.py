@@ -54,9 +54,7 @@ def explain_exception(
     # If there is no call yet, the cause was not set for this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
     where = where and _with_source(where, engine_folders)
-    likely, other = _likely(fault.first_line, cause, fault)
-    if where and re.search(r"\braise\b", where.source) and cause:
-        likely, other = cause, ""  # the student's own error is no mistake in Python
+    likely, other = _likely(fault.first_line, cause, fault, where.source if where else "")
     return Message(
         called=short_numbers(about.call),
         got=fault.first_line,
@@ -120,15 +118,18 @@ def _unescaped(text: str) -> str:
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
-def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
+def _likely(text: str, cause: str, fault: Fault, line: str = "") -> tuple[str, str]:
     """Guess which mistake caused an exception in a student's code.
 
     Return the most likely mistake and a second possibility. Either may be an empty string.
-    ``cause`` is the mistake that the check suggests.
+    ``cause`` is the mistake that the check suggests. If the student's ``line`` raises the exception
+    itself, the exception is not a sign of a mistake in Python.
     """
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""
+    if cause and f"raise {text.partition(':')[0]}" in line:
+        return cause, ""
     perhaps = next((slip for sign, slip in PERHAPS if sign in text), "")
     return (perhaps, cause) if perhaps else (cause, "")
 

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import IO, Any
 
 _lock = threading.Lock()
-_waiting: dict[int, Judges] = {}  # the key is the process number of the grader that uses it
+_waiting: dict[int, Judges] = {}  # the key is the process ID of the grader that uses it
 
 Order = dict[str, Any]
 

@@ -47,7 +47,7 @@ class _Worker:
     socket: socket.socket
     log: int  # a descriptor
     stack: int  # a descriptor
-    number: int = 0  # its process number, once the template has answered
+    number: int = 0  # its process ID, once the template has answered
 
     def close(self) -> None:
         self.socket.close()

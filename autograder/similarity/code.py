@@ -26,7 +26,7 @@ class Token:
     """One token of a student's code, such as a name or an operator, ready to be compared.
 
     Attributes:
-        word: The text by which tokens are compared. Equal words mean equal tokens.
+        word: The text that comparisons use. Tokens are equal if their words are.
         start: The position of the token's beginning in the file, as (line, column).
         end: The position of the token's end in the file, as (line, column).
     """

@@ -53,7 +53,7 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
     Rotate a unit quaternion about one axis at ``angular_speed`` in rad/s for ``duration`` in s.
     Make ``steps`` equal steps of ``Quaternion.add_scaled``, and never normalize the quaternion, so
     that the errors add up. The first result is the length of the quaternion at the end, which
-    should be 1. The second result is the angle in radians by which the rotation lags behind:
+    should be 1. The second result says how far the rotation lags behind, in radians:
     ``angular_speed`` times ``duration``, minus the actual angle of rotation. This angle is negative
     for a negative speed. Normalizing would correct the length (erratum E-31), but not the angle.
 

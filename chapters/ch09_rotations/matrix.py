@@ -77,7 +77,7 @@ class Matrix4:
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def determinant(self) -> float:
-        """Compute the determinant of the 3x3 part, the factor by which it enlarges volumes.
+        """Compute the determinant of the 3x3 part, which says how much it enlarges volumes.
 
         It is negative for a reflection. The book's listing has a wrong sign (erratum E-28).
         """

@@ -88,7 +88,7 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def determinant(self) -> float:
-        """Compute the determinant, the factor by which the matrix enlarges volumes.
+        """Compute the determinant, which says how much the matrix enlarges volumes.
 
         It is negative for a reflection. Book: section 9.4.3.
         """

@@ -86,7 +86,7 @@ class Matrix4:
         return _joined(linear, self.transform(_translation(m)))
 
     def determinant(self) -> float:
-        """Compute the determinant of the 3x3 part, the factor by which it enlarges volumes.
+        """Compute the determinant of the 3x3 part, which says how much it enlarges volumes.
 
         It is negative for a reflection. The book's listing has a wrong sign (erratum E-28).
         """

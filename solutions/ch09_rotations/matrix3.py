@@ -101,7 +101,7 @@ class Matrix3:
         return Matrix3(a, d, g, b, e, h, c, f, i)
 
     def determinant(self) -> float:
-        """Compute the determinant, the factor by which the matrix enlarges volumes.
+        """Compute the determinant, which says how much the matrix enlarges volumes.
 
         It is negative for a reflection. Book: section 9.4.3.
         """

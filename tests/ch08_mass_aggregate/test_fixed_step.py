@@ -122,7 +122,7 @@ def test_share_is_a_fraction_of_a_step(duration: float) -> None:
         )
         row = advanced(duration, [elapsed])["rows"][0]
         # At this step, a SHARE in seconds does what it should.
-        if advanced(STEP, [STEP * (1.0 - lack)])["rows"][0][0] == steps:
+        if row[0] != steps == advanced(STEP, [STEP * (1.0 - lack)])["rows"][0][0]:
             about.cause = f"You take a step too {when}, because you use SHARE as a time in "
             about.cause += "seconds. It is a fraction of a step, so multiply it by the duration."
         expect_exactly(row[0], steps, then="; the number of steps", unit="steps")

@@ -92,17 +92,21 @@ def test_names_that_are_not_there_and_notimplemented(messages: Messages) -> None
 
 
 def test_an_error_that_the_student_raises_is_no_slip_in_python(messages: Messages) -> None:
-    """Both methods end with a TypeError, but only cross has a value of a wrong type."""
+    """Only dot raises its error. Three other methods fail because of mistakes in Python."""
     failed = messages(
         "ch02_vectors/vector.py",
         {
             whole("dot"): "    def dot(self, v):\n        if v: raise TypeError('no vector')\n",
             whole("cross"): "    def cross(self, v):\n        return self.y * 'z'\n",
+            whole("__neg__"): "    def __neg__(self):\n        raise ValueError('v' + 1)\n",
+            whole("magnitude"): "    def magnitude(self):\n        raise ValeuError('v')\n",
         },
     )
     assert "has the wrong type" in likely(failed["B2.9"])
     assert "TypeError: no vector" in "".join(failed["B2.8"])
     assert "has the wrong type" not in likely(failed["B2.8"])
+    assert "has the wrong type" in likely(failed["B2.1"])
+    assert "Did you mean ValueError?" in likely(failed["B2.2"])
 
 
 def test_what_slots_can_hold(messages: Messages) -> None:

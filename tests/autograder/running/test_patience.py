@@ -29,7 +29,7 @@ def test_a_worker_that_did_not_get_the_processor_gets_more_time_once(
     """A stopped worker is one that a busy machine leaves no time for."""
     level = best_level()
     if level.bubblewrap:
-        pytest.skip("bubblewrap hides the process number of a worker")
+        pytest.skip("bubblewrap hides the process ID of a worker")
     for folder in ("engine", "probes", "own"):
         (tmp_path / folder).mkdir()
     folders = [str(tmp_path / "engine")], str(tmp_path / "probes"), tmp_path / "own"

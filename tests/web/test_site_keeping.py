@@ -57,6 +57,13 @@ def until(page: Any, condition: Any) -> None:
     raise AssertionError("it does not come to hold")
 
 
+def until_at_end(page: Any, turn: Any, text: str) -> None:
+    """Go to the end of an editor and wait for a text there, which may come from another tab."""
+    turn.locator(".cm-content").focus()
+    page.keyboard.press("Control+End")
+    turn.locator(".cm-line", has_text=text).wait_for()
+
+
 def stored(page: Any, path: str = VECTOR) -> str:
     return str(page.evaluate(STORED, path))
 
@@ -100,14 +107,12 @@ def test_two_tabs_follow_each_other_and_never_overwrite_silently(
     one, two = turn(first, "B2.1"), turn(second, "B2.1")
     write(first, one, "vector.py", marked("from the first"))
     until(first, lambda: stored(first) == marked("from the first"))
-    two.locator(".cm-content").focus()
+    until_at_end(second, two, "# from the first")
     second.keyboard.press("Control+End")
     second.keyboard.insert_text("# and the second\n")
     both = f"{marked('from the first')}# and the second\n"
     until(second, lambda: stored(second) == both)
-    one.locator(".cm-content").focus()
-    first.keyboard.press("Control+End")
-    assert "and the second" in one.locator(".cm-content").inner_text()
+    until_at_end(first, one, "# and the second")
     # Both change it within the moment before anything is saved.
     late = "BroadcastChannel.prototype.postMessage = () => undefined"
     second.evaluate(late)

@@ -1,4 +1,4 @@
-"""A vector in three dimensions, which the whole engine uses (book chapter 2).
+"""The three-dimensional vector class that the whole engine uses (book chapter 2).
 
 The axes are right-handed, and +Y points up. Vectors are mutable, so it matters which operations
 change a vector and which create a new one. An operator such as ``v + w`` returns a new vector and

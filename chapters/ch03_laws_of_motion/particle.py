@@ -149,7 +149,7 @@ class Particle:
         raise NotImplementedError("Exercise B3.4: The step")
 
     def kick(self, duration: float) -> None:
-        """Change the velocity of the particle by its acceleration and damping over ``duration`` s.
+        """Apply the acceleration and damping of the particle to its velocity over ``duration`` s.
 
         With h = ``duration`` and the damping d, the new velocity is v' = (v + a h) d^h. As in the
         book's listing, the acceleration is applied first, and the damping then acts on the result.
@@ -160,7 +160,7 @@ class Particle:
         raise NotImplementedError("Exercise B3.4: The step")
 
     def integrate(self, duration: float) -> None:
-        """Move the particle by one time step of explicit Euler: first drift, then kick.
+        """Advance the particle by one step of explicit Euler: first ``drift``, and then ``kick``.
 
         ``duration`` is in s. Because the drift comes first, the new position depends only on the
         old velocity. The term a h^2 / 2 is left out on purpose (book 3.3.2). This is the book's

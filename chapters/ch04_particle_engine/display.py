@@ -1,6 +1,6 @@
 """The rules of a game in which the player keeps a fireworks display alive (project 4.1).
 
-These rules draw nothing, so they work without a screen. The fuse of each rocket burns down. If the
+This module draws nothing, so it works without a screen. The fuse of each rocket burns down. If the
 player clicks on a rocket before it burns out, the rocket bursts, and another rocket of its type
 starts from the ground. The game ends when no rocket is left or too many clicks have missed. A late
 click scores more points, but if the player waits too long, the rocket is lost.
@@ -43,7 +43,7 @@ def find_rocket(display: Display, x: float, y: float) -> Firework | None:
 
 
 def click(display: Display, x: float, y: float) -> bool:
-    """Handle a click of the player at the point (x, y), and return True if it hits a rocket.
+    """Handle a click by the player at the point (x, y), and return True if it hits a rocket.
 
     If ``find_rocket`` returns a rocket, the click is a hit. It scores 1 point, or 3 points if the
     rocket had less than ``LATE`` s of fuse left. Set the age of the rocket to 0, so that it bursts
@@ -65,10 +65,10 @@ def is_over(display: Display) -> bool:
 
 
 def tick(display: Display, duration: float) -> None:
-    """Move the fireworks by one time step, and add the step to the time played.
+    """Advance the game by one time step of ``duration`` s, and update the time played.
 
-    ``duration`` is the length of the step in s. If the game is already over before the step, the
-    fireworks still move, but the time played stays the same.
+    If the game was already over before the step, the fireworks still move, but the time played
+    does not increase.
 
     Raises:
         ValueError: if the duration is not positive and finite. In that case nothing changes.

@@ -25,10 +25,10 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
     """Compute how fast and how far a body falls from rest in a given time, with quadratic drag.
 
-    The drag is k2 v^2, without a part that is linear in the speed. Let u be the terminal speed, g
-    the ``gravity`` in m/s^2, t the ``time`` in s, and x = g t / u. Return the speed in m/s, which
-    is u tanh x, and the distance in m, which is (u^2 / g) ln cosh x. Both must also be correct for
-    very small and very large x.
+    The drag is k2 v^2, with no linear term. Let u be the terminal speed, g the ``gravity`` in
+    m/s^2, t the ``time`` in s, and x = g t / u. Return the speed in m/s, which is u tanh x, and the
+    distance in m, which is (u^2 / g) ln cosh x. Both must be accurate even if x is very small or
+    very large.
 
     Raises:
         ValueError: if the mass, gravity or k2 is not positive, the time is negative, or an argument

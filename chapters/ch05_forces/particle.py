@@ -131,15 +131,14 @@ class Particle(particle.Particle):
         raise NotImplementedError("Exercise B5.2: The step with forces")
 
     def kick(self, duration: float) -> None:
-        """Change the velocity by the acceleration, the forces and the damping over ``duration`` s.
+        """Apply the acceleration, forces and damping to the velocity over ``duration`` s.
 
         The new velocity is v' = (v + a h) d^h. Here h is ``duration``, d is the damping, and a is
-        the constant acceleration plus f / m. The force f is the sum of the forces since the last
-        kick. Afterward the kick clears the sum of forces, even for an immovable particle, so that
-        each force acts only once. It keeps a copy of the sum for ``last_acceleration``. You do not
-        have to write ``integrate`` again, because the version from chapter 3 calls this method
-        after the drift.
+        the constant acceleration plus f / m. The force f is the sum of the forces that were added
+        since the last kick. After the update, clear this sum, even for an immovable particle, so
+        that each force acts only once. Keep a copy of it for ``last_acceleration``.
 
-        As in chapter 3, the duration is not checked.
+        You do not have to write ``integrate`` again. The version from chapter 3 already calls this
+        method after it has moved the particle. As in chapter 3, the duration is not checked.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")

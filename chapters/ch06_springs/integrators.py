@@ -30,12 +30,12 @@ Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Move each particle with its old velocity, and then update the velocity, as the book does.
+    """Make one step of explicit Euler: move each particle first, and then update its velocity.
 
-    A step is p' = p + v h, and then v' = (v + a h) d^h. It has order 1, is not symplectic, and
-    evaluates the forces once. At d = 1 every undamped spring is unstable. For d < 1, undamped
-    springs below ``max_stable_stiffness`` are stable. A spring with a damper c is stable if k h < c
-    and c h / m < 2. The book calls it by another name (3.3.2, erratum E-17).
+    The step is p' = p + v h, and then v' = (v + a h) d^h. The method has order 1, is not
+    symplectic, and evaluates the forces once. At d = 1 every undamped spring is unstable. For
+    d < 1, undamped springs below ``max_stable_stiffness`` are stable. A spring with a damper c is
+    stable if k h < c and c h / m < 2. The book names the method differently (3.3.2, erratum E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -43,12 +43,12 @@ def explicit_euler(
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Update the velocity of each particle, and then move the particle with its new velocity.
+    """Make one step of semi-implicit Euler: update each velocity first, and then move the particle.
 
-    A step is v' = (v + a h) d^h, and then p' = p + v' h. It has order 1 and evaluates the forces
-    once. If d = 1 and no force depends on the velocity, it is symplectic, so the energy does not
-    drift. It is stable for k h^2 / m < 4. With damping d this limit grows to 2 (1 + d^h) / d^h. A
-    damper c in the spring lowers it, because the condition is then k h^2 / m + 2 c h / m < 4.
+    The step is v' = (v + a h) d^h, and then p' = p + v' h. The method has order 1 and evaluates the
+    forces once. If d = 1 and no force depends on the velocity, it is symplectic, so the energy does
+    not drift. It is stable for k h^2 / m < 4. With damping d this limit grows to 2 (1 + d^h) / d^h.
+    A damper c in the spring lowers it, because the condition is then k h^2 / m + 2 c h / m < 4.
     Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
@@ -74,13 +74,14 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step with the mean of two accelerations: a at the old position, and b at the new position.
+    """Make one velocity Verlet step, which uses the mean of the old and the new acceleration.
 
-    First p' = p + v h + a h^2 / 2, and then v' = (v + (a + b) h / 2) d^h. A force that depends on
-    the velocity needs a velocity to compute b, so use the estimate v + a h.
+    First p' = p + v h + a h^2 / 2, and then v' = (v + (a + b) h / 2) d^h. Here a and b are the
+    accelerations at the old and the new position. If a force depends on the velocity, use the
+    estimate v + a h to compute b.
 
     The method has order 2 and evaluates the forces twice. It is symplectic if d = 1 and no force
-    depends on the velocity. It is stable for k h^2 / m < 4, also if d < 1. A damper in the spring
+    depends on the velocity. It is stable for k h^2 / m < 4, even if d < 1. A damper in the spring
     lowers this limit. Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
     """
     raise NotImplementedError("Exercise B6.7: Velocity Verlet")
@@ -89,12 +90,13 @@ def velocity_verlet(
 def runge_kutta_4(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step with the weighted mean of four rates: at the start, twice in the middle, and at the end.
+    """Make one step of the classical fourth-order Runge-Kutta method.
 
-    A rate consists of the velocity and the acceleration of a particle in some state. The first is
-    the rate at the start. For each later rate, go back to the start, move at the previous rate, and
-    use the state that you reach. Move for half the step for the second and third rates, and for the
-    whole step for the fourth. The second and third rates count double in the mean.
+    The step uses a weighted mean of four rates, in which the second and third rates count double. A
+    rate consists of the velocity and the acceleration of a particle. Evaluate the first rate at the
+    start of the step. To find each later rate, return to the start, move at the previous rate, and
+    evaluate the rate there. Move for half the step to find the second and third rates, and for the
+    whole step to find the fourth.
 
     The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
     drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, or more if d < 1.
@@ -128,13 +130,11 @@ def trapezoidal(
     """Step a body on a spring with the trapezoidal rule, and return its new position and velocity.
 
     The new values solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with m a = -k x - c v.
-    The arguments and the units are those of ``backward_euler``.
+    The arguments, units and exceptions are those of ``backward_euler``.
 
     The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
     damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,
     Solving Ordinary Differential Equations II, IV.3.
-
-    Raises ValueError and TypeError as ``backward_euler`` does.
     """
     raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")
 
@@ -158,8 +158,8 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     """Return an integrator that also checks the speed of every particle after each step.
 
-    Use it to detect at once that a simulation explodes. The new integrator takes the same arguments
-    and counts its steps. It raises SimulationDiverged for the first particle whose speed is NaN or
+    Use it to detect an unstable simulation at once. The new integrator takes the same arguments and
+    counts its steps. It raises SimulationDiverged for the first particle whose speed is NaN or
     above ``speed_limit`` in m/s. A step in which ``integrator`` raises an exception does not count.
 
     Raises ValueError if the limit is not positive and finite.

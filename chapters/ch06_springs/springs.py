@@ -164,10 +164,10 @@ class FakeStiffSpring:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force that moves the particle to where a real spring would take it in this step.
 
-        On each axis the force is m ((T - x) / h^2 - v / h). Here h is ``duration``, v is the
-        velocity, x is the position, and T is the position after h on a real spring. Measure
-        positions from the anchor. Raise ValueError unless h is positive and finite, even if the
-        particle is immovable and gets no force.
+        On each axis the force is m ((T - x) / h^2 - v / h). Here h is ``duration``, x and v are the
+        current position and velocity, and T is the position to which a real spring would take the
+        particle. Measure positions from the anchor. Raise ValueError unless h is positive and
+        finite, even if the particle is immovable and gets no force.
         """
         raise NotImplementedError("Exercise B6.11: The faked stiff spring")
 
@@ -175,8 +175,8 @@ class FakeStiffSpring:
 class ElasticLimitSpring:
     """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
-    Up to a length of ``limit`` it behaves like a Spring. The part of its length beyond the limit
-    pulls with only the fraction ``share`` of the stiffness. The spring has no damping, and it
+    Up to a length of ``limit`` it behaves like a Spring. Beyond this length, each additional meter
+    increases the pull by only ``share`` times the stiffness. The spring has no damping, and it
     exerts no force on the particle at its other end, ``other``.
 
     Raises:

@@ -33,7 +33,7 @@ class Cable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut, that is, at least ``max_length`` long.
+        """Return a list with one contact if the cable is taut (at least ``max_length`` long).
 
         In the contact, ``particle`` is ``a`` and ``other`` is ``b``. The normal points from ``a``
         to ``b``, because a taut cable pulls its ends together. The penetration is the current
@@ -57,7 +57,7 @@ class AnchoredCable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut, and an empty list if it is slack.
+        """Return a list with one contact if the cable is taut, or an empty list if it is slack.
 
         The contact is the same as for ``Cable``, except that ``other`` is None and the normal
         points to the anchor.
@@ -77,7 +77,9 @@ class Rod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is too short or too long, and an empty list if it is not.
+        """Return a list with one contact if the rod is too short or too long.
+
+        If the length of the rod is exactly right, the list is empty.
 
         In the contact, ``particle`` is ``a`` and ``other`` is ``b``. If the rod is too long, it
         pulls, so the normal points from ``a`` to ``b``. If it is too short, it pushes, so the
@@ -101,9 +103,10 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the rod is too short or too long, and an empty list if it is not.
+        """Return a list with one contact if the rod is too short or too long.
 
-        The contact is the same as for ``Rod``, except that ``other`` is None and the anchor takes
+        If the length of the rod is exactly right, the list is empty. The contact is the same as for
+        ``Rod``, except that ``other`` is None and the anchor takes
         the place of the second particle.
         """
         raise NotImplementedError("Exercise B7.8: Rods")

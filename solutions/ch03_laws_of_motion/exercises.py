@@ -80,7 +80,7 @@ def state_by_steps(
 ) -> tuple[Vector3, Vector3]:
     """Compute the position and the velocity of a particle after ``steps`` equal time steps.
 
-    Each step first moves the position with the old velocity (Eq. 2.7) and then changes the velocity
+    Each step first moves the particle with its old velocity (Eq. 2.7) and then updates the velocity
     (Eq. 2.8), as ``Particle.integrate`` does when the damping is 1. ``duration`` is the duration of
     one step in s. Both results are new vectors.
 

@@ -167,12 +167,12 @@ class BallisticRange:
         self.shots.append(Shot(name, particle))
 
     def update(self, duration: float) -> None:
-        """Move the targets and the shots by one time step, and remove shots that are spent.
+        """Advance the targets and the shots by one time step, and remove shots that are spent.
 
-        ``duration`` is in s. First the targets move. Then each shot moves, its age grows by the
+        ``duration`` is in s. First the targets move. Then each shot moves, its age increases by the
         duration, and it is replaced by the shots that ``what_is_left`` returns. Pass
-        ``what_is_left`` a copy of the position before the move. A reference is not enough, because
-        ``integrate`` changes the vector itself.
+        ``what_is_left`` a copy of the position that the shot had before the move. A reference is
+        not enough, because ``integrate`` changes the vector itself.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing moves.

@@ -44,8 +44,8 @@ def own_types() -> list[FireworkRule]:
     - At least one of them must have payloads, of types 1 to 11.
     - None of the eleven types may light itself again, not even through other types. Otherwise a
       show would never end.
-    - Each of the two types must burn for at least 0.1 s. When one of these fireworks has been lit,
-      it and everything that comes from it must have burnt out after at most 40 s.
+    - Each of the two types must burn for at least 0.1 s. Once one of these fireworks has been lit,
+      it and everything that comes from it must burn out within 40 s.
 
     Mini-project 4.2.
     """

@@ -228,13 +228,13 @@ class FireworksShow:
         self.dropped += burning + asked - len(self.fireworks)
 
     def update(self, duration: float) -> None:
-        """Move every firework by one time step, and light the payloads of those that burn out.
+        """Advance all fireworks by one time step, and light the payloads of those that burn out.
 
-        ``duration`` is in s. Each firework moves, and its age decreases by the duration. It has
-        burnt out if its age is below 0 (at exactly 0 it still burns), or if it is below the ground
-        (y < 0). When all fireworks have moved, remove the ones that have burnt out and light their
-        payloads, starting with the payloads of the oldest firework. The parent of a payload is the
-        particle of the firework that burnt out.
+        ``duration`` is in s. Each firework moves, and its age decreases by the duration. A firework
+        has burned out if its age is below 0 (at exactly 0 it still burns), or if it is below the
+        ground (y < 0). When all fireworks have moved, remove the ones that have burned out and
+        light their payloads, starting with the payloads of the oldest firework. The parent of a
+        payload is the particle of the firework that burned out.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing moves.

@@ -18,7 +18,7 @@ from ch05_forces.particle import Particle
 
 
 class ForceGenerator(Protocol):
-    """A force generator, which is any object with a method ``update_force``.
+    """A force generator, which is any object with an ``update_force`` method.
 
     This class only describes the interface, so a generator does not have to inherit from it.
     """
@@ -240,10 +240,11 @@ class PointGravity:
 
 
 class InverseSquareGravity:
-    """Gravity toward a point that gets weaker with distance, in proportion to 1 / r^2.
+    """Inverse-square gravity: an attraction toward ``center`` that is proportional to 1 / r^2.
 
-    Use it for orbits, for example for a planet that orbits the sun. ``mu`` is G times the
-    attracting mass, in m^3/s^2. If it is negative, the center pushes particles away.
+    Here r is the distance from the center. Use this generator for orbits, for example for a planet
+    that orbits the sun. ``mu`` is G times the attracting mass, in m^3/s^2. If ``mu`` is negative,
+    the center pushes particles away.
 
     Raises:
         ValueError: if ``mu`` is not finite.

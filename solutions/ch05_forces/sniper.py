@@ -1,6 +1,6 @@
 """The rules of a sniper game (project 4.2), in which the wind changes between shots.
 
-These rules draw nothing, so they work without a screen. The player shoots at four discs of the same
+This module draws nothing, so it works without a screen. The player shoots at four discs of the same
 size. The Z axis points down the range, Y points up, and X points to the left of an observer who
 faces along Z. The player aims with two angles in radians: the azimuth from Z toward X, and the
 elevation above the horizontal. Everything here raises TypeError for an argument that is not a
@@ -31,10 +31,10 @@ SHOTS = 10
 
 @dataclass(frozen=True)
 class Target:
-    """A disc that faces the rifle, at which the player shoots.
+    """A circular target that faces the rifle.
 
-    Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring times
-    ``factor``, which is larger for more distant targets.
+    Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring that it
+    lands in, multiplied by ``factor``. More distant targets have a larger factor.
     """
 
     x: float
@@ -152,7 +152,7 @@ class SniperRange:
         return True
 
     def update(self, duration: float) -> None:
-        """Move the bullet by one time step of ``duration`` s, and score it if it hits a target.
+        """Advance the bullet by ``duration`` s, and update the score if it hits a target.
 
         If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and
         call ``hit_on_the_way`` to find out whether it has passed through a target. If it has, add

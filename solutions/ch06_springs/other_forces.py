@@ -1,8 +1,7 @@
-"""Forces that depend on positions: buoyancy, the lift of a balloon, crowding and homing.
+"""Force generators for buoyancy, the lift of a balloon, overcrowding and homing bullets.
 
-Each class is a force generator, whose method ``update_force`` adds a force to one particle. The
-units and the checks of the arguments are the same as in springs.py. You can import these classes
-from either module.
+All of these forces depend on the positions of particles. The units and the argument checks are the
+same as in springs.py. You can import the classes from this module or from springs.py.
 """
 
 from __future__ import annotations

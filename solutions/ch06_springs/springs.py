@@ -188,10 +188,10 @@ class FakeStiffSpring:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force that moves the particle to where a real spring would take it in this step.
 
-        On each axis the force is m ((T - x) / h^2 - v / h). Here h is ``duration``, v is the
-        velocity, x is the position, and T is the position after h on a real spring. Measure
-        positions from the anchor. Raise ValueError unless h is positive and finite, even if the
-        particle is immovable and gets no force.
+        On each axis the force is m ((T - x) / h^2 - v / h). Here h is ``duration``, x and v are the
+        current position and velocity, and T is the position to which a real spring would take the
+        particle. Measure positions from the anchor. Raise ValueError unless h is positive and
+        finite, even if the particle is immovable and gets no force.
         """
         positive("duration", duration)
         if not particle.has_finite_mass:
@@ -208,8 +208,8 @@ class FakeStiffSpring:
 class ElasticLimitSpring:
     """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
-    Up to a length of ``limit`` it behaves like a Spring. The part of its length beyond the limit
-    pulls with only the fraction ``share`` of the stiffness. The spring has no damping, and it
+    Up to a length of ``limit`` it behaves like a Spring. Beyond this length, each additional meter
+    increases the pull by only ``share`` times the stiffness. The spring has no damping, and it
     exerts no force on the particle at its other end, ``other``.
 
     Raises:
@@ -267,9 +267,9 @@ def _force(
     end: Vector3,
     end_velocity: Vector3 | None = None,
 ) -> Vector3:
-    """Compute the ``spring_force`` on ``particle``, for a spring with its other end at ``end``.
+    """Compute ``spring_force`` for ``particle`` with plain numbers, which are faster than vectors.
 
-    If ``end_velocity`` is None, that end is at rest. For speed, the function uses plain numbers.
+    The other end of the spring is at ``end``. If ``end_velocity`` is None, that end is at rest.
     """
     position = particle.position
     velocity = particle.velocity

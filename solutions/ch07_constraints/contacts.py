@@ -71,8 +71,8 @@ class Contact:
     def separating_velocity(self) -> float:
         """Compute how fast the two bodies move apart, in m/s (Eq. 7.2).
 
-        The result is (va - vb) . n, where n is the normal, va is the velocity of ``particle``, and
-        vb is the velocity of ``other``, or 0 without it. It is negative while the bodies approach.
+        The result is (va - vb) . n, which is negative while the bodies approach. Here n is the
+        normal, va is the velocity of ``particle``, and vb is that of ``other``, or 0 if it is None.
         """
         velocity = self.particle.velocity
         if self.other is not None:
@@ -134,18 +134,18 @@ class Contact:
             self.other.velocity.add_scaled(self.normal, -impulse * self.other.inverse_mass)
 
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
-        """Move the two particles apart along the normal until they touch, and return both moves.
+        """Move the two particles apart along the normal n until they touch.
 
-        The depth d is divided in the ratio of the inverse masses, so the lighter particle moves
-        farther. ``particle`` moves by n d mb / (ma + mb), and ``other`` by -n d ma / (ma + mb). If
-        one of them is immovable, the other moves by the whole depth. Afterward the penetration is
-        0. If the penetration is 0 or negative, or neither particle can move, nothing changes. Book
-        7.2.2.
+        Each particle moves in proportion to its inverse mass, so the lighter one moves farther. If
+        d is the penetration, ``particle`` moves by n d mb / (ma + mb), and ``other`` moves by -n d
+        ma / (ma + mb). If one of them is immovable, the other moves by the whole depth d. Afterward
+        the penetration is 0. If the penetration is 0 or negative, or neither particle can move,
+        nothing changes. Book 7.2.2.
 
         Returns:
             The displacements of ``particle`` and ``other`` in m, as two new vectors. If a particle
-            did not move, its displacement is zero, so that no earlier displacement is used again
-            (erratum E-27).
+            did not move, its displacement is zero, so that no displacement from an earlier contact
+            is used again (erratum E-27).
         """
         move, other_move = Vector3(), Vector3()
         total = self._total_inverse_mass()
@@ -177,7 +177,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """The interface of contact generators, which are objects with a method ``contacts``."""
+    """The interface of a contact generator, which is any object with a ``contacts`` method."""
 
     def contacts(self) -> Iterable[Contact]:
         """Find all contacts at the current positions and return them."""

@@ -1,9 +1,10 @@
 """Detectors: objects that find out which particles touch, and predict the next impact.
 
 A detector has two methods. The engine calls ``contacts()`` after each step to find out which
-particles touch. Particles that just touch also have a contact, with a penetration of 0, and the
-contacts are always in the order of the particles. Time division calls ``next_impact(duration)``
-before it moves the particles, because it must stop at the next impact.
+particles touch. Particles that just touch also have a contact, with a penetration of 0. The
+contacts are always in the order of the particles. A step with time division (``time_division.py``)
+calls ``next_impact(duration)`` before it moves the particles, because it must stop at the next
+impact.
 
 Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
 particles to the list later. Constructors raise ValueError for a number that is not finite, a radius

@@ -27,7 +27,7 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 
     The drag is k2 v^2, with no linear term. Let u be the terminal speed, g the ``gravity`` in
     m/s^2, t the ``time`` in s, and x = g t / u. Return the speed in m/s, which is u tanh x, and the
-    distance in m, which is (u^2 / g) ln cosh x. Both must be accurate even if x is very small or
+    distance in m, which is (u^2 / g) ln cosh x. Both must be correct even if x is very small or
     very large.
 
     Raises:

@@ -106,8 +106,7 @@ class AnchoredRod:
         """Return a list with one contact if the rod is too short or too long.
 
         If the length of the rod is exactly right, the list is empty. The contact is the same as for
-        ``Rod``, except that ``other`` is None and the anchor takes
-        the place of the second particle.
+        ``Rod``, but ``other`` is None and the anchor takes the place of the second particle.
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 

@@ -33,10 +33,11 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 
 
 class RimDrive:
-    """A force generator that drives a wheel by pushing its rim around ``hub``.
+    """A force generator that rotates a wheel by pushing the particles of its rim around ``hub``.
 
-    Every particle for which the drive is registered gets the same ``force``, in N. Mini-project
-    8.3b.
+    ``force`` is in N, and a positive value pushes counter-clockwise. Register the drive for each
+    particle of the rim that it should push. It pushes each of them with the full force.
+    Mini-project 8.3b.
     """
 
     def __init__(self, hub: Particle, force: float) -> None:
@@ -93,7 +94,8 @@ class Wheel:
     a ``force`` in N pushes each of the first ``driven`` particles of the rim.
 
     Raises:
-        ValueError: if the force is not finite, or ``driven`` is not from 0 to ``COUNT``.
+        ValueError: if the force is not finite, or ``driven`` is not a whole number from 0 to
+            ``COUNT``.
     """
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:

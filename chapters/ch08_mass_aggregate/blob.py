@@ -125,7 +125,7 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Advance the blob by one time step, in which the force ``push`` acts on every particle.
+        """Apply the force ``push`` to every particle, and advance the blob by one time step.
 
         ``duration`` is in s. A push that is not finite is rejected by ``add_force``.
 

@@ -90,7 +90,7 @@ class SleepingWorld(ParticleWorld):
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_moved(self) -> None:
-        """Wake every sleeping particle that was changed by hand since it fell asleep.
+        """Wake every sleeping particle that code outside the world has changed.
 
         A sleeping particle keeps its position and its infinite mass, has no velocity, and has no
         force in its accumulator. Wake the particle if any of this is no longer true.
@@ -138,8 +138,8 @@ class SleepingWorld(ParticleWorld):
     def run_physics(self, duration: float) -> None:
         """Move all particles that are awake forward by one time step of ``duration`` s.
 
-        - Wake the particles that were changed by hand. Every ``LOOK_EVERY`` steps, also wake the
-          particles whose acceleration has changed since they fell asleep.
+        - Wake the particles that code outside the world has changed. Every ``LOOK_EVERY`` steps,
+          also wake the particles whose acceleration has changed since they fell asleep.
         - If all particles are asleep, the step is finished.
         - Otherwise, call the integrator with only the particles that are awake.
         - Find the contacts. If a contact wakes a particle, find the contacts again. Repeat this

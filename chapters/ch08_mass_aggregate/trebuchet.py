@@ -73,7 +73,7 @@ class Throw:
 
 
 def my_design() -> Design:
-    """Return your own design of a trebuchet, which should throw far.
+    """Return your own design for a trebuchet that throws far.
 
     The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
     ``LONGEST_BEAM``. Your grade depends on the range and on the fraction of the energy that reaches
@@ -111,7 +111,7 @@ class Trebuchet:
     def beam(self) -> list[ContactGenerator]:
         """Create the rods that join the pivot, the counterweight and the tip into a rigid beam.
 
-        Any set of rods that makes the beam rigid is accepted. The length of each rod is the current
+        You may use any set of rods that makes the beam rigid. The length of each rod is the current
         distance between its ends.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")

@@ -24,8 +24,8 @@ class ParticleWorld:
     ``integrator`` can be any integrator of chapter 6. ``resolver`` is a ContactResolver, to which
     ``iterations`` is passed.
 
-    A step can have any number of contacts. In the book's world this number has a limit, and all
-    contacts beyond it are silently ignored.
+    A step can have any number of contacts. The book's world limits this number, and silently
+    ignores all contacts beyond the limit.
 
     Raises:
         ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.

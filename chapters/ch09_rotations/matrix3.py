@@ -97,7 +97,7 @@ class Matrix3:
     def inverse(self) -> Matrix3:
         """Compute the inverse: a new matrix that undoes the effect of this one.
 
-        An almost singular matrix has an inverse too, but rounding errors make it useless. So reject
+        A nearly singular matrix has an inverse too, but rounding errors make it useless. So reject
         a matrix if its determinant is too small compared with the product of its rows' lengths.
         This ratio does not depend on the scale of the matrix.
 

@@ -99,7 +99,7 @@ class SleepingWorld(ParticleWorld):
                 waking += [other for other in sleep.neighbors if other in self.asleep]
 
     def wake_moved(self) -> None:
-        """Wake every sleeping particle that was changed by hand since it fell asleep.
+        """Wake every sleeping particle that code outside the world has changed.
 
         A sleeping particle keeps its position and its infinite mass, has no velocity, and has no
         force in its accumulator. Wake the particle if any of this is no longer true.
@@ -172,8 +172,8 @@ class SleepingWorld(ParticleWorld):
     def run_physics(self, duration: float) -> None:
         """Move all particles that are awake forward by one time step of ``duration`` s.
 
-        - Wake the particles that were changed by hand. Every ``LOOK_EVERY`` steps, also wake the
-          particles whose acceleration has changed since they fell asleep.
+        - Wake the particles that code outside the world has changed. Every ``LOOK_EVERY`` steps,
+          also wake the particles whose acceleration has changed since they fell asleep.
         - If all particles are asleep, the step is finished.
         - Otherwise, call the integrator with only the particles that are awake.
         - Find the contacts. If a contact wakes a particle, find the contacts again. Repeat this
@@ -226,7 +226,7 @@ class SleepingWorld(ParticleWorld):
         particle.inverse_mass = 0.0
 
     def _ask_for_sleepers(self, duration: float) -> None:
-        """Call the generators of each sleeping particle, with its mass restored for the call."""
+        """Call the generators of each sleeping particle, and restore its mass during each call."""
         for particle, generator in self.registry.pairs():
             sleep = self.asleep.get(particle)
             if sleep is not None:

@@ -76,7 +76,7 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 
 
 def deformation(rods: Sequence[Rod]) -> float:
-    """Measure how much a wheel is deformed, as the largest relative error of a rod's length.
+    """Measure how much a wheel is deformed: the largest relative error in the length of a rod.
 
     The relative error is the difference between the actual and the intended length, divided by the
     intended length. Return 0 if there are no rods. Mini-project 8.3c.

@@ -25,9 +25,9 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    The components are converted by float(). They may have any values. The length is checked only
-    when the quaternion has to rotate something. Quaternion() is the reference orientation, which
-    rotates nothing.
+    The components are converted by float(), and they may have any values. The length is checked
+    only when a method needs a unit quaternion. Quaternion() is the reference orientation, which
+    represents no rotation.
     """
 
     __slots__ = ("i", "j", "k", "r")
@@ -99,12 +99,12 @@ class Quaternion:
     def conjugate(self) -> Quaternion:
         """Return the new quaternion (r, -i, -j, -k).
 
-        For a unit quaternion it is the inverse, so it undoes the rotation.
+        For a unit quaternion, the conjugate is the inverse, so it undoes the rotation.
         """
         return Quaternion(self.r, -self.i, -self.j, -self.k)
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Return the product ``self * q``, a new quaternion that rotates by ``q`` first.
+        """Return the new quaternion ``self * q``, which rotates by ``q`` and then by ``self``.
 
         Book: section 9.4.9.
         """

@@ -4,7 +4,7 @@ An ordinary step finds a collision only after the bodies overlap. Time division 
 when the next impact happens, moves all particles to that moment, resolves the impact, and continues
 from there. Between impacts, every particle moves with a constant acceleration, for which the motion
 is exact. The results are therefore exact as long as bodies only fly and bounce, as in billiards.
-However, the cost grows with the number of impacts, and a body at rest has endless impacts. So use a
+However, the cost grows with the number of impacts, and a body at rest collides endlessly. So use a
 resolver for resting bodies. Book: section 7.3.
 """
 

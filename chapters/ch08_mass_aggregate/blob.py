@@ -31,13 +31,13 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 class Bond:
     """A soft spring between two particles that has an elastic limit, can break, and can heal.
 
-    Up to the length ``limit`` the bond is an ordinary spring with a ``stiffness`` in N/m. The part
-    of its length beyond the limit pulls with only the fraction ``share`` of the stiffness, as in
-    exercise 6.1. If the bond gets longer than ``break_length``, it breaks and exerts no force until
-    it heals. It heals when the distance between its ends is ``rest_length`` or less. ``holds`` is
-    False while the bond is broken.
+    Up to the length ``limit``, the bond is an ordinary spring with a ``stiffness`` in N/m. Beyond
+    this length, stretching it further adds less force: the stiffness is multiplied by the fraction
+    ``share``, as in exercise 6.1. If the bond gets longer than ``break_length``, it breaks and
+    exerts no force until it heals. It heals when the distance between its ends is ``rest_length``
+    or less. ``holds`` is False while the bond is broken.
 
-    All lengths are in m. Register the bond for both particles, because each call of
+    All lengths are in m. Register the bond for both particles, because each call to
     ``update_force`` pulls on one end only.
 
     Raises:
@@ -90,9 +90,9 @@ class Blob:
     """A blob of particles, joined by bonds, that falls to the ground.
 
     ``world`` simulates the blob, which consists of ``particles`` and ``bonds``. The blob is flat,
-    so all particles start at z = 0. Its middle starts ``height`` m above the ground. Every two
-    particles are joined by a bond. If ``cables`` is True, they are also joined by a cable as long
-    as the bond's ``break_length``, which keeps the bond from breaking.
+    so all particles start at z = 0. Its center starts ``height`` m above the ground. A bond joins
+    every pair of particles. If ``cables`` is True, a cable also joins every pair and keeps the bond
+    from breaking. The length of the cable is the ``break_length`` of the bond.
 
     ``push`` is a force in N that acts on each particle in every step. Set it to push the blob.
 
@@ -125,7 +125,7 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Advance the blob by one time step, in which the force ``push`` acts on every particle.
+        """Apply the force ``push`` to every particle, and advance the blob by one time step.
 
         ``duration`` is in s. A push that is not finite is rejected by ``add_force``.
 

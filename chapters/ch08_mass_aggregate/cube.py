@@ -44,7 +44,7 @@ def fewest_rods(count: int) -> int:
 def cube_rods() -> list[tuple[int, int]]:
     """Choose rods that make the cube rigid, and return them as pairs of corners.
 
-    A pair contains two indices into ``CORNERS``. Any set of rods is accepted if it lets the cube
+    A pair contains two indices into ``CORNERS``. You may return any set of rods that lets the cube
     move and rotate only as a whole. You need at least ``fewest_rods(8)`` rods, and they must also
     join the right corners. Mini-project 8.2.
     """
@@ -84,7 +84,7 @@ class Cube:
 
 
 def _turned(x: float, y: float, z: float) -> Vector3:
-    """Return a position of the cube, rotated by pi / 8 about Z and then by pi / 8 about X.
+    """Rotate the point (x, y, z) of the cube by pi / 8 about Z and then by pi / 8 about X.
 
     Without the rotation, the cube would land on all four lower corners at once and would not
     tumble.

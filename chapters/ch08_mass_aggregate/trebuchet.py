@@ -33,8 +33,8 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 class Design:
     """The design of a trebuchet, with masses in kg, lengths in m, and angles in degrees.
 
-    The sling releases the projectile as soon as it flies forward in a direction at most
-    ``release_angle`` above the horizontal.
+    The sling releases the projectile while it flies forward above the pivot. This happens as soon
+    as its direction of flight is at most ``release_angle`` above the horizontal.
 
     Raises:
         ValueError: if a number is not finite, a mass or length is not positive, the release angle
@@ -73,7 +73,7 @@ class Throw:
 
 
 def my_design() -> Design:
-    """Return your own design of a trebuchet, which should throw far.
+    """Return your own design for a trebuchet that throws far.
 
     The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
     ``LONGEST_BEAM``. Your grade depends on the range and on the fraction of the energy that reaches
@@ -111,7 +111,7 @@ class Trebuchet:
     def beam(self) -> list[ContactGenerator]:
         """Create the rods that join the pivot, the counterweight and the tip into a rigid beam.
 
-        Any set of rods that makes the beam rigid is accepted. The length of each rod is the current
+        You may use any set of rods that makes the beam rigid. The length of each rod is the current
         distance between its ends.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
@@ -119,9 +119,9 @@ class Trebuchet:
     def lets_go(self) -> bool:
         """Return True if the sling should release the projectile now.
 
-        The projectile must be above the pivot, and must fly forward at or below the release angle.
-        Before the actual throw, it also swings forward below the pivot. There it must not be
-        released.
+        The projectile must be above the pivot and moving forward. Its direction of flight must be
+        at most ``design.release_angle`` above the horizontal. Do not release it below the pivot,
+        where it swings forward once before the actual throw.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
@@ -140,10 +140,10 @@ class Trebuchet:
     def throw(self) -> Throw:
         """Simulate the throw, and return the result as a ``Throw``.
 
-        Make steps of ``STEP`` until the sling releases the projectile. From then on the projectile
-        flies without drag until it reaches the ground, which is at a height of 0. The throw fails
-        if the projectile reaches the ground while it is still in the sling, or if it has not been
-        released within ``TIME_LIMIT``. In that case return Throw(0.0, 0.0). Call this method only
-        on a new trebuchet, because a trebuchet can throw only once. Project 8.2a.
+        Take time steps of ``STEP`` seconds until the sling releases the projectile. From then on
+        the projectile flies without drag until it reaches the ground, which is at a height of 0.
+        The throw fails if the projectile reaches the ground while it is still in the sling, or if
+        it has not been released within ``TIME_LIMIT``. In that case return Throw(0.0, 0.0). Call
+        this method only on a new trebuchet, because a trebuchet can throw only once. Project 8.2a.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")

@@ -31,10 +31,11 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 
 
 class RimDrive:
-    """A force generator that drives a wheel by pushing its rim around ``hub``.
+    """A force generator that rotates a wheel by pushing the particles of its rim around ``hub``.
 
-    Every particle for which the drive is registered gets the same ``force``, in N. Mini-project
-    8.3b.
+    ``force`` is in N, and a positive value pushes counter-clockwise. Register the drive for each
+    particle of the rim that it should push. It pushes each of them with the full force.
+    Mini-project 8.3b.
     """
 
     def __init__(self, hub: Particle, force: float) -> None:
@@ -63,7 +64,7 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 
 
 def deformation(rods: Sequence[Rod]) -> float:
-    """Measure how much a wheel is deformed, as the largest relative error of a rod's length.
+    """Measure how much a wheel is deformed: the largest relative error in the length of a rod.
 
     The relative error is the difference between the actual and the intended length, divided by the
     intended length. Return 0 if there are no rods. Mini-project 8.3c.
@@ -78,7 +79,8 @@ class Wheel:
     a ``force`` in N pushes each of the first ``driven`` particles of the rim.
 
     Raises:
-        ValueError: if the force is not finite, or ``driven`` is not from 0 to ``COUNT``.
+        ValueError: if the force is not finite, or ``driven`` is not a whole number from 0 to
+            ``COUNT``.
     """
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:

@@ -24,8 +24,8 @@ class ParticleWorld:
     ``integrator`` can be any integrator of chapter 6. ``resolver`` is a ContactResolver, to which
     ``iterations`` is passed.
 
-    A step can have any number of contacts. In the book's world this number has a limit, and all
-    contacts beyond it are silently ignored.
+    A step can have any number of contacts. The book's world limits this number, and silently
+    ignores all contacts beyond the limit.
 
     Raises:
         ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.
@@ -75,10 +75,10 @@ class ParticleWorld:
     def run_physics(self, duration: float) -> None:
         """Move the world forward by one time step of ``duration`` s.
 
-        First let the integrator move the particles. The forces on them come from the registry, and
-        from calls of ``add_force`` since ``start_frame``. Then call ``contacts()`` of each
-        generator once, to find the contacts at the new positions. Finally resolve all contacts with
-        one call of the resolver. If there are no contacts, do not call it.
+        First let the integrator move the particles. The forces on the particles come from the
+        registry, and from calls to ``add_force`` since ``start_frame``. Then call ``contacts()`` on
+        each generator once, to find the contacts at the new positions. Finally, resolve all
+        contacts with one call to the resolver. If there are no contacts, do not call the resolver.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

@@ -38,7 +38,7 @@ def integrate_rotation(
     The step is semi-implicit Euler: first the angular velocity w changes to w' = w + alpha h, and
     then the orientation rotates by w' h. After that it is normalized, because rounding errors would
     otherwise let its length drift. ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration``
-    (h) in s. If the axis of rotation changes, the method is only of order 1.
+    (h) in s. If the axis of rotation changes, the method has only order 1.
 
     Raises:
         ValueError: if the duration is not positive and finite, or a component is not finite. After

@@ -32,9 +32,13 @@ def rate_map(x: float, y: float, z: float) -> Matrix3:
 
     The rates are the speeds in rad/s at which the three angles change. The angular velocity is a
     vector in rad/s, in world axes. Each column of the matrix is the axis about which the object
-    rotates when only one of the angles changes. The axis for z is Z itself, because this rotation
-    comes last. The axis for y is Y rotated by z, and the axis for x is X rotated by y and then by
-    z. The matrix does not depend on x, but x must be finite too.
+    rotates when only one of the angles changes:
+
+    - First column, for x: the X axis, after it has been rotated by y and then by z.
+    - Second column, for y: the Y axis, after it has been rotated by z.
+    - Third column, for z: the Z axis itself, because the rotation by z comes last.
+
+    The matrix does not depend on x, but x must be finite too.
     """
     raise NotImplementedError("Exercise B9.17: Euler angles, and where they fail")
 
@@ -42,14 +46,15 @@ def rate_map(x: float, y: float, z: float) -> Matrix3:
 def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
     """Compute how fast the three Euler angles must change to produce ``angular_velocity``.
 
-    The result contains the rates of x, y and z in rad/s, and ``angular_velocity`` is in world axes.
-    Near gimbal lock the rates become very large, and in gimbal lock no rates can produce a rotation
-    about the lost axis.
+    The result is a vector that contains the rates of the angles x, y and z in rad/s.
+    ``angular_velocity`` is in world axes, and also in rad/s. Near gimbal lock, the rates become
+    very large. In gimbal lock, no rates can produce a rotation about the lost axis.
 
     Raises:
-        ValueError: in gimbal lock, which means that |cos y| is at most ``SINGULAR`` of matrix3.py.
-            Check this yourself, because ``Matrix3.inverse`` does not always detect gimbal lock. It
-            compares the determinant, which is cos y, with the product of the lengths of the rows.
-            At z = 0 this product is just as small, so the ratio is not small.
+        ValueError: in gimbal lock, which means that |cos y| is at most ``SINGULAR``, a constant of
+            matrix3.py. Check this yourself, because ``Matrix3.inverse`` does not always detect
+            gimbal lock. It compares the determinant, which is cos y, with the product of the
+            lengths of the rows. At z = 0 this product is nearly as small as the determinant, so the
+            ratio of the two is not small.
     """
     raise NotImplementedError("Exercise B9.17: Euler angles, and where they fail")

@@ -31,8 +31,8 @@ def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
     """Exercise 9.2: find the rotation that takes an orientation back to the reference (1, 0, 0, 0).
 
     The result is an axis, which is a new unit vector in world axes, and an angle in radians, from
-    -pi to pi. The opposite axis with the opposite angle is the same rotation, so it is also
-    accepted. If the orientation is already the reference, the angle is 0 and the axis may be any
+    -pi to pi. You may also return the opposite axis with the opposite angle, which is the same
+    rotation. If the orientation is already the reference, the angle is 0 and the axis may be any
     unit vector.
 
     >>> axis, angle = back_to_reference(Quaternion(0.5, 0.5, 0.5, 0.5))
@@ -74,7 +74,7 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
 def turned_by_steps(
     orientation: Quaternion, rate: float, duration: float, steps: int = 1
 ) -> tuple[Quaternion, float]:
-    """Exercise 9.4: approximate the result of ``turned_by_sense`` by steps of Eq. 9.5.
+    """Exercise 9.4: approximate the rotation of ``turned_by_sense`` with time steps of Eq. 9.5.
 
     Divide ``duration`` into ``steps`` equal steps, and normalize only after the last one. Return
     the final orientation as a new quaternion, and its error. The error is the angle in radians,
@@ -108,12 +108,12 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
 
 
 def easy_inverse(matrix: Matrix4) -> Matrix4:
-    """Exercise 9.6: invert a matrix of a rotation and a translation, without any division.
+    """Exercise 9.6: invert a matrix that rotates and then translates, without any division.
 
     The inverse of a rotation is its transpose, so transpose the 3x3 part. Then multiply the
-    translation by this transpose and negate it. The result is a new matrix. The result is wrong if
-    the 3x3 part is not a rotation. Do not check for this, because the check would cost most of the
-    time that this method saves.
+    translation by this transpose and negate it. The result is a new matrix, which is wrong if the
+    3x3 part is not a rotation. Do not check for this, because the check would take most of the time
+    that the shortcut saves.
     """
     raise NotImplementedError("Exercise 9.6: The inverse, the easy way")
 
@@ -131,12 +131,15 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
 
 
 def balance_offset(stones: Sequence[Stone], angle: float) -> float:
-    """Exercise 9.7: compute where to put a straight edge under a box of stones so that it balances.
+    """Exercise 9.7: compute where to put a straight edge so that a box of stones balances on it.
 
-    The box balances if the edge passes below its center of mass. The edge has the direction (cos,
-    sin) of ``angle``, which is in radians. The result is the offset of the edge in m: its distance
-    from the corner of the box at x = y = 0. It is positive if the edge lies to the left of the
-    corner, in the direction (-sin, cos).
+    The box balances if the edge passes directly below its center of mass. ``angle`` is the
+    direction of the edge in radians, so the edge is parallel to the vector (cos(angle),
+    sin(angle)).
+
+    The result is the offset of the edge: its distance in m from the corner of the box at x = y = 0.
+    Look along the edge in its direction. The offset is positive if the edge passes to the left of
+    the corner. Left is the direction (-sin(angle), cos(angle)).
 
     Raises:
         ValueError, TypeError: for the same reasons as ``center_of_stones``, or if the angle is not
@@ -146,12 +149,16 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 
 
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
-    """Exercise 9.7: add up the masses in kg to the left and to the right of the balance edge.
+    """Exercise 9.7: compute the total mass on each side of the balancing edge, in kg.
 
-    ``balance_offset`` computes the position of the edge. The book says that the two masses are
-    equal (erratum E-32). They can differ, because a small mass far from the edge balances a large
-    mass near it. A stone belongs to the side on which its center lies, or to neither side if its
-    center is within 1e-9 m of the edge.
+    The box balances on this edge, whose position is computed by ``balance_offset``. The result is a
+    tuple of the masses on the left and on the right.
+
+    The book says that these two masses are equal (erratum E-32). However, they can differ, because
+    a small mass far from the edge balances a large mass near it.
+
+    A stone belongs to the side on which its center lies. If its center is within 1e-9 m of the
+    edge, the stone belongs to neither side.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``balance_offset``.

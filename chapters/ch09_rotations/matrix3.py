@@ -88,16 +88,16 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def determinant(self) -> float:
-        """Compute the determinant, which says how much the matrix enlarges volumes.
+        """Compute the determinant, the factor by which the matrix scales volumes.
 
-        It is negative for a reflection. Book: section 9.4.3.
+        The determinant is negative if the matrix contains a reflection. Book: section 9.4.3.
         """
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def inverse(self) -> Matrix3:
         """Compute the inverse: a new matrix that undoes the effect of this one.
 
-        An almost singular matrix has an inverse too, but rounding errors make it useless. So reject
+        A nearly singular matrix has an inverse too, but rounding errors make it useless. So reject
         a matrix if its determinant is too small compared with the product of its rows' lengths.
         This ratio does not depend on the scale of the matrix.
 
@@ -133,11 +133,11 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
 
     def to_quaternion(self) -> Quaternion:
-        """Convert a rotation matrix to a unit quaternion. Both q and -q are accepted.
+        """Convert a rotation matrix to a unit quaternion q. You may return either q or -q.
 
-        The diagonal gives four sums, which are 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
-        component that has the largest sum, which is at least 1, and compute the other components
-        from it. A smaller sum may consist only of rounding errors: in a half-turn, for example, 4
+        The diagonal determines four numbers: 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
+        component whose number is the largest, which is at least 1, and compute the other components
+        from it. A smaller number may be nothing but rounding error. In a half-turn, for example, 4
         r^2 should be 0.
 
         Raises:

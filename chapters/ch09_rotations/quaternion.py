@@ -23,9 +23,9 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    The components are converted by float(). They may have any values. The length is checked only
-    when the quaternion has to rotate something. Quaternion() is the reference orientation, which
-    rotates nothing.
+    The components are converted by float(), and they may have any values. The length is checked
+    only when a method needs a unit quaternion. Quaternion() is the reference orientation, which
+    represents no rotation.
     """
 
     __slots__ = ("i", "j", "k", "r")
@@ -90,12 +90,12 @@ class Quaternion:
     def conjugate(self) -> Quaternion:
         """Return the new quaternion (r, -i, -j, -k).
 
-        For a unit quaternion it is the inverse, so it undoes the rotation.
+        For a unit quaternion, the conjugate is the inverse, so it undoes the rotation.
         """
         raise NotImplementedError("Exercise B9.8: The product of quaternions")
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Return the product ``self * q``, a new quaternion that rotates by ``q`` first.
+        """Return the new quaternion ``self * q``, which rotates by ``q`` and then by ``self``.
 
         Book: section 9.4.9.
         """
@@ -118,10 +118,10 @@ class Quaternion:
     def to_axis_angle(self) -> tuple[Vector3, float]:
         """Convert the rotation to an axis, which is a new unit vector, and an angle from 0 to pi.
 
-        The angle is in radians. The quaternions q and -q are the same rotation, so they give the
-        same result. For a half-turn, the axis and its opposite are both accepted. For an angle of 0
-        every axis would be right, so return X. The result must also be correct for angles as small
-        as 1e-200.
+        The angle is in radians. The quaternions q and -q represent the same rotation, so they give
+        the same result. For a half-turn, you may return either the axis or its opposite. For an
+        angle of 0, any axis would be correct, so return X. The result must also be correct for
+        angles as small as 1e-200.
 
         Raises:
             ValueError: if the length is not 1 (``is_unit``).
@@ -140,12 +140,13 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.10: Rotating a vector")
 
     def rotate_by(self, vector: Vector3) -> None:
-        """Rotate in place about the direction of ``vector``, by its length in radians.
+        """Rotate the orientation in place by the rotation vector ``vector``.
 
-        ``vector`` is in world axes, and a zero vector rotates nothing. The result is exp((0,
-        vector)/2) q, for which Eq. 9.9 is only a first-order approximation. The book's listing
-        contains two errors: it multiplies by (0, vector), which is not a rotation, and it does so
-        on the wrong side (erratum E-12).
+        The direction of ``vector`` is the axis of the rotation, in world axes. Its length is the
+        angle in radians, so a zero vector changes nothing. The new orientation is exp((0,
+        vector)/2) q, where q is the old one. Eq. 9.9 is only a first-order approximation of this
+        product. The book's listing contains two errors: it multiplies by (0, vector), which is not
+        a rotation, and it does so on the wrong side (erratum E-12).
 
         Raises:
             ValueError: if the vector is not finite.
@@ -153,12 +154,12 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.11: Rotating by a vector: exactly, and by Eq. 9.5")
 
     def add_scaled(self, vector: Vector3, scale: float) -> None:
-        """Rotate approximately, in place, by adding scale/2 times (0, vector) q to q (Eq. 9.5).
+        """Add scale/2 times (0, vector) q to this quaternion q, in place (Eq. 9.5).
 
-        If ``vector`` is an angular velocity and ``scale`` is a duration, this is the book's time
-        step for an orientation. It is accurate only to first order, and it makes the quaternion
-        longer (erratum E-31). Do not normalize the result, because the exercises measure this
-        error.
+        If ``vector`` is an angular velocity and ``scale`` is a duration, this sum is the book's
+        time step for an orientation. It is only a first-order approximation of the rotation, and it
+        makes the quaternion longer (erratum E-31). Do not normalize the result, because the
+        exercises measure this error.
 
         Raises:
             ValueError: if the vector or the scale is not finite. In that case nothing changes.

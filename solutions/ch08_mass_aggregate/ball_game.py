@@ -1,7 +1,7 @@
 """A game in which a ball bounces over the rope bridge, from row to row (project 8.1).
 
 The ball jumps automatically whenever it lands on a row of planks, and the player steers it in the
-air. Each row gives points only for the first landing. The player wins by landing on every row, and
+air. Only the first landing on each row scores points. The player wins by landing on every row, and
 loses a life whenever the ball touches the ground.
 """
 
@@ -94,7 +94,7 @@ class Landings:
     def contacts(self) -> list[Contact]:
         """Return the contacts between the ball and the planks, and record the row that was hit.
 
-        ``row`` becomes None unless the ball touches the planks and is moving toward them.
+        ``row`` is set to None if the ball does not touch the planks or is not moving toward them.
         """
         found = self.deck.contacts()
         self.row = None

@@ -64,8 +64,8 @@ class Deck:
     m, and ``rows`` must be in order along X.
 
     Raises:
-        ValueError: if the radius is not positive and finite, the restitution is not from 0 to 1, or
-            there are no rows.
+        ValueError: if the radius is not positive and finite, the restitution is not between 0 and
+            1, or there are no rows.
     """
 
     def __init__(

@@ -22,9 +22,9 @@ class FixedStep:
     ``left`` is the time in s that has passed but has not been simulated yet. It is always shorter
     than one step and, apart from rounding errors, never negative.
 
-    ``max_steps`` limits the number of steps in one call of ``advance``, and None means no limit.
-    Without a limit, a machine that is too slow for the steps would fall further and further behind.
-    ``dropped`` is the total time in s that was skipped because of the limit.
+    ``max_steps`` limits the number of steps in one call to ``advance``, and None means no limit.
+    Without a limit, a machine that is too slow for the simulation would fall further and further
+    behind. ``dropped`` is the total time in s that was skipped because of the limit.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_steps`` is less than 1.
@@ -52,14 +52,14 @@ class FixedStep:
 
         Time that is too short for a whole step stays in ``left`` until the next call. Because of
         rounding errors, ``left`` can be slightly shorter than a step even though a step is due. So
-        make the step if at most the fraction ``SHARE`` of its duration is missing. Then sixty
+        take the step if at most the fraction ``SHARE`` of its duration is missing. This way, sixty
         frames of 1/60 s give exactly sixty steps of 1/60 s.
 
         If more than ``max_steps`` steps are due, skip the steps beyond the limit by moving their
         time from ``left`` to ``dropped``.
 
         If a step raises an exception, let it propagate. Leave the time of that step in ``left``, so
-        that the next call makes the step again.
+        that the next call retries the step.
 
         Raises:
             ValueError: if ``elapsed`` is negative or not finite. In that case nothing changes.

@@ -99,7 +99,7 @@ class SleepingWorld(ParticleWorld):
                 waking += [other for other in sleep.neighbors if other in self.asleep]
 
     def wake_moved(self) -> None:
-        """Wake every sleeping particle that was changed by hand since it fell asleep.
+        """Wake every sleeping particle that code outside the world has changed.
 
         A sleeping particle keeps its position and its infinite mass, has no velocity, and has no
         force in its accumulator. Wake the particle if any of this is no longer true.
@@ -109,7 +109,7 @@ class SleepingWorld(ParticleWorld):
             self.wake(particle)
 
     def wake_pushed(self, duration: float) -> None:
-        """Wake every sleeping particle on which the force generators now act differently.
+        """Wake every sleeping particle whose acceleration has changed since it fell asleep.
 
         Compute the current acceleration a + f / m of each sleeping particle, where f is the sum of
         the generators' forces. Compare it with the acceleration that the particle had when it fell
@@ -131,7 +131,7 @@ class SleepingWorld(ParticleWorld):
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
         """Wake every sleeping particle that is in contact with a particle that can move.
 
-        Return True if any particle woke, because the caller must then find the contacts again.
+        Return True if any particle woke. In that case the caller must find the contacts again.
         """
         woken = False
         for contact in contacts:
@@ -145,7 +145,7 @@ class SleepingWorld(ParticleWorld):
         return woken
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Count one more step for each particle, and put groups of tired particles to sleep.
+        """Update the counts of slow steps, and put groups of tired particles to sleep.
 
         Particles that are connected, directly or through other particles, form a group. Two
         particles are connected if they were in contact in one of the last ``sleep_frames`` steps,
@@ -153,8 +153,8 @@ class SleepingWorld(ParticleWorld):
         they never sleep.
 
         A particle is tired if its last ``sleep_frames`` steps were all slow. A group falls asleep
-        only when all of its particles are tired. Otherwise a particle that still moves would soon
-        push the sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its
+        only when all of its particles are tired. Otherwise a particle that is still moving would
+        soon push the sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its
         ``velocity`` and ``inverse_mass`` to 0.
         """
         awake = [particle for particle in self.particles if particle.inverse_mass]
@@ -170,15 +170,15 @@ class SleepingWorld(ParticleWorld):
                 self._put_to_sleep(particle, neighbors.get(particle, []))
 
     def run_physics(self, duration: float) -> None:
-        """Move all particles that are awake forward by one time step. ``duration`` is in s.
+        """Move all particles that are awake forward by one time step of ``duration`` s.
 
-        - Wake the particles that were changed by hand. In every LOOK_EVERY-th step, also wake the
-          particles on which the generators now act differently.
-        - If all particles sleep, the step is finished.
+        - Wake the particles that code outside the world has changed. Every ``LOOK_EVERY`` steps,
+          also wake the particles whose acceleration has changed since they fell asleep.
+        - If all particles are asleep, the step is finished.
         - Otherwise, call the integrator with only the particles that are awake.
-        - Find the contacts. If a contact wakes a particle, find the contacts again, until no
-          particle wakes.
-        - Resolve the contacts, and then let tired groups fall asleep.
+        - Find the contacts. If a contact wakes a particle, find the contacts again. Repeat this
+          until no more particles wake.
+        - Resolve the contacts, and then call ``fall_asleep``.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -200,7 +200,7 @@ class SleepingWorld(ParticleWorld):
         self.fall_asleep(contacts)
 
     def _count_slow_frames(self, awake: Iterable[Particle]) -> None:
-        """Count for each particle how many steps in a row it has been slow."""
+        """For each particle, count how many steps in a row it has been slow."""
         for particle in awake:
             slow = particle.kinetic_energy() <= self.sleep_energy * particle.mass
             self._slow[particle] = self._slow.get(particle, 0) + 1 if slow else 0
@@ -226,7 +226,7 @@ class SleepingWorld(ParticleWorld):
         particle.inverse_mass = 0.0
 
     def _ask_for_sleepers(self, duration: float) -> None:
-        """Call the generators of each sleeping particle, with its mass restored for the call."""
+        """Call the generators of each sleeping particle, and restore its mass during each call."""
         for particle, generator in self.registry.pairs():
             sleep = self.asleep.get(particle)
             if sleep is not None:

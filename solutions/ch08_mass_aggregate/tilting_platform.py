@@ -1,8 +1,9 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.2, mini-project 8.1).
 
-Seen from the side, the platform is a V made of rods, whose tip is a pivot on the ground. The right
-end is farther from the pivot than the left end. In space the platform has two such Vs, at z = -1
-and z = 1, with rods between them. Arguments of the wrong type raise TypeError.
+Seen from the side, the platform is a V made of rods, and the tip of the V is the pivot on the
+ground. The right end is farther from the pivot than the left end. The platform consists of two such
+Vs, one at z = -1 and one at z = 1, with rods between them. Arguments of the wrong type raise
+TypeError.
 """
 
 from __future__ import annotations

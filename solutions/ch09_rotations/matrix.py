@@ -86,9 +86,10 @@ class Matrix4:
         return _joined(linear, self.transform(_translation(m)))
 
     def determinant(self) -> float:
-        """Compute the determinant of the 3x3 part, which says how much it enlarges volumes.
+        """Compute the determinant of the 3x3 part, the factor by which the matrix scales volumes.
 
-        It is negative for a reflection. The book's listing has a wrong sign (erratum E-28).
+        The determinant is negative if the matrix contains a reflection. The book's listing has a
+        sign error (erratum E-28).
         """
         return _linear(self).determinant()
 
@@ -124,10 +125,10 @@ class Matrix4:
     def transform_inverse(self, v: Vector3) -> Vector3:
         """Find the point that ``transform`` maps to ``v``, and return it as a new vector.
 
-        It converts world coordinates back to the coordinates of an object. Subtract the
-        translation, and then multiply by the transpose of the 3x3 part. This is faster than a
-        general inverse, but it is right only for a rotation, because only then is the transpose the
-        inverse. Book: section 9.4.5.
+        For the matrix of an object, this converts world coordinates to the coordinates of the
+        object. Subtract the translation from ``v``, and then multiply by the transpose of the 3x3
+        part. This is faster than inverting the matrix. However, it is correct only if the 3x3 part
+        is a rotation, whose transpose is its inverse. Book: section 9.4.5.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -161,11 +162,11 @@ class Matrix4:
 
 
 def change_basis(m: M, basis: M) -> M:
-    """Convert the matrix ``m`` to other axes, and return the product basis * m * basis^-1.
+    """Express the transformation ``m`` in a new basis, as the product basis * m * basis^-1.
 
-    ``m`` works on coordinates in the old axes, and ``basis`` converts these coordinates to the new
-    axes. The result has the same effect as ``m``, but on coordinates in the new axes. It converts
-    them to the old axes, applies ``m``, and converts the result back.
+    ``m`` transforms vectors given in the old basis, and ``basis`` converts old coordinates to new
+    coordinates. The returned matrix performs the same transformation on vectors given in the new
+    basis. It converts them to the old basis, applies ``m``, and converts them back.
 
     Raises:
         ValueError: if ``basis`` has no inverse.

@@ -88,7 +88,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_check(arguments: argparse.Namespace) -> bool:
-    """Check some chapters of the student's code, or one exercise, and print the results.
+    """Check the student's code for one exercise or for entire chapters, and print the results.
 
     Return True if any check fails, so that the program exits with status 1 instead of 0.
     """

@@ -128,7 +128,8 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
     """List the written exercises of a chapter, each with the student's answer from answers.md.
 
-    The answers come from the first folder of ``engine`` that contains this chapter's answers.md.
+    ``engine`` lists the folders to search. The answers come from the first of them that contains
+    an answers.md file for this chapter.
     """
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     if not exercises:
@@ -208,9 +209,9 @@ def _problems(
 ) -> list[str]:
     """List what a student must fix in answers.md before one of the answers can be marked.
 
-    Each problem is a sentence addressed to the student. ``own`` contains the sections with the id
-    of the exercise, and there should be exactly one. ``strangers`` contains sections that belong to
-    no exercise, perhaps because the student has changed a heading.
+    Each problem is a sentence addressed to the student. ``own`` contains the sections whose heading
+    begins with the id of the exercise. There should be exactly one of them. ``strangers`` contains
+    sections that match no exercise, which can happen if the student has changed a heading.
     """
     heading = f"## {exercise.id}"
     if not file.is_file():

@@ -1,4 +1,4 @@
-"""The command `progress`, with which an instructor compares a class's graded assignments."""
+"""Define the command `progress`, which compares the graded assignments of a class."""
 
 from __future__ import annotations
 

@@ -70,9 +70,9 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
 
 
 def _interval(value: float, count: int) -> tuple[float, float]:
-    """Compute the 95 % confidence interval of a correlation over ``count`` students.
+    """Compute the 95 % confidence interval of a correlation by Fisher's z-transformation.
 
-    It uses Fisher's z-transformation.
+    ``count`` is the number of students.
     """
     if abs(value) == 1.0:
         return value, value

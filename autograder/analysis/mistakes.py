@@ -28,9 +28,10 @@ class Mistake:
         students: The students who have made the mistake.
         exercises: The exercises in which they made it.
         read: The lessons and sections of the book that explain the topic.
-        robust: True if only robust checks caught it. These try bad arguments, overflow and NaN.
-        in_values: True if the code runs but computes a wrong value. Otherwise it is incomplete or
-            raises an error.
+        robust: True if the mistake was caught only by robust checks, which try bad arguments,
+            overflow and NaN.
+        in_values: True if the student's code runs but computes a wrong value. False if the code is
+            incomplete or raises an error.
     """
 
     words: str

@@ -26,7 +26,7 @@ class Run:
     """The results of a class on one graded assignment.
 
     ``percent`` maps each student to the percentage of points earned, not counting written answers.
-    It is None if the grader failed on the student's submission.
+    A student's percentage is None if the grader failed on the submission.
     """
 
     name: str
@@ -35,7 +35,7 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of all students except those on whose submissions the grader failed."""
+        """The percentages of the students whose submissions could be graded."""
         return [value for value in self.percent.values() if value is not None]
 
     @property

@@ -1,6 +1,6 @@
 """Let a student's code import only Python's standard library and the chapters.
 
-The grader has no other packages. Of the chapters, it has only the files that students hand in or
+The grader has no other packages, and its chapters contain only the files that students hand in or
 receive from us. Any other import fails at home with the same message and on the same line as in the
 grader. Students then notice the problem before they hand in their work.
 """

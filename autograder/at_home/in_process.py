@@ -104,7 +104,10 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """List the names that a student's file defines, or return None if they are unknown."""
+        """List the names that a student's file defines.
+
+        Return None if the file defines nothing, is missing, or is not valid Python.
+        """
         return read_definitions(file)
 
     def start(self) -> None:

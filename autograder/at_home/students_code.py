@@ -28,11 +28,11 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 
 
 class StudentsCode:
-    """Recognizes a student's code by the folder that its file is in.
+    """Recognizes a student's code by the folder that contains it.
 
-    ``graded`` lists, for each chapter's folder, the files that the grader has too. If a folder is
-    not in ``graded``, all of its files count as graded. ``ours`` lists the files in the student's
-    folders that the student did not write, such as ch06_springs/cloth.py.
+    ``graded`` maps the name of each chapter's folder to the files that are also available in the
+    grader. If a folder is not in ``graded``, the grader has all of its files. ``ours`` lists the
+    files in ``folders`` that the student did not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -61,10 +61,11 @@ class StudentsCode:
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return True if the student's code made the current call, such as a call of open.
+        """Return True if the student's code started the current import or operation.
 
-        The caller is the first function on the stack that is not part of Python's library. The
-        steps that Python itself performs during an import do not count as calls by the student.
+        The innermost function on the stack that is not part of Python's library counts as the one
+        that started it. The steps that Python itself performs during an import never count as
+        started by the student.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -77,7 +78,11 @@ class StudentsCode:
         return False
 
     def _is_students(self, file: str) -> bool | None:
-        """Return True if the student wrote a file, or None if it is part of Python's library."""
+        """Return True if the student wrote the code in a file, and False if someone else did.
+
+        Return None for Python's library and for code run by exec, because either may act on behalf
+        of the student. In that case, ``is_calling`` checks the caller instead.
+        """
         if file.startswith("<"):  # such as <string>, from exec, and <frozen os>
             return False if file.startswith("<frozen importlib") else None
         if is_inside(file, self.folders):

@@ -23,10 +23,10 @@ FIRST_CALLS = 9  # how many of these calls the grader's own code uses up
 
 
 def leave_home() -> None:
-    """Permanently remove the user's own settings from this process, and limit its memory.
+    """Permanently give this process a neutral environment, and limit its memory.
 
-    The settings are the command line, the environment variables and the working directory. The
-    memory limit works only on Linux.
+    The command-line arguments are removed, the user's environment variables are replaced with a
+    minimal set, and the working directory becomes /. The memory limit works only on Linux.
     """
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
@@ -62,8 +62,9 @@ class Depth:
     def adapt(self, more: int) -> None:
         """Set Python's recursion limit just before a check calls the student's code.
 
-        ``more`` is the number of calls between this method's caller and the student's code. If the
-        student's code has changed the limit, this method does nothing.
+        ``more`` is how many nested calls the stack will contain between the caller of this method
+        and the student's code. If the student's code has changed the limit, this method does
+        nothing.
         """
         if sys.getrecursionlimit() != self.limit:
             return

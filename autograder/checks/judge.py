@@ -41,7 +41,7 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """Create a context that stops the check processes of all threads and prevents new ones.
+    """Stop the check processes of all threads, and prevent new ones until the context ends.
 
     Every run of checks that is stopped in this way raises GraderError.
     """
@@ -55,7 +55,7 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return True while any thread is using ``stopping``, so that no check process may run."""
+    """Return True if a thread is using ``stopping``, which forbids all check processes."""
     return _stopping.is_set()
 
 

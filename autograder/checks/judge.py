@@ -208,8 +208,8 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 def environment() -> dict[str, str]:
     """Return the environment variables for a check process.
 
-    They prevent pytest from loading plugins and options of the user's machine, which could change
-    how the checks run.
+    They keep pytest from loading any plugins or options that are set up on the user's machine,
+    because these could change how the checks run.
     """
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {

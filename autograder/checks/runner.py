@@ -180,7 +180,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Build the configuration of the next process, which skips checks that have a verdict."""
+        """Build the configuration of the next process, which runs only checks without a verdict."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),

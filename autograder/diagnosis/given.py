@@ -33,7 +33,8 @@ def with_given(
     copies of our solutions, and the folders of ``engine`` come after it.
 
     Raises:
-        ValueError: ``root`` does not contain our solution to a given chapter. A handout never does.
+        ValueError: ``root`` does not contain our solution to a given chapter. Handouts contain no
+            solutions.
     """
     if not given:
         yield engine

@@ -52,7 +52,10 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that a module or class defines itself, but not those inside its functions."""
+    """Yield the names that are defined directly in the body of a module or class.
+
+    Names that are defined inside its functions and inner classes are left out.
+    """
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():

@@ -128,7 +128,7 @@ def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
 
 
 def shared_by_checks(root: Path) -> list[Path]:
-    """List the helper modules in tests/ that the checks of all chapters import."""
+    """List the helper modules in tests/ that are shared by the checks of all chapters."""
     return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
 
 

@@ -1,6 +1,6 @@
-"""Store the texts that a check's failure message will show.
+"""Store the parts of the message that a check shows if it fails.
 
-Before a check calls the student's code, it stores three texts: the call, the likely mistake behind
+Before a check calls the student's code, it stores three parts: the call, the likely mistake behind
 a wrong result, and the section to read. The message shows all three if the result is wrong or the
 student's code raises an exception.
 """
@@ -18,11 +18,11 @@ LONG = re.compile(r"\b\d{1,5}\.\d{10,}\b(?![eE])")  # a computed number with all
 
 
 class Words(TypedDict, total=False):
-    """Texts for the failure message of a single expectation in a check.
+    """Parts of a failure message that apply to only one expectation in a check.
 
-    ``call``, ``cause`` and ``read`` override the texts that the check has stored, and ``then`` is
-    appended to the call. ``unit`` is shown after both the returned and the expected number. It can
-    be a unit such as "m/s" or a plural such as "contacts".
+    ``call``, ``cause`` and ``read`` replace the parts that the check has stored, and ``then`` is
+    appended to the call. ``unit`` is a unit such as "m/s" or a plural noun such as "contacts". The
+    message shows it after the returned number and after the expected one.
     """
 
     call: str
@@ -33,10 +33,10 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """The texts for a failure message: the call, the likely mistake, and the section to read.
+    """The parts of a check's failure message: the call, the likely mistake and the section to read.
 
     A check sets them before it calls the student's code. To change only some of them, call the
-    object with the new texts, or assign to an attribute, as in ``about.call += "; v.x"``.
+    object with the new values, or assign to an attribute, as in ``about.call += "; v.x"``.
     """
 
     def __init__(self) -> None:
@@ -50,15 +50,15 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the call, the likely mistake and the section to read, for one expectation.
+        """Return the call, the likely mistake and the section to read for a single expectation.
 
-        A text in ``words`` overrides the one that the check has stored.
+        The values in ``words`` take precedence over those that the check has stored.
         """
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
-        """Clear the texts of this check, to keep them out of the next check's messages."""
+        """Clear all stored parts, so that they do not appear in the messages of the next check."""
         self("", cause="", read="")
 
 
@@ -66,19 +66,19 @@ about = About()
 
 
 def short_numbers(text: str) -> str:
-    """Shorten the computed numbers in a text, so that 0.30000000000000004 becomes 0.3.
+    """Shorten the computed numbers in a string, for example 0.30000000000000004 to 0.3.
 
-    Numbers with ten or more decimals are rounded to six significant digits. All others stay as they
-    are.
+    Numbers with ten or more decimal places are rounded to six significant digits. All others stay
+    as they are.
     """
     return LONG.sub(lambda number: f"{float(number[0]):.6g}", text)
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Decorate a helper function so that it restores the texts in ``about`` when it returns.
+    """Decorate a helper function so that its changes to ``about`` are undone when it returns.
 
-    The helper can then set its own texts for failure messages without affecting the check that
-    called it. If the helper raises an exception, its own texts stay, because the failure message
+    The helper can then describe its own calls without affecting the failure messages of the check
+    that called it. If the helper raises an exception, its changes stay, because the failure message
     needs them.
     """
 

@@ -1,6 +1,6 @@
-"""Find out whether a check calls a certain function of the student.
+"""Find out whether a check calls one of the student's functions.
 
-The answer depends on the expression in the check's failure message, such as "v.dot(w)".
+The answer is based on the expression in the check's failure message, such as "v.dot(w)".
 """
 
 from __future__ import annotations
@@ -39,10 +39,11 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return True if a check's expression creates an object of the class that has a given method.
+    """Return True if a check's expression creates an object of the class that ``name`` belongs to.
 
-    For example, "Vector3(1, 2, 3)" creates an object of the class that has the method
-    vector.Vector3.dot. If the function does not belong to a class, the result is always True.
+    ``name`` is the full name of a method, such as vector.Vector3.dot. In this example, the result
+    is True for an expression such as "Vector3(1, 2, 3)". If ``name`` is a function outside any
+    class, the result is always True.
     """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

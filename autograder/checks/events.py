@@ -47,7 +47,7 @@ class Importing:
 
 @dataclass(frozen=True)
 class Imported:
-    """An event sent when the import that an ``Importing`` event announced has finished."""
+    """An event sent when the import announced by an ``Importing`` event has finished."""
 
 
 @dataclass(frozen=True)

@@ -41,7 +41,7 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """Create a context that stops the check processes of all threads and prevents new ones.
+    """Stop the check processes of all threads, and prevent new ones until the context ends.
 
     Every run of checks that is stopped in this way raises GraderError.
     """
@@ -55,7 +55,7 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return True while any thread is using ``stopping``, so that no check process may run."""
+    """Return True if a thread is using ``stopping``, which forbids all check processes."""
     return _stopping.is_set()
 
 
@@ -208,8 +208,8 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 def environment() -> dict[str, str]:
     """Return the environment variables for a check process.
 
-    They prevent pytest from loading plugins and options of the user's machine, which could change
-    how the checks run.
+    They keep pytest from loading any plugins or options that are set up on the user's machine,
+    because these could change how the checks run.
     """
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {

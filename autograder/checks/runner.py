@@ -180,7 +180,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Build the configuration of the next process, which skips checks that have a verdict."""
+        """Build the configuration of the next process, which runs only checks without a verdict."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -267,10 +267,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Record that a check of this exercise hung, and perhaps skip the exercise's other checks.
+        """Record that a check of an exercise hung, and skip its other checks if they may hang too.
 
         If a check of one of the exercise's prerequisites hung earlier, the remaining checks would
-        most likely get stuck in the same loop. In that case they fail without running.
+        most likely get stuck in the same loop. In that case, they fail without running.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")

@@ -68,7 +68,7 @@ class Recorder:
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """Print the reason to stderr, for the runner, if a file of checks cannot be imported."""
+        """Print the error to stderr, for the runner, if a check file cannot be imported."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
@@ -110,9 +110,9 @@ class Recorder:
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
         """Run the checks of each exercise in a forked copy of this process.
 
-        Then one exercise cannot affect another through a counter or a cache in the student's code.
-        If the student's code runs in a sandbox, or the system cannot fork, pytest runs the checks
-        as usual.
+        This prevents one exercise from affecting another through a counter or a cache in the
+        student's code. If the student's code runs in a sandbox, or the system cannot fork, pytest
+        runs the checks as usual.
         """
         apart = isinstance(self.engine, InProcess) and self.engine.apart
         if session.testsfailed or not apart:  # if the collection failed, pytest reports that

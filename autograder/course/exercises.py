@@ -187,9 +187,9 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points of the exercises, so that they add up to ``out_of`` in the course file.
+        """Scale the points of the exercises, so that they add up to the assignment's ``out_of``.
 
-        If the assignment has no ``out_of``, the points stay as they are.
+        If the course file sets no ``out_of`` for this assignment, the points stay as they are.
         """
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")

@@ -18,9 +18,10 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a chapter as the students of an assignment receive it, with all of its exercises.
+    """Return the chapter that students receive for an assignment, with all of its exercises.
 
-    The exercises in ``assigned`` have the points of the assignment. All others become optional.
+    The exercises in ``assigned`` have the points of the assignment. All others are marked as
+    optional.
     """
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]

@@ -96,7 +96,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Format a value as in a TOML file, and truncate it if it is long."""
+    """Format a value as TOML, and truncate the result if it is long."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)

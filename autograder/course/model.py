@@ -43,8 +43,8 @@ class Deadline:
 
     Attributes:
         due: The due date, with a time zone.
-        policy: The penalty. If it is None, reports say how late a submission is, but it loses no
-            points.
+        policy: The penalty. If it is None, late work loses no points, but reports still say how
+            late it is.
         extensions: The later due dates of individual students.
     """
 
@@ -58,7 +58,8 @@ class Work:
     """An assignment: the exercises that students have to do, and how they are graded.
 
     Attributes:
-        chapters: The chapters with only the assigned exercises and their points in this assignment.
+        chapters: The assigned chapters, each with only the assigned exercises. An exercise has the
+            number of points that it is worth in this assignment.
         given: The chapters that students receive as finished code.
         earlier: The exercises of earlier assignments that this one builds on.
         hidden: The folder of hidden checks.

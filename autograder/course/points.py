@@ -26,8 +26,8 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
 def scaled_alike(value: float, out_of: float, total: float) -> float:
     """Scale the points of an extra-credit exercise by the same factor as the regular points.
 
-    ``value`` is the old number of points of this exercise. ``total`` is the old sum of the regular
-    points, and ``out_of`` is the new sum.
+    ``value`` is the number of points that this exercise is worth before scaling. ``total`` is the
+    sum of the regular points before scaling, and ``out_of`` is their sum afterwards.
     """
     return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
 

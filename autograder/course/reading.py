@@ -27,7 +27,7 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 def read_course(path: Path, root: Path = ROOT) -> Course:
     """Read the course file, in which an instructor describes the assignments of a term.
 
-    Relative paths in the file start from the folder that contains it.
+    Relative paths in the file are resolved from the folder that contains it.
 
     Raises:
         ValueError: The file contains mistakes. The message lists all of them with their lines.
@@ -49,7 +49,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
 
 class Reader:
-    """Converts the tables of a course file to assignments, and records the mistakes in them."""
+    """Converts the tables of a course file to assignments, and records any mistakes in the file."""
 
     def __init__(
         self, data: dict[str, Any], folder: Path, chapters: list[Chapter], mistakes: Mistakes

@@ -26,11 +26,11 @@ def explain_exception(
 ) -> Message:
     """Build the message that explains to a student why an exception ended a check.
 
-    An exception about a wrong value already contains its message. For any other exception, the
-    message shows the check's call, the exception, the student's line and a likely mistake.
+    An exception that reports a wrong value already contains its message. For any other exception,
+    the message shows the check's call, the exception, the student's line and a likely mistake.
 
-    If the exception is a common Python error, we explain it. For any other error, and for one that
-    the student's own code raises, we show the mistake that the check suggests.
+    If the exception is a common Python error, the likely mistake is our explanation of that error.
+    Otherwise it is the mistake that the check has stored in ``about``.
 
     ``complete`` lists modules that the student uses but did not write, such as
     ch02_vectors/arguments.py. If the exception comes from a worker process, its attribute ``fault``
@@ -70,8 +70,8 @@ def explain_import(
 ) -> Message:
     """Build the message that explains to a student why a module cannot be imported.
 
-    ``complete`` lists the modules that the student did not write. The message points to a line of
-    these modules only if the error involves no line that the student wrote.
+    ``complete`` lists the modules that the student did not write. The message points to a line in
+    one of them only if the traceback contains no line that the student wrote.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -122,8 +122,11 @@ def _likely(text: str, cause: str, fault: Fault, line: str = "") -> tuple[str, s
     """Guess which mistake caused an exception in a student's code.
 
     Return the most likely mistake and a second possibility. Either may be an empty string.
-    ``cause`` is the mistake that the check suggests. If the student's ``line`` raises the exception
-    itself, the exception is not a sign of a mistake in Python.
+
+    If the exception clearly comes from a mistake in the use of Python, that mistake is the most
+    likely one. Otherwise, the most likely one is usually ``cause``, the mistake that the check
+    suggests. If the exception might come from either, both are returned, unless the student's
+    ``line`` raises it with a ``raise`` statement.
     """
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
@@ -144,9 +147,9 @@ def _is_given(place: Place, complete: Sequence[str]) -> bool:
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the text of the student's line to ``place``, so that the failure message can show it.
+    """Add the text of the source line to ``place``, so that the failure message can show it.
 
-    The line comes from the first folder of the engine that contains the file.
+    The line is read from the first folder in ``engine_folders`` that contains the file.
     """
     for folder in engine_folders:
         file = folder / place.file

@@ -27,13 +27,14 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Create a context in which our solutions serve as the code of the ``given`` chapters.
+    """Provide our solutions as the code of the ``given`` chapters.
 
-    The context manager yields the folders to search for code. The first is a temporary folder with
+    This context manager yields the folders to search for code. The first is a temporary folder with
     copies of our solutions, and the folders of ``engine`` come after it.
 
     Raises:
-        ValueError: ``root`` does not contain our solution of a given chapter, as in every handout.
+        ValueError: ``root`` does not contain our solution to a given chapter. Handouts contain no
+            solutions.
     """
     if not given:
         yield engine
@@ -52,7 +53,7 @@ def with_given(
 
 
 def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
-    """Return True if our solution of a chapter is available. Handouts contain no solutions."""
+    """Return True if our solution to a chapter is available. Handouts contain no solutions."""
     return (root / "solutions" / chapter.name).is_dir()
 
 
@@ -66,13 +67,13 @@ def run_on_given(
 ) -> list[Verdict]:
     """Run a chapter's checks again, with our solutions in place of the student's earlier chapters.
 
-    Return the new verdicts. The list is empty if a second run is impossible or would tell us
-    nothing new, because
+    Return the new verdicts. In the following cases, a second run is impossible or would reveal
+    nothing new, so the list is empty:
 
-    - the student wrote no earlier chapter that this one builds on,
-    - our solutions are not available,
-    - the failures are all due to functions that are not written yet, or
-    - an endless loop in this chapter would run again.
+    - The student wrote no earlier chapter that this one builds on.
+    - Our solutions are not available.
+    - All failures are due to functions that are not written yet.
+    - An endless loop in this chapter would run again.
 
     Raises:
         GraderError: The checks cannot be run.
@@ -87,10 +88,10 @@ def run_on_given(
 
 
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Mark a failed check as inherited if it passes with our solutions of the earlier chapters.
+    """Mark a failed check as inherited if it passes with our solutions to the earlier chapters.
 
-    ``verdicts`` come from the run with the student's own earlier chapters, and ``again`` from the
-    run with our solutions of them.
+    ``verdicts`` comes from the run with the student's own earlier chapters, and ``again`` from the
+    run with our solutions.
     """
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
@@ -104,7 +105,7 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
     """For each check that failed in both runs, replace the first verdict with the second.
 
-    ``verdicts`` come from the first run, and ``again`` from the run with our solutions of the
+    ``verdicts`` comes from the first run, and ``again`` from the run with our solutions to the
     earlier chapters. In the second run, only the student's code in this chapter can have caused a
     failure. The second verdict therefore explains the failure better.
     """
@@ -156,6 +157,6 @@ def _number(exercise: str) -> str:
 
 
 def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
-    """Return True if a failed check got stuck in this chapter's code, as in an endless loop."""
+    """Return True if a failed check hung in this chapter's code, for example in an endless loop."""
     hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
     return any(m.where and m.where.file.startswith(f"{chapter.name}/") for m in hung)

@@ -53,9 +53,9 @@ def _candidates(
 
 
 def _names(says: str, name: str) -> bool:
-    """Return True if a NameError, ImportError or AttributeError is about ``name`` or its class.
+    """Return True if Python's error says that ``name``, or the class it belongs to, is missing.
 
-    ``says`` is a text that contains the message of the error.
+    ``says`` contains the message of a NameError, ImportError or AttributeError.
     """
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]

@@ -57,8 +57,8 @@ def file_of(module: str) -> str:
 def broken_module(name: str, why: Message) -> ModuleType:
     """Create a placeholder for a student's module that cannot be imported.
 
-    Checks can import any name from the placeholder. A check that calls such a name ends with the
-    message ``why``.
+    Checks can import any name from this placeholder. Calling one of these names ends the check with
+    the message ``why``.
     """
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
@@ -66,9 +66,10 @@ def broken_module(name: str, why: Message) -> ModuleType:
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Create a __getattr__ for a module, so that checks can import names that it does not define.
+    """Create a ``__getattr__`` for a module that returns a placeholder for any missing name.
 
-    A check that calls such a name ends with a message that the student's module does not define it.
+    Checks can then import a name that the student's module does not define. Calling the placeholder
+    ends the check with a message that names what is missing.
     """
     is_empty = all(name.startswith("__") for name in vars(module))
 

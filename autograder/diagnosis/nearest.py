@@ -164,9 +164,9 @@ def _attributes(value: Any) -> set[str]:
 def _slots(kind: type) -> list[str]:
     """List the attributes that a student may assign to, if a class limits them with __slots__.
 
-    If the class accepts any attribute, the list is empty. A private slot such as _damping is listed
-    only if there is a property named damping. Other private slots are internal to the class. If all
-    slots are private and none has a property, all of them are listed.
+    If the class accepts any attribute, the list is empty. A private slot such as _damping is
+    internal to the class, so it is listed only if there is a property named damping. If that would
+    leave no slots at all, all of them are listed.
     """
     if kind.__dictoffset__:
         return []

@@ -148,9 +148,9 @@ PERHAPS = (
 
 
 def slip_of(text: str) -> str:
-    """Explain the common Python mistake behind an exception with this text.
+    """Return an explanation of the common Python mistake that an exception's text reveals.
 
-    For example, "circular import" means that two files import each other. If the text is not one
-    that we recognize, return an empty string.
+    For example, "circular import" in the text means that two files import each other. If the text
+    is not one that we recognize, return an empty string.
     """
     return next((slip for sign, slip in SLIPS if sign in text), "")

@@ -1,4 +1,4 @@
-"""Describe an assignment, and compute the check results that are the same for every student.
+"""Define the assignment to grade, and compute the check results that all students share.
 
 For example, all students who handed in nothing for a chapter get the same results on it.
 """

@@ -80,9 +80,9 @@ def only_run(out: Path) -> Iterator[Path]:
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Keep the temporary files of a grading run in the folder of its reports.
+    """Keep the temporary files of a grading run inside ``out``, the folder for its reports.
 
-    If a run is killed, it cannot delete its temporary files, but the next run finds them here and
+    If a run is killed, it cannot delete its temporary files. The next run finds them there and
     deletes them.
     """
     own, before = out / ".temporary", tempfile.tempdir

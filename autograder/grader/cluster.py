@@ -210,9 +210,9 @@ def _shared(work: Work) -> OnceForAll:
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment with the path of the repository on this machine.
+    """Return the assignment with the path of the repository changed to the one on this machine.
 
-    The path may be different on each machine of a cluster.
+    The repository may have a different path on each machine of a cluster.
     """
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
@@ -226,7 +226,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A function call that a worker of the cluster makes when it unpickles this object."""
+    """An object that calls a function when a worker of the cluster unpickles it."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts

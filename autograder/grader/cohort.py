@@ -180,9 +180,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions in the folder of a class, and list everything else in it as notes.
+    """Find the submissions in a class's folder, along with notes on the other items in it.
 
-    If the folder for the reports is among the submissions, it is skipped.
+    If the folder for the reports is inside the class's folder, it does not count as a submission.
 
     Raises:
         ValueError: The reports would be written directly into the class's folder or into a

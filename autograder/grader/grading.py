@@ -33,9 +33,10 @@ def grade_submission(
 ) -> StudentReport:
     """Grade one student's submission and return the report on it, even if the grader itself fails.
 
-    ``once`` is a cache of check results that are the same for all students. ``fill`` is a function
-    that copies the files of a submission that came from another machine. By default, ``stage``
-    copies them from this one.
+    ``once`` is a cache of check results that are the same for all students. ``fill`` is the
+    function that copies the submission's files to the folder where they are graded. The default is
+    ``stage``, which reads them from ``submission.path``. On a cluster, the files were sent by
+    another machine, so the worker passes a different function.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -165,8 +166,7 @@ def _chart(
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
     """Build the results of a chapter whose checks could not be run.
 
-    Each exercise is reported as an error of the grader, so that the student does not get a zero for
-    it.
+    Each exercise is reported as a grader error, so that the student does not get a zero for it.
     """
     why = presentable(Message(reason[:500]))
     ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]

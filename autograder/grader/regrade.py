@@ -57,7 +57,7 @@ class Regrade:
         """The student's report before this regrade, or None if there is none.
 
         If an earlier regrade was killed before it could write the log, this is the report from
-        before that regrade. In this way, every change is logged.
+        before that regrade. The log then also covers the changes that the earlier regrade made.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -162,7 +162,7 @@ def earlier_choice(out: Path) -> tuple[str, str]:
     """Find out which chapters an earlier run graded, so that the same ones can be graded again.
 
     Returns:
-        Two texts for the command line, such as "4,5" and "2,3". The first lists the graded
+        Two strings for the command line, such as "4,5" and "2,3". The first lists the graded
         chapters, and the second lists those taken from the reference solution.
 
     Raises:

@@ -158,7 +158,10 @@ def _remove_dead_links(out: Path) -> None:
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write a chapter's manifest and table of exercises, with the points of this assignment."""
+    """Write a chapter's manifest, and update the table of exercises in its reference.md.
+
+    Both show how many points each exercise is worth in this assignment.
+    """
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):

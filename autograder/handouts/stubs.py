@@ -191,11 +191,12 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Find the helper functions of a solution that nothing uses once some bodies are removed.
+    """Find the helper functions that nothing uses once the students' functions lose their bodies.
 
-    The result maps each helper to the error message of a function that used it. Helpers that share
-    a short name with another function, such as the methods of a Protocol, are never included. For
-    these, we cannot tell which function a body used.
+    The result maps each helper to the error message of a function that used it, because the
+    helper's own stub raises the same error. A helper that shares its short name with another
+    function, such as a method of a Protocol, is never included. In that case, we cannot tell which
+    of the two functions a body used.
     """
     short_names = [_short(name) for name in defined]
     return {

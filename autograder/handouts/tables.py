@@ -52,7 +52,7 @@ def with_table(page: str, chapter: Chapter) -> str:
     """Return the text of a chapter's reference.md with an updated table of exercises.
 
     Raises:
-        ValueError: The page lacks the two comment lines between which the table belongs.
+        ValueError: The page lacks the two comment lines that mark where the table belongs.
     """
     before, begin, rest = page.partition(BEGIN)
     _, end, after = rest.partition(END)

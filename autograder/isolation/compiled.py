@@ -14,7 +14,7 @@ from types import CodeType, ModuleType
 
 
 class CompiledLoader(SourceFileLoader):
-    """Loads a module from bytecode that is already in memory, as Python does from a .pyc file."""
+    """Loads a module from bytecode that is already in memory instead of from a file."""
 
     def __init__(self, name: str, path: str, code: CodeType) -> None:
         super().__init__(name, path)

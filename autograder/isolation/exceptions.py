@@ -81,7 +81,7 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Read from a worker's data which missing name caused an exception in the student's code.
+    """Extract the missing name behind an exception from the data that the worker sent about it.
 
     The result contains both the missing name, such as "Vector", and the most similar name that
     exists, such as "Vector3". If the exception has another cause, the result is None.

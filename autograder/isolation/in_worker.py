@@ -133,7 +133,7 @@ class InWorker:
     def _compile(self, module: str, file: Path) -> bytes | None:
         """Compile a student's file in a worker that has not yet run any student code.
 
-        All later workers will use this bytecode, so no student code may have a chance to tamper
+        All later workers will use this bytecode, so student code must not get a chance to tamper
         with it.
         """
         if module in self.modules:

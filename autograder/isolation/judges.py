@@ -94,7 +94,7 @@ class ForkedJudge:
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Send a request to the helper process that forks judges, and return its answer.
+    """Send a request to the helper process that forks check processes, and return its answer.
 
     If the helper process is not running yet, start it first.
     """
@@ -150,7 +150,7 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Turn this process, a fork of the helper process, into the judge that ``order`` describes.
+    """Turn this process, a fork of the helper process, into the check process of ``order``.
 
     The process adopts the working folder and the environment variables given in ``order``, and uses
     ``descriptors`` as its standard streams.

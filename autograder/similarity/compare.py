@@ -1,4 +1,4 @@
-"""Compare the code of each pair of students in a class, and rate how unusual its similarity is.
+"""Compare the code of each pair of students in a class, and rate how unusual each result is.
 
 We compare fingerprints of the code, which are hashes of short sequences of tokens. A fingerprint
 that few students share weighs more, because it is less likely to be a coincidence. The similarity

@@ -34,7 +34,10 @@ def python_of_venv() -> Path:
 
 
 def shown_python() -> str:
-    """Return the path of Python in .venv as a user would type it, relative if possible."""
+    """Return the path of the Python interpreter in .venv, as shown to the user.
+
+    The path is relative to the current folder if possible.
+    """
     try:
         return str(python_of_venv().relative_to(Path.cwd()))
     except ValueError:
@@ -62,7 +65,7 @@ def check_python() -> None:
 
 
 def install(python: str) -> str:
-    """Install the packages of requirements.lock with pip, and print how many have been fetched.
+    """Install the packages listed in requirements.lock with pip, and print the progress.
 
     Return pip's output if the installation fails, and an empty string if it succeeds.
     """

@@ -86,7 +86,7 @@ class Chapter:
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
-        """Find the exercise of this chapter that has the id ``exercise_id``, such as B2.3.
+        """Find the exercise in this chapter whose id is ``exercise_id``, such as B2.3.
 
         Raises:
             ValueError: The chapter has no such exercise.

@@ -16,7 +16,7 @@ Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
 class Kind(Enum):
-    """The reason why a check does not pass, such as an endless loop."""
+    """The kind of failure that a check has found, such as a wrong result or an infinite loop."""
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"

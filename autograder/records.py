@@ -42,7 +42,7 @@ def to_json(value: Any) -> Any:
 
 
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
-    """Create a dataclass of the type ``kind`` from parsed JSON, and validate every value.
+    """Create an instance of the dataclass ``kind`` from parsed JSON, and validate every value.
 
     ``what`` describes the JSON in error messages, as in "the report".
 
@@ -112,9 +112,10 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 
 
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
-    """Build a function that accepts JSON of any of the types in ``kinds``.
+    """Build a function that validates a JSON value and converts it to one of the given types.
 
-    If the JSON has none of these types, the error describes the mismatch with the first type.
+    If the value has none of the types in ``kinds``, the error describes the mismatch with the first
+    type.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 
@@ -175,7 +176,7 @@ def _choice_reader(choices: Any) -> Callable[[Any, str], Any]:
 
 
 def _plain_reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Build a function that accepts a string, a number or a boolean in JSON.
+    """Build a function that validates a string, number or boolean read from JSON.
 
     Where a float is expected, an int is accepted too.
     """

@@ -28,17 +28,17 @@ class Result:
 
     @property
     def physics(self) -> list[Verdict]:
-        """The verdicts on the physics checks, which alone determine whether the exercise works."""
+        """The verdicts on the physics checks, all of which must pass for the exercise to work."""
         return [check for check in self.checks if not check.robust]
 
     @property
     def robust(self) -> list[Verdict]:
-        """The verdicts on the robust checks, which try bad arguments, overflow and NaN."""
+        """The verdicts on the robust checks, which try invalid arguments, overflow and NaN."""
         return [check for check in self.checks if check.robust]
 
     @property
     def works(self) -> bool:
-        """True if the exercise works, which means that all of its physics checks pass."""
+        """True if all physics checks of the exercise pass, even if robust checks fail."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
@@ -61,12 +61,13 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     """Compute the status and points of an exercise from the results of its checks.
 
-    Each check has a weight, and the points are in proportion to the total weight of the checks that
+    Each check has a weight, and the points are proportional to the total weight of the checks that
     pass. If an exercise has both kinds of checks, the physics checks are worth PHYSICS_SHARE of the
     points, and the robust checks are worth the rest. Robust checks affect the status only if all
     physics checks pass.
 
-    If an exercise has no checks, that is our own mistake, so its score is None rather than zero.
+    If an exercise has no checks, its score is None rather than zero, because the student is not at
+    fault.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -87,7 +88,7 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def _passing(checks: Sequence[Verdict]) -> float:
-    """Compute the fraction of checks that pass, where each check counts by its weight."""
+    """Compute the weighted fraction of checks that pass."""
     passed = sum(check.weight for check in checks if check.status == "passed")
     return passed / sum(check.weight for check in checks)
 

@@ -267,7 +267,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Do nothing, because the student's code may run only in the worker processes."""
+        """Do not execute the module, because student code may run only in worker processes."""
 
 
 class ChapterModule(ModuleType):

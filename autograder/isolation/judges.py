@@ -67,12 +67,12 @@ class Judges:
 
 
 class ForkedJudge:
-    """A process that runs checks, forked from one that has already imported pytest.
+    """A process that runs checks, forked from a helper process that has already imported pytest.
 
-    It offers those methods and attributes of ``subprocess.Popen`` that the grader needs.
+    It provides the methods and attributes of ``subprocess.Popen`` that the grader needs.
 
     Raises:
-        OSError: The process that forks check processes has ended.
+        OSError: The helper process has ended.
     """
 
     def __init__(
@@ -94,7 +94,10 @@ class ForkedJudge:
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Send a request to the process that forks check processes, and start it first if necessary."""
+    """Send a request to the helper process that forks check processes, and return its answer.
+
+    If the helper process is not running yet, start it first.
+    """
     own = os.getpid()
     with _lock:
         if own not in _waiting:
@@ -107,7 +110,7 @@ def _ask(order: Order, descriptors: list[int]) -> int:
 
 
 def main() -> None:
-    """Handle the grader's requests, such as to start a check process, until the grader ends."""
+    """Handle requests to start processes for checks or to wait for them, until the grader ends."""
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting
@@ -147,7 +150,7 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Turn this forked copy into the check process that ``order`` describes.
+    """Turn this process, a fork of the helper process, into the check process of ``order``.
 
     The process adopts the working folder and the environment variables given in ``order``, and uses
     ``descriptors`` as its standard streams.

@@ -1,8 +1,8 @@
 """Give a student's code more time if it was slow only because the machine was busy.
 
 The time limit of a check is in real time, because code that only waits must be stopped too. On a
-busy machine, however, the worker process that runs the code may get the processor for only a
-fraction of that time. Correct code would then seem too slow.
+busy machine, however, other processes may use the processor for most of that time. Without extra
+time, even correct code would then seem too slow.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ ENOUGH = 0.5  # a worker that had this part of the time limit on a processor get
 
 
 class Patience:
-    """Extra time for a student's code on a busy machine, granted at most once for each check.
+    """Extra time for a student's code on a busy machine, granted at most once per check.
 
     ``process`` is the process ID of the worker that runs the code, and ``seconds`` is the time
-    limit. Inside bubblewrap, process IDs are different, so we cannot tell how much processor time
-    the worker has used. In that case ``process`` is 0.
+    limit. Inside bubblewrap the process ID is different, so the worker's processor time cannot be
+    measured. In that case ``process`` is 0.
     """
 
     def __init__(self, process: int, seconds: float) -> None:
@@ -28,8 +28,8 @@ class Patience:
     def more(self) -> float:
         """Compute how many extra seconds the worker process gets to finish a check.
 
-        A worker that has used the processor for less than half of its time limit gets the unused
-        part. If it has used more, or has already had extra time, the result is 0.
+        If the worker's processor time is less than half of the time limit, the worker gets the
+        unused part. Otherwise, or if it has already had extra time, the result is 0.
         """
         used = processor_time(self.process)
         self.process = 0
@@ -37,7 +37,7 @@ class Patience:
 
 
 def processor_time(process: int) -> float:
-    """Return how many seconds a process has spent on the processor, or inf if that is unknown."""
+    """Return the processor time that a process has used, in seconds, or inf if it is unknown."""
     try:
         text = Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
         user, system = text.rpartition(")")[2].split()[11:13]  # its name may contain anything

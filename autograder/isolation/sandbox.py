@@ -178,10 +178,10 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return True if our filter of system calls works on this machine.
+    """Return True if our system call filter works on this machine.
 
-    The filter lists system calls by their numbers on 64-bit Linux for x86-64. Other machines use
-    different numbers.
+    The filter identifies system calls by their numbers on 64-bit Linux for x86-64. Other machines
+    use different numbers.
     """
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
@@ -227,8 +227,8 @@ def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
     """Permanently prevent a worker from starting processes and from sending signals.
 
     This happens before the worker loads any student code. ``confine`` still allows both, because
-    the template process needs them to fork and control the workers. ``seconds`` is how much
-    processor time the worker may use.
+    the template process needs them to fork and control the workers. ``seconds`` is the limit on the
+    worker's processor time.
 
     Raises:
         SandboxError: A layer cannot be set up.

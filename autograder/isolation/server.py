@@ -75,9 +75,9 @@ class Server:
         self.wire.send(reply)
 
     def describe(self, error: BaseException) -> dict[str, Any]:
-        """Describe an exception of the student's code as plain data.
+        """Describe an exception raised by the student's code as plain data.
 
-        The checks' process then recreates the exception from this data and raises it there.
+        The checks' process uses the data to recreate the exception and raise it again.
         """
         # We compare classes and not names, since a student's class may be called ValueError.
         known = (_KNOWN.get(base) for base in type(error).__mro__)
@@ -93,10 +93,10 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Return a reference through which a check can use an object of the student's code.
+        """Return a reference that lets a check use an object that belongs to the student's code.
 
-        An example is ``{"object": 3, "type": "Vector3"}``, where 3 is the object's position in a
-        list. The list also keeps the object alive, because Python could otherwise reuse its id for
+        An example is ``{"object": 3, "type": "Vector3"}``, where 3 is the object's index in a list.
+        The list also keeps the object alive, because Python could otherwise reuse its id for
         another object.
         """
         number = self.numbers.setdefault(id(value), len(self.objects))
@@ -107,8 +107,8 @@ class Server:
     def find(self, data: dict[str, Any]) -> Any:
         """Return the object that a reference in a check's request stands for.
 
-        For a reference to a function of the check, return a stand-in that calls the function in the
-        checks' process.
+        If the reference stands for a function provided by the check, return a proxy that calls the
+        function in the checks' process.
         """
         if "object" in data:
             return self.objects[data["object"]]
@@ -117,10 +117,10 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Create a stand-in for a function of the check, which the student's code can call.
+        """Create a proxy that lets the student's code call a function provided by the check.
 
-        The function itself stays in the checks' process, where ``number`` identifies it. Calling
-        the stand-in sends the arguments there and waits for the result.
+        The function itself runs in the checks' process, where ``number`` identifies it. The proxy
+        sends the arguments to that process and waits for the result.
         """
 
         def call(*arguments: Any) -> Any:
@@ -140,7 +140,7 @@ class Server:
     # The requests. Each method's name is "do_" and the name of its request.
 
     def do_begin(self, broken: list[str]) -> None:
-        """Put placeholders in place of the student's modules that cannot be imported.
+        """Replace the student modules that cannot be imported with placeholders.
 
         A check that uses a name from such a module fails. The checks' process explains the reason
         to the student, so the placeholders contain no explanation.
@@ -253,7 +253,7 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
 
 
 def _error(name: str, text: str) -> Exception:
-    """Recreate an exception that a check's function raised, for the student's code to catch.
+    """Recreate an exception raised by a check's function, so that the student's code can catch it.
 
     The function ran in the checks' process, which sent only the name and the text of the exception.
     """

@@ -31,11 +31,11 @@ _waiting: list[socket.socket] = []
 
 
 def start_waiting() -> None:
-    """Start a helper process that waits for requests, and forks a template for each of them.
+    """Start a helper process that forks a template process for each request it receives.
 
-    A template in turn forks the workers that run student code. The requests arrive on a socket that
-    never splits or joins messages. On a system without such sockets, no helper process is started,
-    and each template will be a new Python process.
+    Each template in turn forks the workers that run student code. The requests arrive on a socket
+    that preserves message boundaries. If the system has no such sockets, no helper process is
+    started. Each template is then started as a new Python process.
     """
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -111,9 +111,9 @@ def _python(function: str, argument: str) -> list[str]:
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Build the first part of a command line, which runs the rest of it inside bubblewrap.
+    """Build the command-line prefix that runs a program inside bubblewrap.
 
-    The program that runs there can read only the ``visible`` paths, and it has no network.
+    The program can read only the ``visible`` paths, and it has no network access.
     """
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]

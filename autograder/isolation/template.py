@@ -95,8 +95,8 @@ class Template:
     ) -> Session:
         """Start a session with a worker process that has not run any student code yet.
 
-        Unless ``fresh`` is set, the following worker is requested too, so that it is ready for the
-        next check. ``broken`` maps each student module that cannot be imported to the reason.
+        Unless ``fresh`` is set, also request the worker for the next check, so that it starts in
+        the background. ``broken`` maps each student module that cannot be imported to the reason.
 
         Raises:
             TemplateError: The worker did not start.
@@ -148,7 +148,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was requested in advance, as soon as its process ID is known."""
+        """Wait for the process ID of the worker requested in advance, and return that worker."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -161,7 +161,7 @@ class Template:
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
         """Pass the bytecode of the student's modules to all workers that start from now on.
 
-        They then import these modules without compiling them again.
+        The workers can then import these modules without compiling them again.
         """
         self._compiled = dict(compiled)
         if self._control is not None:
@@ -189,8 +189,8 @@ class Template:
     def printed(self) -> str:
         """Return what the student's code has printed in the current worker process.
 
-        If there is no worker, return what the template process itself has printed, such as an
-        error.
+        If no worker is running, return the output of the template process, such as an error
+        message.
         """
         log = self._log if self._worker is None else self._worker.log
         printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
@@ -212,9 +212,9 @@ class Template:
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Explain to the student in one sentence why the process with the student's code ended.
+        """Explain to the student in one sentence why the process that ran the student's code ended.
 
-        For example, the code may have used up its processor time.
+        For example, the code may have exceeded its limit on processor time.
 
         Raises:
             TemplateError: The worker was killed from outside, perhaps because the machine ran out

@@ -1,15 +1,15 @@
-"""The program of the template process and of the workers, which run a student's code.
+"""The program that runs in template processes and in the workers for student code.
 
 The program starts as a template, without any student code, and waits for requests on a control
 socket:
 
-- "code" brings the bytecode of some modules. The template loads it but never runs it.
+- "code" passes the bytecode of some modules to the template, which loads it but never runs it.
 - "start" forks a worker, which enters the sandbox before it imports the submission.
 - "stack" makes a worker write a stack trace.
 - "status" asks how a worker ended.
 - "stop" ends a worker.
 
-The template is trusted. A worker is no longer trusted once it has imported the student's code.
+The template is trusted. A worker is trusted only until it imports the student's code.
 """
 
 from __future__ import annotations
@@ -180,7 +180,7 @@ def _kill(worker: int) -> None:
 def _exit_code(worker: int, seconds: float) -> int | None:
     """Wait for a worker that has closed its connection to the checks, and return its exit code.
 
-    If a signal ended the worker, return minus the number of the signal. If the worker does not end
+    If a signal ended the worker, return the negated signal number. If the worker does not end
     within a second, kill it and return None.
     """
     for _ in range(100):

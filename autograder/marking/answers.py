@@ -53,7 +53,7 @@ class Task:
 def collect_tasks(
     submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
 ) -> list[Task]:
-    """Collect the written questions of these chapters, each with the answers of all students.
+    """Collect the written questions in ``chapters``, with every student's answer to each of them.
 
     The answers are sorted by the codes that replace the students' names, so that their order does
     not reveal who wrote them. Missing answers come last.
@@ -120,9 +120,9 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of the chapter in which answers.md is the only file that students hand in.
+    """Return a copy of the chapter in which answers.md is the only submitted file.
 
-    Marking does not need the students' code, so it is not copied.
+    Only the written answers are needed for marking, so the students' code is not copied.
     """
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])

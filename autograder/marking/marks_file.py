@@ -1,6 +1,6 @@
-"""Change single marks in marks.csv, leaving everything else in the file untouched.
+"""Change individual marks in marks.csv without altering the rest of the file.
 
-The file holds the points and comments that people give for students' written answers.
+The file holds the points and comments that instructors enter for students' written answers.
 """
 
 from __future__ import annotations

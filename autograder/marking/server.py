@@ -144,7 +144,7 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Send an error to the marking page, with the reason why its request has failed."""
+        """Send the marking page an error response that explains why its request failed."""
         self.set_status(status)
         self.write({"why": why})
 

@@ -22,11 +22,11 @@ MINUTES = 10  # a generous limit, since the set-up takes a minute and each exerc
 def make_classroom(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
-    """Write the files that students get through GitHub Classroom into the new folder ``out``.
+    """Write the files that students receive through GitHub Classroom to the new folder ``out``.
 
-    They are an ordinary handout and a workflow that grades every push. The points of the exercises
-    are rounded, because GitHub Classroom accepts only whole points. ``about`` is the section of the
-    README that describes the assignment.
+    The folder contains an ordinary handout and a workflow that grades every push. The points of the
+    exercises are rounded, because GitHub Classroom accepts only whole points. ``about`` is the
+    section of the README that describes the assignment.
 
     Raises:
         ValueError: A chapter is in both ``chapters`` and ``given``, or the folder is not empty.

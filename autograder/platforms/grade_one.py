@@ -89,7 +89,7 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Read Gradescope's metadata about a submission, such as its students and its time.
+    """Read Gradescope's metadata about a submission, such as who submitted it and when.
 
     If the file is unreadable, return an empty dict.
     """

@@ -1,1 +1,1 @@
-"""Give students the reference solution after the deadline, to compare it with their own code."""
+"""Release the reference solution after the deadline, for students to compare with their code."""

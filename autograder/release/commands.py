@@ -1,4 +1,4 @@
-"""The command `release`, which gives students the reference solution after the deadline."""
+"""The `release` command, which gives students the reference solution after the deadline."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ class Counts:
 
     Attributes:
         lines: The number of lines, without blank lines, comments and docstrings.
-        calls: The number of all calls.
+        calls: The total number of calls.
         objects: The number of calls that create an object, such as Vector3(...).
     """
 

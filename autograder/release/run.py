@@ -91,10 +91,11 @@ def release(
 
 
 def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
-    """Create the folder ``out`` for the released solutions, or delete an earlier release from it.
+    """Prepare the folder ``out`` for the released solutions, and delete any earlier release in it.
 
     Raises:
-        ValueError: The folder contains other files, or could end up in a handout or a submission.
+        ValueError: ``out`` contains other files, is inside the folder with the submissions, or is
+            inside the repository but not in its build folder.
     """
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
@@ -147,10 +148,10 @@ def _compare(
 def _own_texts(
     submission: Submission, report: StudentReport, root: Path
 ) -> dict[str, Texts] | None:
-    """Read the modules that a student handed in, grouped by chapter.
+    """Read the modules that a student submitted, grouped by chapter.
 
-    Return None if the submission has changed since it was graded. The grade then no longer says
-    which exercises the student has solved.
+    Return None if the submission has changed since it was graded, because the report may then no
+    longer be correct.
     """
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:

@@ -54,8 +54,8 @@ class Bin:
     """One bar in the histogram of a class's scores, such as the bar from 70 to 80 percent.
 
     Attributes:
-        low: The smallest percentage that belongs to the bar.
-        high: The end of the bar. This percentage itself belongs to the next bar, except for 100.
+        low: The lower limit in percent, which belongs to the bar.
+        high: The upper limit in percent. Unless it is 100, it belongs to the next bar.
         count: The number of students whose score belongs to the bar.
     """
 

@@ -71,7 +71,7 @@ class ShownExercise(ExerciseReport):
         lost: The failed checks, which the page explains.
         passed: The titles of the checks that passed.
         gains: True if the student would earn more points with our solutions to earlier chapters.
-        uneven: True if some physics checks, or some robust checks, count more than others.
+        uneven: True if the physics checks or the robust checks do not all have the same weight.
     """
 
     anchor: str
@@ -178,8 +178,8 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
     """Return the exercise that the student should fix first, or None if every exercise passes.
 
-    Exercises with wrong physics come first. Those in which only robust checks fail, such as checks
-    with invalid arguments, can wait.
+    Exercises whose physics checks fail come before those that fail only robust checks. Robust
+    checks try, for example, invalid arguments.
     """
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:

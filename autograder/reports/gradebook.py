@@ -86,7 +86,7 @@ def _late(report: StudentReport) -> list[float | None]:
 
 
 def as_cell(text: str) -> str:
-    """Turn a text into a CSV cell of one line that no spreadsheet runs as a formula.
+    """Convert text to a one-line CSV cell that no spreadsheet can interpret as a formula.
 
     For example, the name "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
     """

@@ -54,9 +54,9 @@ class GradescopeResults:
 
 
 def write_gradescope(out: Path, report: StudentReport) -> Path:
-    """Write a student's grade as a file for Gradescope, and return the path of the file.
+    """Write a student's grade to a JSON file for Gradescope, and return the path of the file.
 
-    The file is gradescope/<student>/results.json in the folder ``out``.
+    The path is gradescope/<student>/results.json inside ``out``.
     """
     path = out / "gradescope" / file_name(report.student) / "results.json"
     replace_file(path, as_text(gradescope_results(report)))
@@ -69,7 +69,7 @@ def as_text(results: GradescopeResults) -> str:
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
-    """Convert a student's report to the format of Gradescope, which calls each exercise a "test".
+    """Convert a student's report to Gradescope's format, in which an exercise is called a "test".
 
     If the grader itself failed, the submission gets no score at all, because neither zero nor full
     marks would be fair.
@@ -87,8 +87,8 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 def ungraded_results(reason: str) -> GradescopeResults:
     """Build the results for a submission that could not be graded.
 
-    The submission gets no score. Instead, Gradescope shows the student why grading failed, and that
-    the submission is not to blame.
+    The submission gets no score. Instead, Gradescope shows the student the reason, and a note that
+    the submission is not at fault.
     """
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
@@ -153,7 +153,7 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 def _output(exercise: ExerciseReport) -> str:
     """Write the text that Gradescope shows below an exercise.
 
-    For the most part, the text explains to the student why checks failed.
+    The text states the result of the exercise, and explains each check that did not pass.
     """
     status, checks = exercise.status, exercise.checks
     if status == "waiting":

@@ -126,10 +126,10 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return the marks with the students' names that the reports use.
+    """Return a copy of the marks in which each student has the same name as in the reports.
 
-    A student may have another name in marks.csv, such as the one on the roster. ``names`` maps
-    every possible name to the one in the reports.
+    The name in marks.csv may be different, for example if it comes from the roster. ``names`` maps
+    every possible name of a student to the name in the reports.
 
     Raises:
         ValueError: A student has two marks for the same exercise, under different names.

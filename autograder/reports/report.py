@@ -159,10 +159,10 @@ class StudentReport:
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
-    """Count how many of an exercise's physics checks pass, and how many of its robust checks.
+    """Count the physics checks and the robust checks of an exercise, and how many of each pass.
 
     Returns:
-        A tuple for each kind of check that the exercise has. For example, ("physics", 3, 4) means
+        One tuple for each kind of check that the exercise has. For example, ("physics", 3, 4) means
         that 3 of 4 physics checks pass.
     """
     found = []

@@ -21,8 +21,8 @@ Point = Sequence[float]  # cost and error
 class Dot:
     """A dot on an exercise's chart, which shows the cost and the error of one student's solution.
 
-    ``x`` and ``y`` are the position of the dot in the picture. ``best`` is True if no solution of
-    the same or lower cost has a smaller error.
+    ``x`` and ``y`` are the position of the dot in the picture. ``best`` is True if every other
+    solution of the same or lower cost has a larger error.
     """
 
     name: str
@@ -35,17 +35,17 @@ class Dot:
 
 @dataclass(frozen=True)
 class Scatter:
-    """The layout of an open exercise's chart: the axes, a dot for each student, and the front.
+    """The layout of an open exercise's chart: the axes, a dot per student, and the Pareto front.
 
-    The front is a line through the best solutions, which may include ours. A solution is one of the
-    best if no solution of the same or lower cost has a smaller error.
+    The Pareto front is a line through the best solutions, which may include ours. A solution is one
+    of the best if every other solution of the same or lower cost has a larger error.
 
     Attributes:
-        costs: The ticks on the axis for the cost, each as a position and a label.
-        errors: The ticks on the axis for the error, each as a position and a label.
+        costs: The ticks on the cost axis, each as a position and a label.
+        errors: The ticks on the error axis, each as a position and a label.
         dots: The dots of the students.
         reference: The dot for our solution, or None if there is none.
-        front: The corners of the line, as text for an SVG polyline.
+        front: The corners of the Pareto front, as text for an SVG polyline.
     """
 
     exercise: ExerciseReport
@@ -58,10 +58,10 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Compute where to draw the axes, the students' dots and the front on an exercise's chart.
+    """Compute where to draw the axes, the students' dots and the Pareto front on a chart.
 
-    The front is the line through the best solutions. ``named`` lists each student's name with the
-    cost and the error of that student's solution.
+    The Pareto front is a line through the best solutions. ``named`` lists each student's name with
+    the cost and the error of that student's solution.
     """
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
@@ -102,10 +102,10 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Connect the best solutions on a chart by a line of steps, and return its corners.
+    """Connect the best solutions on a chart with a step line, and return the corners of the line.
 
-    The line shows the smallest error that is possible at each cost. This error stays the same up to
-    the cost of the next solution, and then drops at once.
+    The line shows the smallest error that is possible at each cost. It stays level up to the cost
+    of the next solution, and then drops vertically.
     """
     corners = line[:1]
     for x, y in line[1:]:

@@ -36,7 +36,7 @@ def _cleaned(value: Any) -> Any:
 
 
 def _clean_and_cut(text: str) -> str:
-    """Make a text that may come from a student safe to show in a report.
+    """Sanitize text that may come from a student, so that a report can show it safely.
 
     Unprintable characters are escaped, and only the first 4000 characters are kept.
     """
@@ -62,7 +62,7 @@ def check_title(name: str) -> str:
 
 
 def replace_file(path: Path, text: str) -> None:
-    """Write a report or another text to a file.
+    """Write text, such as a report, to a file.
 
     The file is replaced atomically, so nobody ever reads a half-written file.
     """

@@ -92,10 +92,10 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the names that students did not invent: Python's own, and those in one of our files.
+    """Yield the names in Python's builtins and math modules, and the public names in ``text``.
 
-    ``text`` is the content of our file. All other names in a student's code are replaced before the
-    comparison, so that renaming a variable does not hide a copy.
+    ``text`` is the content of one of our own Python files. The comparison replaces all other names
+    in a student's code, so that renaming a variable does not hide a copy.
     """
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -122,7 +122,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield the logical lines of a student's file, each with its depth of indentation.
+    """Yield the logical lines of a student's file, each with its indentation level.
 
     Each line is a list of tokens, without comments and without the line breaks inside a statement.
     """
@@ -145,9 +145,9 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens of one logical line of a student's code that are to be compared.
+    """Yield the tokens of one logical line of a student's code, ready to be compared.
 
-    A docstring has no such tokens.
+    A docstring yields no tokens, because docstrings are not compared.
     """
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
@@ -191,9 +191,9 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line of a student's file at which Python's tokenizer failed.
+    """Return the line of a student's file at which Python's tokenizer failed, taken from ``error``.
 
-    The number comes from the error. If the error contains no line number, the result is 1.
+    If the error contains no line number, return 1.
     """
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()

@@ -40,10 +40,10 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Decide which code of these chapters to compare among students, and which to ignore.
+    """Decide which parts of the students' code in ``chapters`` to compare, and which to ignore.
 
-    We ignore code that was given to all students, and exercises that are so short that all
-    solutions look alike.
+    The comparison ignores code that all students were given. It also ignores exercises that are so
+    short that all solutions look alike.
     """
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
@@ -111,7 +111,7 @@ def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, 
 
 
 def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
-    """Yield the text of each Python file that we wrote for these chapters.
+    """Yield the text of each Python file that we provide for the chapters named in ``chapters``.
 
     These are our solutions, the stubs, and the modules that students use without changing them.
     """

@@ -1,4 +1,4 @@
-"""Compare every two students' code in a class, and rate how unusual their similarity is.
+"""Compare the code of each pair of students in a class, and rate how unusual each result is.
 
 We compare fingerprints of the code, which are hashes of short sequences of tokens. A fingerprint
 that few students share weighs more, because it is less likely to be a coincidence. The similarity
@@ -86,12 +86,12 @@ class Shared:
 
 
 class Comparison:
-    """The result of comparing the code in a class.
+    """The result of comparing the code of every pair of students in a class.
 
     Attributes:
-        pairs: All pairs of students, most surprising first. In a class that is too small to compute
-            surprises, the most similar pair comes first.
-        line: The smallest surprise that makes a pair stand out, or None in such a small class.
+        pairs: All pairs of students, sorted by surprise with the largest first. If surprises could
+            not be computed, the pairs are sorted by similarity instead.
+        line: The smallest surprise that makes a pair stand out, or None if there are no surprises.
         measure: The measure of similarity that was used.
     """
 
@@ -118,7 +118,7 @@ class Comparison:
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """List the code that two students have in common by exercise, strongest evidence first.
+        """List the code that two students share in each exercise, strongest evidence first.
 
         Shared code is stronger evidence of copying if fewer other students have it.
         """
@@ -132,9 +132,9 @@ class Comparison:
 
 
 def compare(works: list[Work]) -> Comparison:
-    """Compare the code of every two students in a class, and rate how unusual the similarity is.
+    """Compare the code of each pair of students in a class, and rate how unusual each result is.
 
-    A class of fewer than twelve students has too few pairs for that rating. Its pairs are only
+    A class of fewer than twelve students has too few pairs for this rating, so its pairs are only
     sorted by similarity.
     """
     measure = Measure(works)
@@ -193,10 +193,10 @@ class Measure:
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
-        """Compute how similar two students' code for a single exercise is, from 0 to 1.
+        """Compute the similarity of two students' code for a single exercise, from 0 to 1.
 
-        ``name`` is an exercise, or a text such as "Other code in ch02_vectors/vector.py" for code
-        that belongs to no exercise.
+        ``name`` is the exercise's id and title. For code that belongs to no exercise, it is a label
+        such as "Other code in ch02_vectors/vector.py".
         """
         both = one.parts[name].fingerprints & other.parts[name].fingerprints
         # A student who has written less has less to share, and must not stand out for that.
@@ -214,10 +214,10 @@ class Measure:
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """Compute how much more similar the code of each pair of students is than expected.
+    """Yield by how much the similarity of each pair of students exceeds the expected value.
 
-    The usual similarity of a student is the median over all other students. For a pair, we expect
-    the average of the two usual similarities.
+    The expected value is the average of the two students' usual similarities. A student's usual
+    similarity is the median of the student's similarities to everyone else in the class.
     """
     of: dict[str, list[float]] = {}
     for pair in pairs:
@@ -229,11 +229,11 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Compute the median and the spread of ``values``, one number for each pair of students.
+    """Compute the median and the spread of ``values``, which has one number per pair of students.
 
     The spread is a standard deviation estimated from the upper half of the values, which has the
-    longer tail. A few students who have copied barely change it. The result is None if all values
-    are equal.
+    longer tail. The estimate is robust against a few outliers, such as students who have copied.
+    The result is None if all values are equal.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

@@ -56,10 +56,10 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write an index of the pairs of students with similar code, and a page about each pair in it.
+    """Write an index of the most similar pairs of students, and a page about each of these pairs.
 
-    The index lists the first 30 pairs. If more than 30 pairs stand out, the index lists all of
-    them. Return the path of the index.
+    If no more than 30 pairs stand out, the index lists the first 30 pairs. Otherwise, it lists all
+    pairs that stand out. Return the path of the index.
     """
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
@@ -91,7 +91,7 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Split a student's function into pieces, so that its page can highlight the shared code.
+    """Split a student's function into pieces, so that a web page can highlight the shared code.
 
     ``kinds`` maps the index of each shared token to "rare" or "common".
     """

@@ -1,4 +1,4 @@
-"""The command `similarity`, which shows an instructor the students with unusually similar code."""
+"""The `similarity` command, which lists pairs of students with unusually similar code."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from autograder.text.wrapping import plain_console
 
 
 def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
-    """Compare the code of every two students in a class, and write pages about the similar pairs.
+    """Compare the code of each pair of students in a class, and write pages about similar pairs.
 
     The submissions are in ``folder``, and the pages go into ``out``.
 

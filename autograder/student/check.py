@@ -34,9 +34,9 @@ def check(
 ) -> bool:
     """Check a student's code, print the results, and return True if all checks pass.
 
-    If ``exercise`` is given, only that exercise and its prerequisites are checked. With ``only``,
-    the results show just the physics checks of that exercise. In the ``given`` chapters, our
-    solution replaces the student's code.
+    If ``exercise`` is not None, check only that exercise and its prerequisites. If ``only`` is also
+    True, report only the physics checks of the exercise itself. For the chapters in ``given``, the
+    reference solution replaces the student's code.
 
     A written exercise has no checks, so its question is shown instead. Unanswered questions do not
     affect the result.

@@ -54,9 +54,9 @@ def failure_of(
 ) -> Failure | None:
     """Choose the failed check of an exercise that the student should see first, and explain it.
 
-    Physics checks come before robust ones. Among checks of the same kind, those of functions in
-    ``edited`` come first, because the student has just worked on them. Checks of code that is not
-    written yet come last. The result is None if no check has failed.
+    Physics checks come before robust checks. Among checks of the same kind, those of functions in
+    ``edited`` come first, because the student has just worked on them. Checks of functions that
+    have not been written yet come last. Return None if no check has failed.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]

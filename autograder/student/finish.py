@@ -151,9 +151,9 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """List the tasks that are still open in a chapter that the student has finished.
+    """List the tasks that remain open in a chapter that the student has finished.
 
-    They may be robust checks, unanswered questions, projects and going-further exercises.
+    Such tasks are failed robust checks, unanswered questions, projects and going-further exercises.
     """
     words = []
     robust = [
@@ -194,9 +194,9 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return the time of the student's last change to a file that affects the chapter's picture.
+    """Return the time of the student's latest change to a file that the chapter's plot depends on.
 
-    If the picture is older, it has to be drawn again.
+    If the saved plot is older than this, it must be redrawn.
     """
     files = [
         file
@@ -220,7 +220,7 @@ def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap an entry of the closing screen, and put a label such as "Next" in front of it."""
+    """Format a labeled entry, such as "Next", for the screen at the end of a chapter."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

@@ -92,7 +92,7 @@ def print_report(
 ) -> bool:
     """Print the results of a student's exercises, and explain the first failure in full.
 
-    Return True if all checks pass and every file that should stay unchanged is the original.
+    Return True if all checks pass and no file that should stay unchanged has been edited.
     Unanswered questions are listed but do not count as failures.
     """
     for report in reports:

@@ -1,6 +1,6 @@
-"""Unpack the zip with all submissions of a class, as downloaded from Canvas or Moodle.
+"""Unpack a zip that contains all submissions of a class, as downloaded from Canvas or Moodle.
 
-The new folder is next to the zip. The contents come from students, so they are not trusted.
+The files go into a new folder next to the zip. They come from students, so they are not trusted.
 """
 
 from __future__ import annotations

@@ -58,8 +58,8 @@ class Page:
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
         """Shorten the page of the command `watch` to ``width`` columns and ``height`` lines.
 
-        If the explanation of the failed check is too long, lines are removed from its middle, so
-        that the heading and the list of keys stay visible.
+        If the explanation of the failed check is too long, lines are removed from its middle. The
+        heading and the list of keys therefore stay visible.
         """
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]

@@ -82,7 +82,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a short message, such as a hint, at the end of the student's page.
+        """Show a short message, such as a hint, at the bottom of the student's page.
 
         The message replaces the previous one.
         """

@@ -162,7 +162,8 @@ def _hanging(
 ) -> Callable[[], tuple[float, str]]:
     """Return a function that simulates a hanging chain for 2 s.
 
-    The function returns the largest error of a rod's length, in m, and the text of any exception.
+    That function returns the largest error in the length of a rod, in m, and the message of any
+    exception.
     """
 
     def scene() -> tuple[float, str]:

@@ -63,11 +63,11 @@ def answered(host: Host, line: bytes) -> list[str]:
 
 
 def as_json(answer: Message) -> str:
-    """Format an answer to the lab's page as one line of JSON.
+    """Encode a message to the lab's page as one line of JSON.
 
     Raises:
-        ValueError: The answer contains NaN or an infinite number, which JSON does not allow.
-        TypeError: The answer contains a value that is not plain data.
+        ValueError: The message contains NaN or an infinite number, which JSON does not allow.
+        TypeError: The message contains a value of a type that JSON cannot represent.
     """
     return json.dumps(answer, separators=(",", ":"), allow_nan=False)
 

@@ -80,7 +80,8 @@ class Host:
         """Build the scene called ``name``, and return its description and its first frame.
 
         ``peer`` selects another way to simulate the scene, such as "exact" or "pymunk". If the
-        value of a parameter is invalid, the scene uses the default, and one of the answers says so.
+        value of a parameter is invalid, the scene uses the default, and one of the returned
+        messages says so.
         """
         self.scene = None
         kind = load(name)

@@ -144,7 +144,7 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return the name of a scene for addresses and commands, such as "one-spring" for OneSpring."""
+    """Return a scene's name for use in URLs and commands, such as "one-spring" for OneSpring."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 

@@ -1,7 +1,7 @@
 """Show students what they have achieved at the end of a chapter, and which scenes they can play.
 
 The scenes are interactive simulations in the lab that run on the student's engine. A chapter is
-finished as soon as the physics of its exercises works. Robust checks, questions, projects and
+finished as soon as the physics checks of its exercises pass. Robust checks, questions, projects and
 going-further exercises may still be open, and the screen lists them.
 """
 
@@ -46,11 +46,11 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Write the closing screen of a finished chapter, or a line that lists the playable scenes.
+    """Return the closing screen of a finished chapter, or a line that lists scenes to play.
 
-    The closing screen is shown until the student begins another chapter. While the chapter is
-    unfinished, the line lists the scenes that ``exercise`` makes playable. Without an exercise, it
-    uses the last working exercise that has scenes.
+    The closing screen is shown until the student begins another chapter. While a chapter is
+    unfinished, the line lists the scenes that can be played once ``exercise`` works. If
+    ``exercise`` is None, the line is about the last working exercise that has scenes.
 
     Returns:
         The lines to print, each with its style. The list may be empty.
@@ -71,9 +71,9 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return True if a chapter is finished, so that the student gets to see the closing screen.
+    """Return True if a chapter is finished, so that its closing screen can be shown.
 
-    The physics of each exercise must work, apart from projects and going-further exercises. Written
+    All physics checks must pass, except those of projects and going-further exercises. Written
     questions and robust checks may still be open.
     """
     working = {result.exercise.id for result in report.results if result.works}
@@ -82,7 +82,7 @@ def is_finished(report: Report) -> bool:
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Write the screen that congratulates a student on a finished chapter.
+    """Return the screen that congratulates a student on a finished chapter.
 
     The screen shows where to find the chapter's picture, which scenes to play, what is still open
     and which chapter comes next. It fits on a terminal of 20 lines and 80 columns.
@@ -108,7 +108,7 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Write a sentence that lists the scenes that a student can play after solving an exercise.
+    """Return a sentence that lists the scenes that a student can play after solving an exercise.
 
     The sentence is empty if the scenes would not work yet. That is the case if this exercise or an
     earlier one does not work, or if an earlier chapter causes failures.
@@ -211,9 +211,9 @@ def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
-    """Return the make variables that select the student's engine and the given chapters.
+    """Return the make variables for the student's engine and for the chapters in ``given``.
 
-    For example, GIVEN=2,3 replaces the student's chapters 2 and 3 with our solution.
+    For example, GIVEN=2,3 means that our solution replaces the student's chapters 2 and 3.
     """
     numbers = ",".join(str(chapter.number) for chapter in given)
     return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}

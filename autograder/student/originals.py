@@ -1,6 +1,6 @@
-"""Find out if a student has edited a file that should stay unchanged, such as cloth.py.
+"""Detect whether a student has edited files that should stay unchanged, such as cloth.py.
 
-The grader uses our own copy of such a file and ignores the student's changes.
+The grader uses our own copies of these files and ignores the student's changes.
 """
 
 from __future__ import annotations

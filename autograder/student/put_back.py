@@ -12,12 +12,13 @@ from autograder.definitions import functions
 
 
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
-    """Put stubs in place of functions that a student has deleted, such as Vector3.dot.
+    """Return a student's module with its deleted functions restored as stubs.
 
-    Return the new module. If the student has deleted a whole class, all of it is restored.
+    ``names`` are the functions to restore, such as Vector3.dot. If the student has deleted a whole
+    class, all of it is restored.
 
     Raises:
-        ValueError: The stub does not define one of the names.
+        ValueError: The stub does not define one of the functions in ``names``.
     """
     prefixed = {name.partition(".")[0] for name in names if "." in name}
     body = [*module.body]
@@ -44,7 +45,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return a student's class with stubs in place of the methods that were deleted."""
+    """Return the syntax tree of a student's class, with stubs for the deleted methods."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -78,7 +79,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the name of a function or class in a manifest, such as dot or mass.setter.
+    """Return the name that a manifest uses for a function or class, such as dot or mass.setter.
 
     For any other statement, return "".
     """

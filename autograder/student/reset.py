@@ -82,7 +82,7 @@ def reset(
 
 
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
-    """Write the question that asks a student to confirm the reset of an exercise.
+    """Return the question that asks a student to confirm the reset of an exercise.
 
     The question lists the functions to reset, their files, and the folder for the copy.
 

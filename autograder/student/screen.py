@@ -92,7 +92,7 @@ def print_report(
 ) -> bool:
     """Print the results of a student's exercises, and explain the first failure in full.
 
-    Return True if all checks pass and every file that should stay unchanged is the original.
+    Return True if all checks pass and no file that should stay unchanged has been edited.
     Unanswered questions are listed but do not count as failures.
     """
     for report in reports:
@@ -136,7 +136,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Write the sentence that tells the student that all checks pass.
+    """Return the sentence that tells the student that all checks pass.
 
     ``changed`` is True if the student has edited a file that should stay unchanged. The sentence
     then warns that grading uses the original.
@@ -160,7 +160,7 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print a table of a chapter's exercises, and warn about modules that are not handed in."""
+    """Print a table of a chapter's exercises, and warn about modules that the grader ignores."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
@@ -217,7 +217,7 @@ def points_of(chapter: Chapter, result: Result) -> str:
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Warn the student about modules that are not handed in, since they belong to no exercise."""
+    """Warn the student not to import extra modules, because the grader ignores them."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     extra = [name for name in files if name not in known]
@@ -231,7 +231,7 @@ def passing(checks: Sequence[Verdict]) -> str:
 
 
 def bar(part: float, whole: float) -> str:
-    """Draw a progress bar of number signs and dots, which shows the fraction ``part / whole``."""
+    """Return a progress bar such as [####....], which shows the fraction ``part / whole``."""
     filled = min(BAR, int(BAR * part / whole)) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
@@ -270,7 +270,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Write the numbers of some chapters for a message, as in "chapter 2" or "chapters 2-5"."""
+    """Format the numbers of chapters for a message, as in "chapter 2" or "chapters 2-5"."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 

@@ -94,10 +94,10 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return a copy of the class in which the reports use other names for the students.
+        """Return a copy of the class list that gives the students new names for the reports.
 
-        The new name of each member is ``name(member)``. Anonymous grading uses this to replace
-        names with codes.
+        ``name`` is a function that returns the new name of a member. Anonymous grading uses this
+        method to replace names with codes.
         """
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))

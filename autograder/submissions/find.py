@@ -28,7 +28,7 @@ class Submission:
     Attributes:
         student: The student's name in the reports.
         path: The path of the folder or zip file.
-        export: The parts of a file name from Canvas or Moodle, or None for any other name.
+        export: The parsed name if Canvas or Moodle created it, otherwise None.
         aliases: The student's other names, from the submission and from the roster.
     """
 

@@ -37,8 +37,9 @@ class Found:
         file: The name of the file.
         read: A function that takes the largest size to accept, and returns the contents. It raises
             NotTakenError if the file is rejected.
-        doubtful: True if the folder is unreadable. The file is then used only if the submission has
-            no other folder for that chapter.
+        doubtful: True if the file is rejected because of a problem with its folder, such as a
+            symbolic link. The file is ignored if the submission has another folder for that
+            chapter.
         other: True if no file of this name is graded. The student may have renamed the file.
     """
 
@@ -96,7 +97,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
     Error messages refer to the file as ``what``, for example "the zip".
 
     Raises:
-        NotTakenError: The file is too large, or it is a link, a pipe or something else.
+        NotTakenError: The file is not a regular file, is too large, or cannot be read.
     """
     try:
         _check_kind(path.lstat(), largest, what)
@@ -114,9 +115,9 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Create a function for ``Found.read`` that rejects a submitted file.
+    """Create a function that rejects a submitted file for the given reason.
 
-    The function raises NotTakenError with this reason whenever it is called.
+    When it is called as ``Found.read``, it raises NotTakenError instead of returning the contents.
     """
 
     def read(_: int) -> bytes:
@@ -126,16 +127,19 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 
 
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
-    """Reject all files that a chapter's folder in a submission should contain.
+    """Mark the files expected in a chapter's folder as rejected, and return their records.
 
-    The reason applies to the whole folder, for example that it is a symbolic link or that we are
-    not allowed to read it.
+    The reason is usually a problem with the whole folder. For example, the folder may be a symbolic
+    link or unreadable.
     """
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 
 def other_file(place: tuple[str, ...], name: str) -> Found:
-    """Create a record of a submitted file that is not graded."""
+    """Create a record of a submitted file whose name is not among those of the graded files.
+
+    The grader uses such records to recognize files that the student has renamed.
+    """
     return Found(place, name, refuse("it is not a file of this chapter"), other=True)
 
 
@@ -216,10 +220,10 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Return the reason why a submitted file cannot be read, as words for a message.
+    """Describe why a submitted file cannot be read, as in "Permission denied".
 
-    An error that has nothing to do with the submission is raised again. For example, our own
-    machine may have run out of memory.
+    If the cause is our own machine and not the submission, the error is raised again. This happens,
+    for example, when the machine has run out of memory.
     """
     if error.errno in OURS:
         raise error

@@ -98,7 +98,7 @@ def read_roster(path: Path) -> list[Student]:
 def key(text: str) -> str:
     """Normalize a student's id, e-mail address or login, so that it can be compared.
 
-    The comparison then ignores case, and the two encodings of an accented letter are the same.
+    Comparisons then ignore case, and treat the two encodings of an accented letter as equal.
     """
     return unicodedata.normalize("NFC", text.strip()).casefold()
 

@@ -26,8 +26,8 @@ class Staged:
     """The result of copying the files to be graded from a student's submission.
 
     Attributes:
-        missing: The reason for each rejected module, such as ch02_vectors.vector.
-        notes: Notes for the instructor, without any text by the student except for names.
+        missing: The rejected modules, such as ch02_vectors.vector, each with the reason.
+        notes: Notes for the instructor. Apart from names, they contain no text by the student.
         digest: A hash of everything that was accepted or rejected. Submissions with the same digest
             get the same grade.
     """
@@ -99,10 +99,10 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
     """Choose one of several folders for a chapter in a submission, and return the files in it.
 
-    The least deeply nested folder is chosen or, among equals, the first by name. A folder with the
-    original stubs of a handout is chosen only if there is no other. If there are several folders, a
-    note tells the instructor which one was chosen. If the student has renamed a file, the file is
-    rejected with that reason.
+    The least deeply nested folder is chosen or, among equals, the first by name. A folder inside
+    stubs/, where a handout keeps the original stubs, is chosen only if there is no other. If there
+    are several folders, a note tells the instructor which one was chosen. A file that the student
+    has renamed is rejected, and the reason gives its new name.
     """
     all_of_it = [file for file in found if file.place[-1] == chapter.name]
     mine = [file for file in all_of_it if not file.other]

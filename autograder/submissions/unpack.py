@@ -1,6 +1,6 @@
-"""Unpack the zip with all submissions of a class, as downloaded from Canvas or Moodle.
+"""Unpack a zip that contains all submissions of a class, as downloaded from Canvas or Moodle.
 
-The new folder is next to the zip. The contents come from students, so they are not trusted.
+The files go into a new folder next to the zip. They come from students, so they are not trusted.
 """
 
 from __future__ import annotations
@@ -40,11 +40,11 @@ NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EI
 
 @dataclass(frozen=True)
 class Unpacked:
-    """A record of the submissions that were unpacked from the zip of a class.
+    """A record of the submissions that were unpacked from a zip.
 
     Attributes:
-        zip: A hash of the zip, which shows if the zip has changed since then.
-        names: The submissions.
+        zip: A hash of the zip, which shows whether the zip has changed since it was unpacked.
+        names: The names of the submissions.
         notes: The reasons why files were skipped.
     """
 
@@ -55,7 +55,7 @@ class Unpacked:
 
 @dataclass(frozen=True)
 class _File:
-    """A file in the zip of a class, which contains the submissions of all students.
+    """A file in a zip that contains the submissions of all students.
 
     ``parts`` are the parts of the file's path. The first part is the name of the submission.
     """
@@ -90,7 +90,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Unpack the zip of a class, replacing the submissions from an earlier version of the zip."""
+    """Unpack the zip at ``path``, and replace the submissions from an earlier version of it."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:
@@ -118,7 +118,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
 
 
 def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
-    """Decide which files from the zip of a class to write to disk.
+    """Decide which files of a zip to write to disk.
 
     Return these files, and notes on the files that are left out.
     """
@@ -141,7 +141,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
-    """Extract the students' files from the zip of a class into ``folder``.
+    """Extract the students' files from a zip into ``folder``.
 
     Only zips and the types of files that students hand in are extracted. Return notes on the files
     that were rejected.

@@ -56,7 +56,7 @@ def wrapped_rows(rows: list[Row], width: int) -> list[str]:
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print text on the console, and wrap it to the width of the window if that is a terminal.
+    """Print text, wrapped to the width of the console if the console is a terminal.
 
     All lines but the first are indented by ``hanging`` columns.
     """

@@ -19,13 +19,14 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """The page that the command `watch` prints: the explanation of a failed check, and other lines.
+    """The content of the page that the command `watch` prints.
 
     Attributes:
-        top: The lines above the explanation.
+        top: The lines above the explanation of a failed check.
         failure: The explanation of a failed check, or None.
         bottom: The lines below the explanation.
-        whole: The command that prints the full explanation, shown if there is not enough space.
+        whole: The command that prints the explanation in full. It is shown if the explanation has
+            to be shortened.
         note: A short message at the end of the page.
     """
 
@@ -57,8 +58,8 @@ class Page:
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
         """Shorten the page of the command `watch` to ``width`` columns and ``height`` lines.
 
-        If the explanation of the failed check is too long, lines are removed from its middle, so
-        that the heading and the keys stay visible.
+        If the explanation of the failed check is too long, lines are removed from its middle. The
+        heading and the list of keys therefore stay visible.
         """
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]

@@ -42,7 +42,8 @@ class Progress:
     def next_open(self) -> tuple[Chapter, Exercise] | None:
         """Find the exercise that the student should work on next, or return None if all are done.
 
-        Within a chapter, the physics of all exercises comes before the robust checks.
+        Within a chapter, exercises that fail physics checks come first. Exercises that fail only
+        robust checks come after them.
         """
         for chapter in self.chapters:
             wanted = asked_for(chapter)
@@ -54,12 +55,12 @@ class Progress:
         return None
 
     def works(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Return True if the student's code passed an exercise's physics checks at the last run."""
+        """Return True if all physics checks of an exercise passed when they last ran."""
         result = self.last.get((chapter.name, exercise.id))
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Return True if the student's code passed all physics checks of a chapter at the last run.
+        """Return True if all physics checks of a chapter passed when they last ran.
 
         An optional exercise counts only if a required exercise builds on it.
         """
@@ -86,7 +87,7 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return True if some of an exercise's physics checks fail on the student's code.
+    """Return True if the student's code fails any of an exercise's physics checks.
 
     A written exercise has no checks, so the result is False.
     """
@@ -94,7 +95,7 @@ def lacks_physics(result: Result) -> bool:
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return True if some of an exercise's checks, physics or robust, fail on the student's code.
+    """Return True if the student's code fails any check of an exercise, physics or robust.
 
     A written exercise has no checks, so the result is False.
     """

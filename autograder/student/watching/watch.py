@@ -33,7 +33,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
     that is still open. The command ends when the student presses q.
 
     Raises:
-        ValueError: A given chapter needs our solution, but this folder does not contain it.
+        ValueError: Our solution of a chapter in ``given`` is not available, as in a handout.
     """
     with with_given(given, engine) as folders, keys.single_keys():
         progress = Progress(chapters, folders, given, Memory(seed))
@@ -82,7 +82,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a short message, such as a hint, at the end of the student's page.
+        """Show a short message, such as a hint, at the bottom of the student's page.
 
         The message replaces the previous one.
         """

@@ -31,7 +31,7 @@ DOWN = (0.0, -G, 0.0)
 def cost_of_a_generator() -> Picture:
     """Plot how much longer a frame takes to compute when a force generator acts on a particle.
 
-    Each time is divided by the time for a particle of chapter 3, which has gravity as a constant
+    Times are given relative to a frame with the particle of chapter 3, whose gravity is a constant
     acceleration.
     """
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)

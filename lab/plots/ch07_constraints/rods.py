@@ -76,7 +76,8 @@ def rope_by_method() -> Picture:
 def rods_hold() -> Picture:
     """Plot how much too long or too short the rods of a hanging chain become.
 
-    The largest error is plotted against the number of rods, for various iterations and substeps.
+    The largest error is plotted against the number of rods. Each curve is for a different number of
+    iterations or substeps.
     """
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
     # Cases that take longer than all other cases together are left out.
@@ -161,7 +162,8 @@ def _hanging(
 ) -> Callable[[], tuple[float, str]]:
     """Return a function that simulates a hanging chain for 2 s.
 
-    The function returns the largest error of a rod's length, in m, and the text of any exception.
+    That function returns the largest error in the length of a rod, in m, and the message of any
+    exception.
     """
 
     def scene() -> tuple[float, str]:

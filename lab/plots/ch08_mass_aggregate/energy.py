@@ -115,10 +115,10 @@ def variable_frames() -> Picture:
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Plot the energy of several runs of a scene, and how constant it is once the scene rests.
+    """Plot the energy in several runs of a scene, and its variation once the scene is at rest.
 
-    A second panel shows only the time at rest. It plots by what percentage the energy differs from
-    the middle of its range.
+    The second panel starts when the scene should be at rest. It plots how far the energy is from
+    the middle of its range, in percent.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(

@@ -54,7 +54,7 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 def drift_of_first_order() -> Picture:
     """Plot the two errors of Eq. 9.5, the book's formula for rotating a quaternion by one step.
 
-    Each step makes the quaternion longer, and rotates it by a wrong angle. Better integration
+    Each step makes the quaternion longer, and rotates it by the wrong angle. Better integration
     methods are shown for comparison.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
@@ -189,10 +189,10 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return the errors of Eq. 9.5 that the student's function first_order_drift predicts.
+    """Call the student's function first_order_drift, which predicts the errors of Eq. 9.5.
 
-    They are the final length of a quaternion, which should be 1, and the missing angle in degrees.
-    If the student has not written the function yet, both are NaN.
+    Return the final length of the quaternion, which should be 1, and the angle in degrees by which
+    the rotation lags behind. If the student has not written the function yet, both values are NaN.
     """
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
@@ -202,10 +202,10 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Describe the error of the student's function first_order_drift for the title of a plot.
+    """Return the part of a plot's title that reports how accurate first_order_drift is.
 
-    The text says how much the errors that the function predicts differ from the measured ones. It
-    is empty if the student has not written the function yet.
+    ``off`` are the differences between the predictions of this function and the measured values.
+    If the student has not written the function yet, return an empty string.
     """
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""

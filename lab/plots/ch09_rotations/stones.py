@@ -1,6 +1,7 @@
-"""A plot for chapter 9: the lines on which a box of stones would balance.
+"""A plot for chapter 9: the lines on which a box of stones would balance (exercise 9.7).
 
-It also shows how much mass the student's code finds on either side of each line.
+The student's code computes these lines, and the mass on either side of each line. The plot compares
+the results with the exact center of mass and the exact masses.
 """
 
 from __future__ import annotations

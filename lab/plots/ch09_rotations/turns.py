@@ -61,7 +61,7 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def turning_motion() -> Picture:
-    """Draw a thrown disc that wobbles as it flies, with its axes at seven moments."""
+    """Draw seven snapshots of a wobbling disc in flight, along with its axes."""
     rates = (120, 240, 480)
     throws = {rate: throw_disc(rate) for rate in rates}
     shown = throws[240]
@@ -163,10 +163,10 @@ def order_of_turns() -> Picture:
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Rotate the vectors X, Y and Z by a quaternion of the student's engine.
+    """Rotate the vectors X, Y and Z with a quaternion from the student's engine.
 
-    If the engine raises an exception, add its text to ``notes``, and return NOWHERE, which consists
-    of NaNs.
+    If the engine raises an exception, add its message to ``notes`` and return NOWHERE, in which
+    every component is NaN.
     """
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
@@ -175,7 +175,7 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Rotate the vectors X, Y and Z twice with matrices of the student's engine.
+    """Rotate the vectors X, Y and Z twice with matrices from the student's engine.
 
     Return the three vectors before the first rotation, after it, and after both rotations. If the
     engine fails or its matrices are not written yet, return an empty list.

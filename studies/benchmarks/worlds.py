@@ -61,8 +61,8 @@ def asleep(
 ) -> Measurement:
     """Set up a benchmark that measures how much time is saved if nine in ten balls sleep.
 
-    ``make`` is a function that creates a world of the given class. The result is the time that a
-    ParticleWorld takes, in which all balls are awake, divided by the time for a SleepingWorld.
+    ``make`` is a function that creates a world of the given class. In a
+    ParticleWorld, all balls stay awake. The result is its time divided by that of a SleepingWorld.
     """
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(

@@ -4,9 +4,9 @@ The net moves in a plane, because pymunk is two-dimensional. Our engine has two 
 DirectNet, which has order 2, and SmoothNet, which has order 4.
 
 The work of a simulation is counted rather than timed, so it does not depend on the computer's
-speed. In our solvers, every link counts once each time the tensions of all links are computed.
-DirectNet computes them once per step, and SmoothNet four times. In pymunk, slide joints act as the
-links, and each joint counts once per iteration.
+speed. In DirectNet, every link counts once per step. SmoothNet computes all tensions four times per
+step, so every link counts four times. In pymunk, slide joints act as the links, and each joint
+counts once per iteration.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Draw charts of how accurate and how fast our engine and pymunk are in each scene.
+"""Draw charts that show how accurate and how fast our engine and pymunk are in each scene.
 
 A scene, such as a pendulum, can be simulated in several ways, for example with different
 integrators. Each of these ways is called a model. The chart of a scene has two panels, which plot
@@ -202,7 +202,7 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe the fastest of our models or of pymunk's, as in "leapfrog, 3.2 ms".
+    """Describe the fastest model of our engine or of pymunk, as in "leapfrog, 3.2 ms".
 
     If the time is extrapolated, the text also gives the order of convergence. If no model met the
     tolerance, the text is "never" or, if more steps might have helped, "not within 600 ms".

@@ -3,7 +3,7 @@
 A model is one way to simulate a scene, for example with a certain integrator. The error and the
 amount of work of a model are the same in every run, so they are measured only once. The time varies
 from run to run, so it is measured in several rounds. Each round times all models in random order,
-so that a busy moment of the computer does not always affect the same model.
+so that a brief slowdown of the computer does not always affect the same model.
 
 The results are saved after every round. If the measurement is interrupted, it can resume from the
 saved results, unless the code or a version has changed.

@@ -66,11 +66,11 @@ class Row:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The smallest and the largest possible ratio of pymunk's time to ours.
+        """The lower and upper bounds on the ratio of pymunk's time to ours.
 
-        These bounds matter if our models or pymunk's missed the tolerance. We then know only that
-        they need more time than their longest run took. This gives one bound on the ratio, and the
-        other one is 0 or infinity.
+        If both times are known, both bounds are equal to the ratio. If pymunk missed the tolerance,
+        we know only that its time exceeds ``Side.longest``, so the upper bound is infinity. If
+        our models missed the tolerance, the lower bound is 0 for the same reason.
         """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
@@ -171,9 +171,9 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Find the fastest model that meets ``tolerance``, either of our engine or of pymunk.
+    """Find the fastest model of one engine, ours or pymunk, that meets ``tolerance``.
 
-    ``points`` are the runs of all models of our engine, or of pymunk, in one scene.
+    ``points`` contains all runs of this engine in one scene.
     """
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
@@ -228,8 +228,9 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
     """Estimate how long pymunk would take to meet a tolerance that none of its runs met.
 
-    The time of each model is extrapolated from its order of convergence, and the shortest time
-    counts. If this is not possible for any model, return ``side`` unchanged.
+    The time of each model is extrapolated from its order of convergence. Return a copy of ``side``,
+    which is pymunk's result so far, with the fastest model and its time. If no time can be
+    extrapolated, return ``side`` itself.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}

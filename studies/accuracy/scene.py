@@ -53,8 +53,8 @@ class Model:
     """One way to simulate a scene, for example with a certain integrator.
 
     - ``run``: a function that simulates the scene with a given number of steps per frame.
-    - ``steps``: the numbers of steps to try. It is (1,) for an exact model, such as a closed form,
-      because such a model makes no steps.
+    - ``steps``: the numbers of steps per frame to try. For an exact model, such as a closed form,
+      it is (1,), because more steps would not change the result.
     - ``by``: who wrote the model, "ours", "the book" or "pymunk".
     - ``takes_tolerance``: True if the model chooses its own steps. Each number in ``steps`` is then
       1 / tolerance, so a larger number still means a more accurate run.
@@ -109,8 +109,8 @@ def solved(
 ) -> Callable[[float], Place]:
     """Return the exact motion of a scene without a closed form, as a function of time.
 
-    SciPy solves the equations of motion when the returned function is first called, for the end of
-    every frame. Its error of about 1e-11 is far below the smallest tolerance.
+    When the returned function is first called, SciPy computes the positions at the end of every
+    frame. Their error of about 1e-11 is far below the smallest tolerance.
 
     - ``rates``: the equations of motion in the form that SciPy expects.
     - ``start``: the initial state.
@@ -134,7 +134,7 @@ def in_frames(
 ) -> list[Place]:
     """Simulate a scene with ``steps`` steps per frame, and return the positions after every frame.
 
-    ``step`` advances the simulation by a time in s, and ``place`` returns the current positions.
+    ``step`` advances the simulation by a given time in s, and ``place`` returns the positions.
     """
     places: list[Place] = []
     duration = 1.0 / (RATE * steps)

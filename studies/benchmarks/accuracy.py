@@ -147,7 +147,10 @@ def fastest_exact(scene: Scene) -> Model:
 
 
 def is_exact(model: Model) -> bool:
-    """Return True if a model is exact, like a closed form, so that it takes one step per frame."""
+    """Return True if a model is exact, such as a closed form.
+
+    More steps would not change its result, so the only number of steps to try is 1 per frame.
+    """
     return tuple(model.steps) == (1,)
 
 

@@ -1,4 +1,4 @@
-"""Measure how long `make check` takes, the command with which students check their work."""
+"""Measure how long students wait for `make check`, the command that checks their work."""
 
 from __future__ import annotations
 
@@ -10,10 +10,9 @@ from studies.timing import Measurement, Target, Timer, timer, versus
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmark of `make check`, the command with which students check their work.
+    """Set up the benchmark that measures how long `make check` takes for one chapter.
 
-    The result is the time that `make check` takes for one chapter, divided by the time that Python
-    takes to import pytest.
+    The result is this time, divided by the time that Python takes to import pytest.
     """
     check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles the modules
@@ -24,7 +23,7 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a function that measures how long a run of Python with these arguments takes, in s.
+    """Return a function that runs Python with these arguments and returns the time taken, in s.
 
     For example, ``running("-c", "import pytest")`` measures how long it takes to import pytest.
     """

@@ -32,7 +32,7 @@ RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of finding contacts, resolving them, and simulating chains of rods."""
+    """Set up the benchmarks for finding and resolving contacts, and for chains of rods."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [
@@ -74,9 +74,10 @@ def lines() -> list[Measurement]:
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
-    """Return a timer for resolving the contacts of a rope whose cables are stretched too far.
+    """Return a function that measures how long it takes to resolve the contacts of a rope, in s.
 
-    ``kind`` is the class of the resolver, and ``count`` is the number of cables that are too long.
+    ``kind`` is the class of the resolver. The rope has ``count`` cables, all of which are stretched
+    beyond their maximum length.
     """
 
     def once() -> float:

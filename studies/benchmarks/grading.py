@@ -24,7 +24,11 @@ AT_A_TIME = 2
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of the autograder: one check, 20 submissions, and a sample class."""
+    """Set up the benchmarks for the autograder.
+
+    They measure the time for a single check, for 20 submissions of one chapter, and for a sample
+    class.
+    """
     behind = Behind(vars(best_level()))
     _, second, *_, last = load_chapters()
     # The target was set for chapter 3. Later chapters import more modules and do more work.
@@ -33,7 +37,7 @@ def lines() -> list[Measurement]:
 
 
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
-    """Set up a benchmark of how many milliseconds longer a check takes in an isolated worker.
+    """Set up a benchmark that measures the extra time of a check in an isolated worker, in ms.
 
     All checks of a chapter are run with and without isolation. The extra time, including the start
     of the worker process, is divided by the number of checks.

@@ -1,4 +1,4 @@
-"""Measure how long a time step takes with each integrator of chapter 6.
+"""Measure how long a time step takes with four integrators of chapter 6.
 
 In each benchmark, one particle moves on an anchored spring.
 """
@@ -28,7 +28,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of how long a time step takes with each integrator.
+    """Set up the benchmarks that time one step of each integrator.
 
     Semi-implicit Euler is compared with plain arithmetic. All other integrators are compared with
     semi-implicit Euler.

@@ -39,7 +39,7 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Round a benchmark's result to three digits, since further digits differ in every run."""
+    """Round a result to three significant digits, because further digits vary from run to run."""
     return float(f"{figure:.3g}")
 
 

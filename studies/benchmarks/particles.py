@@ -18,7 +18,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of how long one time step of a particle takes.
+    """Set up the benchmarks that measure how long one time step of a particle takes.
 
     They compare Particle.integrate with plain arithmetic, with vector operators and with pymunk.
     """

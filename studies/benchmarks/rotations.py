@@ -63,7 +63,7 @@ RIVALS = (  # two statements, the description of their ratio, and its target
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Set up the benchmarks of quaternions and matrices.
+    """Set up the benchmarks for quaternions and matrices.
 
     If pyglet or NumPy is not installed, its benchmarks are skipped, and a message on ``console``
     shows how to install it.

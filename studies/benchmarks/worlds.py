@@ -1,4 +1,4 @@
-"""Measure how much time a ParticleWorld takes, and how much time it saves to put balls to sleep.
+"""Measure the overhead of a ParticleWorld, and how much time is saved if balls fall asleep.
 
 Two ways to simulate a rope are also compared: as rods in a ParticleWorld, and as a DirectChain.
 """
@@ -28,7 +28,7 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks of ParticleWorld, of sleeping balls, and of hanging ropes."""
+    """Set up the benchmarks for particle worlds, sleeping balls and hanging ropes."""
     bare = flying()
     return [
         Measurement(
@@ -59,10 +59,10 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Set up a benchmark of how much time a world saves when nine in ten balls are asleep.
+    """Set up a benchmark that measures how much time is saved if nine in ten balls sleep.
 
-    ``make`` creates a world of the given class. The result is the time of a ParticleWorld, in which
-    all balls are awake, divided by the time of a SleepingWorld.
+    ``make`` is a function that creates a world of the given class. In a
+    ParticleWorld, all balls stay awake. The result is its time divided by that of a SleepingWorld.
     """
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
@@ -76,9 +76,10 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Set up a benchmark that divides the time of a rope made of rods by that of a DirectChain.
+    """Set up a benchmark that compares two ways to simulate a hanging rope.
 
-    Its description in the report also gives the error in the sag of each rope, in m.
+    The result is the time for rods in a ParticleWorld, divided by the time for a DirectChain. The
+    description of the benchmark also states the error in the sag of both ropes, in m.
     """
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)

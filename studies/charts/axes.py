@@ -42,9 +42,9 @@ class Axis:
 
 
 def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
-    """Create a logarithmic axis for ``values``, which must be positive.
+    """Create a logarithmic axis that covers ``values``, which must be positive.
 
-    The axis is long enough for at least one label.
+    The axis extends far enough beyond the values to include at least one power of ten as a label.
     """
     seen = [*values]
     low, high = min(seen) / 1.6, max(seen) * 1.6

@@ -69,6 +69,6 @@ def described(rows: Sequence[Row]) -> str:
 
 
 def _rounded(value: float) -> str:
-    """Format a ratio with two digits. The overview picture cannot be read more precisely."""
+    """Format a ratio to two significant digits, the precision of the overview picture."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"

@@ -1,4 +1,4 @@
-"""Write the charts of all scenes to one web page, and their numbers to a CSV file.
+"""Write the charts of all scenes to one web page, and all data points to a CSV file.
 
 Each chart shows how accurate and how fast our engine and pymunk are in a scene. The page needs no
 other files.
@@ -29,10 +29,10 @@ COLUMNS = (
 
 
 def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
-    """Write the page with all charts to ``index.html``, and their numbers to ``points.csv``.
+    """Write the page with all charts to ``index.html``, and all data points to ``points.csv``.
 
-    Both files are saved in the folder ``out``. ``how`` is a sentence about how the times were
-    measured, which the page quotes.
+    Both files are saved in the folder ``out``. The page quotes ``how``, a sentence that explains
+    how the times were measured.
     """
     own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
     panels = [panel(scene, own[scene.name]) for scene in scenes]

@@ -80,7 +80,7 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Panel:
-    """One scene on the page of charts: its texts, its chart and its table."""
+    """One scene on the page of charts, with its descriptions, its chart and its table."""
 
     name: str
     id: str

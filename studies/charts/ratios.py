@@ -54,10 +54,10 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Choose the value and the kind of a row's mark, such as 5.51 and "exact".
+    """Return the value at which a row's mark is drawn on the axis, and the kind of the mark.
 
     The value is the ratio of pymunk's time to ours, or a bound on the ratio. If neither is known,
-    the value is None.
+    the value is None. The kind says how the value was found, and is explained in ``Ratio``.
     """
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"

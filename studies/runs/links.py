@@ -18,7 +18,7 @@ def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
 
 
 def over_length(links: Iterable[object]) -> float:
-    """Return by what percentage the worst cable exceeds its length, or 0 if none does."""
+    """Return by what percentage the worst cable exceeds its maximum length, or 0 if none does."""
     worst = 0.0
     for link in links:
         if isinstance(link, Cable | AnchoredCable):

@@ -99,7 +99,7 @@ class FallInAir(Scene):
     def exact(self, time: float) -> list[float]:
         """Compute the exact heights of both balls, in m.
 
-        A ball that has landed must no longer add to the error, so its simulated height is returned.
+        For a ball that has landed, return its simulated height, so that its error is 0.
         """
         heights = []
         for ball, landed, (mass, k2, _) in zip(

@@ -1,4 +1,4 @@
-"""An interactive scene for chapter 7 that simulates the same rope of rods by three methods."""
+"""An interactive scene for chapter 7 that simulates the same rope of rods with three methods."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ def no_forces(duration: float) -> None:
 
 
 class Ropes(Scene):
-    """A scene of three copies of a rope of rods, each simulated by a different method.
+    """A scene of three copies of a rope of rods, each simulated with a different method.
 
     The methods are one step per frame, substeps, and a direct solve. A rope should not stretch, so
-    the picture shows by how much each copy is too long.
+    the picture shows the excess length of each copy.
     """
 
     chapter = 7
@@ -78,7 +78,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Compute how much longer rope ``i`` is than it should be, in m, over all of its rods."""
+        """Compute the excess length of rope ``i`` in m, added up over all of its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

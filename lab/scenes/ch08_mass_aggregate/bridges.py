@@ -19,7 +19,7 @@ LATE = 0.5  # s, duration of a late frame
 class Bridge(WorldScene):
     """A scene of a rope bridge that has to carry a heavy ball.
 
-    The reader can move the ball across the bridge, and make some of the frames arrive late.
+    The reader can move the ball across the bridge, and choose to delay some of the frames.
     """
 
     chapter = 8
@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Compute by what percentage the most stretched cable of the bridge exceeds its length."""
+        """Compute by what percentage the worst cable exceeds its maximum length."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:
@@ -90,7 +90,7 @@ class Bridge(WorldScene):
         self.bridge.pace = paces.get(key, self.bridge.pace)
 
     def play(self, time: float) -> None:
-        """In recordings and tests, walk the ball across the bridge, and finally off it.
+        """In recordings and tests, move the ball across the bridge, and finally off it.
 
         From 4 s on, some of the frames are late.
         """

@@ -179,7 +179,7 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A scene of a clock hand that rotates by Eq. 9.5, next to one that rotates steadily.
+    """A scene of a clock hand that is rotated with Eq. 9.5, next to one that rotates steadily.
 
     Eq. 9.5 is the book's formula for rotating a quaternion by one time step. It moves the
     quaternion along a straight line, so the hand falls behind.

@@ -1,13 +1,13 @@
 """Test how well our engine and pymunk keep the loaded rope bridge of chapter 8 at rest.
 
-Every simulation starts at rest, slightly below the position with the least potential energy.
-Exactly at that position, rounding errors would decide which cables are taut. The work of a
-simulation is the number of contacts that it resolves. In pymunk, it is the number of joints times
-the number of iterations.
+Every simulation starts slightly below the rest position, so that all cables are taut. Exactly at
+the rest position, rounding errors would decide which cables are taut. The work of a simulation is
+the number of contacts that it resolves. In pymunk, it is the number of joints times the number of
+iterations.
 
-Pymunk is two-dimensional, so its bridge is flat: both sides lie in one plane, and there are no rods
-between them. The cables are as long as they look from the side, and all positions are compared in
-this view.
+Pymunk is two-dimensional, so both sides of its bridge lie in one plane, with no rods between them.
+The length of each cable is that of its projection onto this plane. Only the x and y coordinates of
+the positions are compared.
 """
 
 from __future__ import annotations

@@ -49,7 +49,7 @@ class Chain:
     - ``masses``: the masses of the particles in kg, from the top to the tip.
     - ``length``: the length of every rod in m.
     - ``angle``: the initial angle between the chain and the vertical, in radians.
-    - ``gravity``: the gravity in m/s^2, as a positive number.
+    - ``gravity``: the gravitational acceleration in m/s^2, as a positive number.
     """
 
     length: float
@@ -119,8 +119,8 @@ class Chain:
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
     """Create all models of a chain of rods, ours first and then pymunk's.
 
-    A model is one way to simulate the chain, for example with a certain integrator. Most of our
-    models try all numbers of steps per frame in ``steps``.
+    A model is one way to simulate the chain, for example with a certain integrator. ``steps`` lists
+    the numbers of steps per frame with which most of our models are run.
     """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),

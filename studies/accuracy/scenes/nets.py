@@ -41,9 +41,9 @@ FINE = 8  # steps per frame of our own run, with which the truth is compared
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
     """Create the scene of a net of cables, with its exact solution and a model for each solver.
 
-    ``make`` is a function that builds the net. It is called only when the net is needed for the
-    first time. SciPy computes the exact solution. To check it, ``Scene.differs`` compares it with
-    our own simulation in short steps.
+    ``make`` is a function that builds the net. It is called only once, when the net is first
+    needed. SciPy computes the exact solution. To check it, ``Scene.differs`` compares it with our
+    own simulation in short steps.
     """
     plane = cache(make)
 
@@ -73,13 +73,14 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 def bridge_ties() -> list[Tie]:
     """List the cables on one side of the rope bridge, with the lengths that they have in pymunk.
 
-    Pymunk is two-dimensional, so each cable is as long as it looks from the side.
+    Pymunk is two-dimensional, so the length of each cable is that of its projection onto the X-Y
+    plane.
     """
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
 def hung() -> list[tuple[float, float]]:
-    """Compute where the planks on one side of the rope bridge hang at rest.
+    """Compute the rest positions of the planks' ends on one side of the rope bridge.
 
     The third plank carries a load.
     """
@@ -131,11 +132,11 @@ def walked_over() -> Scene:
 
 
 def catching() -> Scene:
-    """Create the scene of a net that catches a ball, which lasts 0.6 s.
+    """Create the scene of a net that catches a ball.
 
-    The net has 6 by 6 knots of 0.2 kg each, and hangs between two poles. The horizontal cables are
-    0.55 m long in the top row. They are 0.59 m long in the rows below, where they hang slack.
-    Vertical cables of 0.45 m connect each knot to the one below it.
+    The scene lasts 0.6 s. The net has 6 by 6 knots of 0.2 kg each, and hangs between two poles. The
+    horizontal cables are 0.55 m long in the top row. They are 0.59 m long in the rows below, where
+    they hang slack. Vertical cables of 0.45 m connect each knot to the one below it.
 
     The ball has a mass of 1 kg and a radius of 0.5 m. It falls 0.3 m, and lands slightly off
     center. It can collide with the knots of the upper two rows.

@@ -4,8 +4,8 @@ The net moves in a plane, because pymunk is two-dimensional. Our engine has two 
 DirectNet, which has order 2, and SmoothNet, which has order 4.
 
 The work of a simulation is counted rather than timed, so it does not depend on the computer's
-speed. Our solvers count every link each time they solve the equations for all links. DirectNet does
-so once per step, and SmoothNet four times. In pymunk, slide joints act as the links, and each joint
+speed. In DirectNet, every link counts once per step. SmoothNet computes all tensions four times per
+step, so every link counts four times. In pymunk, slide joints act as the links, and each joint
 counts once per iteration.
 """
 

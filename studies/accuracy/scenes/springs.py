@@ -142,7 +142,7 @@ def elastic_pendulum() -> Scene:
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
     """Simulate a body on a spring with a solver for linear springs, such as backward Euler.
 
-    As work, each step counts as one evaluation.
+    The work is the number of steps, because each step counts as one evaluation.
     """
     x, v = 1.0, 0.0
 

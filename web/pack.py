@@ -38,8 +38,8 @@ def pack(out: Path, *, with_solutions: bool = False) -> None:
     """Write the archives ``course.xz`` and ``pyodide/python_stdlib.zip`` into a folder.
 
     ``course.xz`` is a zip archive in xz format. ``with_solutions`` adds the compiled modules of the
-    reference, for students who skip a chapter. The compiled standard library is kept in build/ and
-    reused, because compiling it takes most of the time.
+    reference solution, for students who skip a chapter. The compiled standard library is kept in
+    build/ and reused, because compiling it takes most of the time.
     """
     library = out / "pyodide" / "python_stdlib.zip"
     library.parent.mkdir(parents=True, exist_ok=True)

@@ -10,8 +10,8 @@ measured after every frame, and the result is the largest error:
   point.
 
 One body may be heavier than the others: the top sphere of a stack, or the weight at the end of a
-rope. Every other body has a mass of 1 kg. The mass ratio is the mass of the heavy body divided by 1
-kg. Gravity is 10 m/s^2. The work of a solver is its number of time steps.
+rope. Every other body has a mass of 1 kg. The mass ratio is the mass of the heavy body divided by
+1 kg. Gravity is 10 m/s^2. The work of a solver is its number of time steps.
 """
 
 from __future__ import annotations

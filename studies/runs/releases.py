@@ -41,7 +41,7 @@ class Release:
 def releases(design: Design) -> list[Release]:
     """Simulate a trebuchet that never releases its projectile, and list all possible throws.
 
-    A real sling releases the projectile in the first time step in which it flies no higher than the
+    A real sling releases the projectile in the first time step in which it flies at or below the
     release angle. A step is therefore a possible release only if its direction of flight is lower
     than in all earlier steps. The list ends when the projectile flies horizontally.
 

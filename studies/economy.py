@@ -1,8 +1,9 @@
-"""Measure what it costs to simulate falling particles with features that they do not need.
+"""Measure how much optional features cost in a simulation of falling particles.
 
-The scene consists of two hundred falling particles. Each bar of the chart is for one feature, such
-as a search for collisions. It shows the time per frame with the feature divided by the time without
-it. The two times are measured one right after the other.
+The scene consists of two hundred falling particles, which need none of these features. Each bar of
+the chart is for one feature, such as a search for collisions. It shows the time per frame with the
+feature, divided by the time per frame without it. The two times are measured one right after the
+other.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure the cost of features that falling particles do not need, and draw a bar chart.
+    """Measure the cost of optional features for falling particles, and draw it as a bar chart.
 
     The chart is saved as a PNG file, and a CSV file next to it contains the numbers. Return 0.
     """
@@ -89,11 +90,11 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List the features whose cost is measured, although falling particles do not need them.
+    """List the optional features whose cost is measured.
 
     An example is gravity as a force generator. Each feature is a tuple of its name and two
-    functions. One simulates a frame with the feature, and the other simulates the same frame
-    without it.
+    functions. The first function simulates a frame with the feature, and the second one simulates
+    the same frame without it.
     """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3

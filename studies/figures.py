@@ -1,8 +1,8 @@
 """Draw the pictures of all lessons with the reference solution, for `make figures`.
 
 They are the plots of `make plot` and animations of scenes in the lab. To make pages load quickly,
-all pictures are reduced to few colors. The animations are also made smaller, with fewer frames per
-second.
+all pictures are saved with only a few colors. The animations are also scaled down, and have fewer
+frames per second.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def _file(out: Path, name: str) -> Path:
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
-    """Reduce an animation in size and colors, and return one frame for every PICTURE_TIME ms.
+    """Scale an animation down, and reduce its colors. Return a frame for every PICTURE_TIME ms.
 
     The frames are WIDTH px wide. They share one small palette, because with separate palettes the
     parts that do not move would flicker.
@@ -175,7 +175,7 @@ def _palette(picture: Image.Image, count: int) -> Image.Image:
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:
-    """Save an image, or several as an endless GIF animation, and print the path and the size."""
+    """Save one image, or several as a looping GIF animation, and print the path and file size."""
     place.parent.mkdir(parents=True, exist_ok=True)
     if len(pictures) == 1:
         pictures[0].save(place, optimize=True)

@@ -83,10 +83,10 @@ def timer(run: Callable[[], object], times: int = 1) -> Timer:
 
 
 def statement_timer(code: str, setup: str) -> Timer:
-    """Return a function that measures how long TIMES runs of a Python statement take, in s.
+    """Return a function that runs a Python statement TIMES times and returns the time in s.
 
     A single run would be too short to measure. ``setup`` is code that defines the variables of the
-    statement, and its time does not count.
+    statement. It runs before the measurement starts.
     """
     prepared = timeit.Timer(code, setup)
     return lambda: prepared.timeit(TIMES)
@@ -121,9 +121,9 @@ def warm(timed: Timer) -> float:
 
 
 def versus(first: Timer, second: Timer) -> Figure:
-    """Return a function that measures two times and returns their ratio, first / second.
+    """Return a function that times two pieces of code and returns the ratio first / second.
 
-    Each call is one round of a benchmark.
+    Each call of the function is one round of a benchmark.
     """
 
     def once() -> float:
@@ -186,11 +186,11 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """Set up one benchmark per library that compares it with classes of our own.
+    """Set up a benchmark for each library that compares it with our classes.
 
     The result is the library's time divided by ours, as a geometric mean over all operations that
-    both have. ``name`` is what the report calls our classes. Each of the ``peers`` consists of the
-    library's module, its name in the report, and a target. A library that is not installed is
+    both support. ``name`` is what the report calls our classes. Each of the ``peers`` consists of
+    the library's module, its name in the report, and a target. A library that is not installed is
     skipped, and a message on ``console`` shows how to install it.
     """
     ours = statements["ours"]

@@ -10,11 +10,10 @@ from pathlib import Path
 def imported_by(
     roots: Iterable[Path], folders: Iterable[Path], packages: Collection[str]
 ) -> list[Path]:
-    """Find the files of ``packages`` that some Python files import, directly or indirectly.
+    """Find all files of ``packages`` that the files in ``roots`` import, directly or indirectly.
 
-    ``roots`` are the files to start from, and ``folders`` are the folders that contain the
-    packages. Imports inside functions count too. A root file that belongs to one of the packages is
-    included in the result.
+    ``folders`` are the folders that contain the packages. Imports inside functions count too. A
+    root file that belongs to one of the packages is included in the result.
     """
     folders = list(folders)
     found: set[Path] = set()
@@ -35,8 +34,8 @@ def imported_by(
 def _names(file: Path, folders: Iterable[Path]) -> Iterator[str]:
     """Yield the names of all modules that a Python file may import.
 
-    In `from a import b`, `b` may be a module or any other object. That is why `a.b` is among the
-    names too.
+    The statement `from a import b` may import a module or any other object of that name. The result
+    therefore contains both `a` and `a.b`.
     """
     for node in ast.walk(ast.parse(file.read_bytes())):
         if isinstance(node, ast.Import):

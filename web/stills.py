@@ -45,7 +45,8 @@ def main() -> None:
 def scenes_of_students() -> list[Entry]:
     """List the scenes that students can run on their own engine.
 
-    The scene that replays the accuracy study is left out, because it shows the reference.
+    The scene that replays the accuracy study is left out, because it always uses the reference
+    solution.
     """
     return [e for e in entries() if e.module.rpartition(".")[2] != Path(CHARTS).stem]
 

@@ -35,7 +35,7 @@ class Ratio:
 def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
     """Prepare the table that compares pymunk's times with ours.
 
-    Return the axis for the marks, and one Ratio for each row.
+    Return the axis on which the ratios are marked, and a Ratio for each row.
     """
     marks = [_mark(row) for row in rows]
     axis = axis_for([1.0, *(value for value, _ in marks if value)], 0.0, 100.0)

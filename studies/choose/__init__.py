@@ -1,12 +1,12 @@
 """Find the fastest method that simulates a scene, such as a pendulum, accurately enough.
 
 The command tries integrators, closed forms and contact solvers, which it calls models. It measures
-how long each of them takes, and reports the fastest one whose error is small enough. It also shows
-the next faster one and its error.
+how long each of them takes, and reports the fastest one whose error is small enough. For
+comparison, it also shows the next model that takes less time, and the error of that model.
 
-Choose a built-in scene by part of its name, such as "pendulum". Or describe your own scene in a
-Python file, as in studies/choose/example.py. Your own scene has no exact solution. Its error is
-estimated by running it again with shorter time steps.
+Choose a built-in scene by part of its name, such as "pendulum". You can also describe a scene of
+your own in a Python file, as in studies/choose/example.py. Such a scene has no exact solution, so
+its error is estimated by running it again with shorter time steps.
 """
 
 from __future__ import annotations

@@ -34,14 +34,15 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 
 @dataclass(frozen=True)
 class Model:
-    """A method of simulation, such as Runge-Kutta 4, and the step sizes to try.
+    """A simulation method, such as Runge-Kutta 4, and the step sizes to try.
 
     ``step_of`` is a function that takes a newly built world. It returns a function that advances
     this world by one time step. ``order`` is the order of convergence in theory. ``choices`` lists
     the numbers of steps per frame to try.
 
-    If ``takes_tolerance`` is true, the method chooses its own steps. The ``choices`` are then 1 /
-    tolerance, and the error is proportional to the tolerance.
+    If ``takes_tolerance`` is true, the method takes a tolerance and chooses its own step sizes.
+    Each of the ``choices`` is then the inverse of a tolerance, and the error is proportional to the
+    tolerance.
     """
 
     name: str
@@ -59,7 +60,7 @@ class Model:
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
         """Prepare a world for a run with one of the ``choices``, such as 4 steps per frame.
 
-        Return a function that advances the world by one time step, and how often to call it per
+        Return a function that advances the world by one time step, and the number of steps per
         frame.
         """
         if self.takes_tolerance:
@@ -88,9 +89,9 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """List the solvers for worlds in which all contacts are links, or all are collisions.
+    """List the solvers for worlds whose contacts all come from links, or all from detectors.
 
-    The list is empty if a world has both, or if its rods and cables bounce.
+    The list is empty if a world mixes links and detectors, or if a rod or cable has a restitution.
     """
     generators = world.contact_generators
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):

@@ -140,11 +140,11 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
 
 
 def _contradicting(found: list[Tried], chosen: Point) -> str:
-    """Compare the model that the report chose with the most accurate other model.
+    """Compare the chosen model with the most accurate of the other models.
 
     If their results differ by more than three times the sum of their estimated errors, at least one
-    estimate is wrong. Return a warning in that case, or if there is no other model to compare with.
-    Otherwise return an empty string.
+    estimate is wrong. Return a warning in that case, or if no other model converges. Otherwise
+    return an empty string.
     """
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     run = mine.runs[mine.model.choices.index(chosen.steps)]

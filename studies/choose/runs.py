@@ -1,6 +1,6 @@
-"""Simulate a user's scene with every model, at shorter and shorter time steps, and time each run.
+"""Simulate a user's scene with every model and several time steps, and time each run.
 
-A model is a method of simulation, such as an integrator.
+A model is a simulation method, such as an integrator.
 """
 
 from __future__ import annotations
@@ -25,10 +25,11 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 
 @dataclass
 class Tried:
-    """A method of simulation that was tried on the user's scene, and the results of its runs.
+    """A simulation method that was tried on the user's scene, and the results of its runs.
 
     ``runs`` contains the values measured in each run, and ``times`` contains the processor times of
-    each run in s. ``halved`` contains the estimated errors. If a run failed, ``failure`` says why.
+    each run in s. ``halved`` contains the errors, which are estimated by comparing runs with
+    different time steps. If a run failed, ``failure`` says why.
     """
 
     model: Model
@@ -40,8 +41,8 @@ class Tried:
     def add(self, run: Run | str, taken: float) -> None:
         """Add the next run, which has shorter time steps, and update all estimated errors.
 
-        ``run`` contains the measured values, or a text that says why the run failed. ``taken`` is
-        the processor time in s.
+        ``run`` contains the measured values, or a message that says why the run failed. ``taken``
+        is the processor time of the run in s.
         """
         if isinstance(run, str):
             self.failure = run
@@ -64,13 +65,13 @@ class Tried:
         return found.is_exact or (found.is_steady and within)
 
     def has_order(self) -> bool:
-        """Return True if there are enough runs to judge if the order of convergence is steady."""
+        """Return True if enough runs exist to judge whether the order of convergence is steady."""
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Convert the runs to the points that the study of accuracy uses to compare models.
+        """Convert the runs to the Points with which the accuracy study compares models.
 
-        The work of a point is its number of time steps.
+        The attribute ``work`` of a point is its number of time steps.
         """
         return [
             Point(
@@ -89,11 +90,11 @@ class Tried:
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
-    """Simulate the scene with each model, in shorter and shorter steps until it is accurate enough.
+    """Simulate the scene with each model, and shorten the time step until the error is small.
 
-    A model is abandoned if a run takes longer than SLOWEST, but not before its order of convergence
-    can be judged. To show the progress, ``hear`` is called before each run with a description of
-    the run.
+    A model is abandoned after a run that takes longer than SLOWEST, unless more runs are needed to
+    judge its order of convergence. ``hear`` is called before each run with a description of the
+    run, so that the caller can show the progress.
 
     Raises:
         SceneError: The scene cannot be run, or none of the measured values changes.
@@ -125,7 +126,8 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
     A run fails if a value is not finite, or if an arithmetic error shows that the motion explodes.
 
     Returns:
-        The recorded values, or a text that says why the run failed, and the processor time in s.
+        A tuple of the recorded values and the processor time in s. If the run failed, the first
+        item is a message that says why.
 
     Raises:
         SceneError: The user's code raises an exception of any other kind.
@@ -154,11 +156,11 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Repeat the timing of all runs from which the report may choose.
+    """Repeat the timing of every run that the report may choose.
 
-    For each model with reliable errors, these are the runs up to the first one that is accurate
-    enough. They are timed in several rounds, each in random order. If the computer is busy for a
-    moment, this affects several models rather than only one.
+    For each model with reliable errors, the report chooses from the runs up to the first one that
+    is accurate enough. These runs are timed in several rounds, each in random order. If the
+    computer is busy for a moment, this affects several models rather than only one.
     """
     every = []
     for tried in found:

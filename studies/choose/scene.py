@@ -129,13 +129,13 @@ def load(path: Path) -> OwnScene:
 def why(error: BaseException, path: Path) -> str:
     """Describe an exception and the line of the user's file that caused it.
 
-    For example, "stopped in line 12 with ZeroDivisionError: float division by zero".
+    For example, "stopped on line 12 with ZeroDivisionError: float division by zero".
     """
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
     if isinstance(error, SyntaxError) and Path(error.filename or "") == path.absolute():
         lines.append(error.lineno)
-    where = f" in line {lines[-1]}" if lines else ""
+    where = f" on line {lines[-1]}" if lines else ""
     told = error.msg if isinstance(error, SyntaxError) else error
     return f"stopped{where} with {type(error).__name__}: {told}"
 

@@ -1,7 +1,7 @@
 """Compare the contact solvers of chapter 7 in a picture and a table.
 
-Both are based on measured points. A point consists of the error and the computing time of one
-solver with a certain number of steps per frame.
+Both of them show measured points. Each point is for one solver with a certain number of steps per
+frame, and consists of its error and its computing time.
 """
 
 from __future__ import annotations
@@ -43,7 +43,10 @@ FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
 
 
 def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
-    """Select the points measured in one scene, as a dict from contact solvers to their points."""
+    """Select the points of one scene, and group them by contact solver.
+
+    The result is a dict from the name of each solver to its points.
+    """
     return models_of([point for point in points if point.scene == scene])
 
 

@@ -1,4 +1,4 @@
-"""Store the measurements of the last complete `make contacts`, and load them again.
+"""Save and load the measurements of the last complete `make contacts`.
 
 They are stored as a JSON file in the project, so that the lesson's picture can be redrawn without
 measuring again.

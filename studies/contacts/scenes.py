@@ -1,7 +1,7 @@
 """Define the stacks and ropes on which the contact solvers of chapter 7 are compared.
 
-Each scene lasts 1 s and has an error, which an exact solver would keep at 0. The error is measured
-after every frame, and the largest value counts:
+Each scene lasts 1 s and records an error, which would be 0 with an exact solver. The error is
+measured after every frame, and the result is the largest error:
 
 - For a stack, the error is the largest overlap of touching spheres, as a fraction of their
   diameter.
@@ -10,8 +10,8 @@ after every frame, and the largest value counts:
   point.
 
 One body may be heavier than the others: the top sphere of a stack, or the weight at the end of a
-rope. The mass ratio is its mass divided by that of any other body, which is 1 kg. Gravity is 10
-m/s^2. A solver's work is its number of time steps.
+rope. Every other body has a mass of 1 kg. The mass ratio is the mass of the heavy body divided by
+1 kg. Gravity is 10 m/s^2. The work of a solver is its number of time steps.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class Bodies:
 class ColdStart(SequentialImpulses):
     """Sequential impulses without warm starting, to show how much warm starting helps.
 
-    Every time step starts with zero impulses instead of with those of the last step.
+    Every time step starts with zero impulses rather than with the impulses of the previous step.
     """
 
     def step(self, duration: float) -> None:
@@ -160,9 +160,10 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Create the scene of a stack or a rope, with a list of contact solvers to compare.
+    """Create a scene that compares several contact solvers on the same stack or rope.
 
-    SmallSteps gets ordinary rods, because it does not need two-sided ones.
+    In a rope, SmallSteps uses an ordinary Rod for each link, because it does not need a
+    TwoSidedRod.
     """
     models = []
     for solver in solvers:
@@ -174,15 +175,16 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return 0, the error that an exact contact solver has at any time.
+    """Return 0, because an exact contact solver would have no error at any time.
 
-    It takes the place of the exact solution with which other scenes are compared.
+    A scene compares recorded values with their exact values. The only value recorded here is an
+    error.
     """
     return (0.0,)
 
 
 def named(name: str, ratio: int) -> str:
-    """Return the name of a stack or a rope with this mass ratio, such as "stack, ratio 10"."""
+    """Return a scene's name with its mass ratio, such as "stack, ratio 10"."""
     return f"{name}, ratio {ratio:,}"
 
 

@@ -1,4 +1,4 @@
-"""Find how stiff a spring, or how strong a drag, makes each integrator unstable.
+"""Find the spring stiffness and the drag at which each integrator becomes unstable.
 
 The limits are found by bisection and compared with theory. For a spring just beyond a limit, the
 command computes how many time steps an oscillation takes to grow by a factor of a million. For a

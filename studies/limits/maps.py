@@ -1,4 +1,4 @@
-"""Draw where integrators are stable, and how soon they diverge where they are not.
+"""Draw the stability limits of integrators, and how soon simulations diverge beyond them.
 
 In these pictures, curves are predictions from the eigenvalues of one time step. Marks come from
 simulations.
@@ -54,10 +54,10 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Draw a heat map for each integrator, of how stiffness and damping affect its stability.
+    """Draw a heat map for each integrator to show how stiffness and damping affect stability.
 
-    A color stands for the factor by which an oscillation grows in one time step. A line shows the
-    limit of stability in theory, and dots show limits found by bisection. The picture is saved as
+    Each color shows the factor by which an oscillation grows in one time step. A line marks the
+    theoretical stability limit, and dots mark limits found by bisection. The figure is saved as
     ``png``.
     """
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
@@ -100,7 +100,7 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Measure how soon each integrator diverges when a spring is too stiff, and predict it.
+    """Predict and measure how many time steps each integrator takes to diverge beyond its limit.
 
     Return a row for each integrator and stiffness. The last three columns are the number of time
     steps predicted from the eigenvalues, and the two numbers that ``steps_to_loss`` counts in a
@@ -124,9 +124,8 @@ def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> 
     of steps, which decides how long the simulation runs.
 
     Returns:
-        Two counts. The first one starts when the body is released. The second one starts when the
-        oscillation has grown to 1e3 times its initial size, so that the initial state does not
-        matter any more.
+        Two counts of steps. The first count begins at the release. The second count begins when the
+        oscillation has grown by a factor of 1e3, because the initial state no longer matters then.
     """
     integrator, pull, d = stepping(name, kappa, damping)
     chi = math.sqrt(pull.stiffness)
@@ -185,12 +184,13 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Plot by what percentage the simulated number of steps to divergence differs from theory.
+    """Plot the difference between the simulated and predicted steps to divergence, in percent.
 
-    An oscillation released from rest is the sum of two eigenvectors, of which only one grows. Near
-    a limit they are almost parallel, so the growing part may be much larger than the sum, or only
-    half of it. The oscillation then grows by a factor of a million sooner or later than predicted.
-    Far outside the limit, the difference comes from rounding to whole steps.
+    An oscillation that is released from rest is the sum of two eigenvectors, but only one of them
+    grows. Near a limit the two are almost parallel. The growing part may then be much larger than
+    the sum, or only half as large. The oscillation therefore reaches a million times its size
+    sooner or later than predicted. Far beyond the limit, the difference is caused by rounding to
+    whole steps.
     """
     for name in LOST:
         own = [row[2:] for row in losses if row[0] == name]

@@ -1,9 +1,9 @@
-"""Find by bisection where integrators become unstable, and measure the energy where they are not.
+"""Find the limits beyond which integrators are unstable, and measure the energy within them.
 
-There are limits for springs, for drag, and for the ground of the penalty method. One time step
-multiplies position and velocity by a matrix. A spring is unstable if the larger eigenvalue of this
-matrix exceeds 1 in magnitude. Drag is unstable if a step multiplies the velocity by a factor above
-1 in magnitude. Pymunk is measured in the same way.
+There are limits for springs, drag, and the ground of the penalty method. One time step multiplies
+position and velocity by a matrix. A spring is unstable if the larger eigenvalue of this matrix
+exceeds 1 in magnitude. Drag is unstable if a step multiplies the velocity by a factor above 1 in
+magnitude. The limits, including those of pymunk, are found by bisection.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ Growth = Callable[[float], float]
 class Bound(NamedTuple):
     """The stability limit of an integrator for a spring or for drag, as measured and in theory.
 
-    Infinity means that there is no limit. ``steps`` is how many time steps an oscillation takes to
-    grow by the factor HUGE at slightly more than the limit. It is NaN if nothing grows.
+    Infinity means that there is no limit. ``steps`` is the number of time steps in which an
+    oscillation slightly beyond the limit grows by a factor of HUGE. It is NaN if nothing grows.
     """
 
     method: str
@@ -113,7 +113,7 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
     """Compute the factor by which oscillations grow in one time step of the integrator ``name``.
 
     ``kappa`` is the stiffness of the spring as k h^2 / m, where h is the time step. ``damping`` is
-    d^h or c h / m, as explained in ``stepping``.
+    d^h for one of our integrators, and c h / m for any other method.
     """
     integrator, pull, d = stepping(name, kappa, damping)
     return growth(integrator, pull, FRAME, d)
@@ -122,11 +122,11 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 def theory_at(name: str, damping: float) -> float:
     """Return the largest k h^2 / m at which a spring is stable in theory, where h is the time step.
 
-    ``damping`` has the same meaning as in ``stepping``. A step with pymunk's own spring computes p'
-    = p + v h and v' = (v + a' h) e^(-c h / m). That is semi-implicit Euler with D = e^(-c h / m).
-    If the force is applied by hand, pymunk's step is explicit Euler. Its matrix has the determinant
-    1 - c h / m + kappa, which is 1 at kappa = c h / m. This is the limit as long as c h / m is at
-    most 2.
+    ``damping`` is the same as in ``growth_at``. The step of pymunk's own spring is p' = p + v h and
+    v' = (v + a' h) e^(-c h / m). That is semi-implicit Euler with D = e^(-c h / m). With the force
+    applied by hand, the step is explicit Euler. The determinant of its matrix is 1 - c h / m +
+    kappa, where kappa = k h^2 / m. It reaches 1 at kappa = c h / m, which is the limit if c h / m
+    is at most 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -160,28 +160,28 @@ def spring_limits() -> list[Bound]:
 def spring_limit(name: str, damping: float, at: str) -> Bound:
     """Measure the largest k h^2 / m at which a spring is stable with the integrator ``name``.
 
-    ``damping`` is d^h or c h / m, as explained in ``stepping``. ``at`` is its label, such as "d^h =
-    0.5".
+    ``damping`` is d^h for one of our integrators, and c h / m for any other method. ``at``
+    describes the damping in the result, such as "d^h = 0.5".
     """
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
 
 def ground_limit() -> Bound:
-    """Find the k h^2 / m above which a penalty ground throws a resting body into the air.
+    """Find the k h^2 / m above which a PenaltyGround throws a resting body into the air.
 
-    Here k is the stiffness, and h is the time step. In theory the limit is 4, as for the
-    integrator.
+    Here k is the stiffness of the ground, and h is the time step. In theory the limit is 4, as for
+    a spring that is simulated with semi-implicit Euler.
     """
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
 
 
 def thrown(kappa: float) -> int:
-    """Count the time steps until a resting body leaves the penalty ground.
+    """Count the time steps until a resting body leaves the ground of the penalty method.
 
-    Return 0 if it does not leave the ground within 2000 steps. The body starts slightly too low, by
-    1 / HUGE of the depth at which it would rest. It leaves the ground when this displacement has
-    grown by the factor HUGE.
+    At rest, the body would sink into the ground by a certain depth. It starts deeper than that, by
+    a fraction 1 / HUGE of the depth. It leaves the ground when this deviation has grown by a factor
+    of HUGE. Return 0 if that does not happen within 2000 steps.
     """
     depth = 10.0 / (kappa / FRAME**2)
     heights = bounces(kappa / FRAME**2, -depth * (1.0 + 1.0 / HUGE), 2000)
@@ -210,9 +210,9 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Measure how strong drag may be before a time step speeds up a body or reverses its velocity.
+    """Measure the drag above which a time step speeds up a body or reverses its velocity.
 
-    The strength is given as k1 h / m, where k1 is the drag coefficient and h is the time step.
+    The drag is given as k1 h / m, where k1 is the drag coefficient and h is the time step.
     """
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
@@ -225,10 +225,10 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Compute the factor by which one time step multiplies the velocity if drag is the only force.
+    """Compute the factor by which drag alone multiplies the velocity in one time step.
 
-    ``z`` is the strength of the drag as k1 h / m. Our integrators use the drag force of chapter 5.
-    The other methods use a damped spring with a stiffness of 0.
+    ``z`` is the strength of the drag as k1 h / m. Our integrators use the force generator Drag of
+    chapter 5. The other methods simulate a damped spring, so its stiffness is set to 0.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:
@@ -238,10 +238,10 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find the smallest stiffness or drag at which a motion grows, and compare it with theory.
+    """Find the smallest stiffness or drag that makes a motion unstable, and compare it with theory.
 
-    ``growth`` computes the growth per time step for a given stiffness or drag. The result also says
-    how many steps it takes to diverge at 1.02 times the limit.
+    ``growth`` computes the factor by which the motion grows per time step for a given stiffness or
+    drag. The result also contains the number of steps to divergence at 1.02 times the limit.
     """
     found = first(growth)
     bears = 0.0 < found < math.inf
@@ -252,8 +252,8 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 def first(growth: Growth) -> float:
     """Find by bisection the smallest value at which ``growth`` exceeds 1.
 
-    The function tries larger and larger values until there is growth, and bisects from there.
-    Return 0 if there is growth even at LEAST, and infinity if there is none up to MOST.
+    The function first tries larger and larger values until ``growth`` exceeds 1, and then bisects.
+    Return 0 if it already exceeds 1 at LEAST, and infinity if it does not exceed 1 up to MOST.
     """
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:

@@ -14,7 +14,7 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class BalanceLine:
-    """A line on which a student's engine claims that a box of stones balances.
+    """The line on which a box of stones balances, according to a student's engine.
 
     - ``angle``: the direction of the line in degrees.
     - ``offset``: the distance of the line from the corner of the box, in m.
@@ -43,7 +43,10 @@ def center(stones: Sequence[Stone]) -> tuple[float, float]:
 
 
 def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
-    """Let the engine find the balance line at ``angle`` degrees, and measure its errors."""
+    """Let the student's engine compute the line on which a box balances, and measure the errors.
+
+    ``angle`` is the direction of the line in degrees.
+    """
     a = math.radians(angle)
     found: list[object] = []
     message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))

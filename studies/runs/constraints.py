@@ -126,7 +126,8 @@ def by_resolver(
 def without_rule(contacts: list[Contact], duration: float) -> None:
     """Resolve contacts without the special rule for resting contacts.
 
-    Without this rule, the velocity that gravity adds in a time step also bounces.
+    Without this rule, the restitution also applies to the velocity that gravity adds in a time
+    step.
     """
     del duration
     for contact in contacts:
@@ -135,9 +136,9 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Build a function that resolves contacts, but without any bounce at speeds below ``speed``.
+    """Build a function that resolves contacts without any bounce at speeds below ``speed``.
 
-    This rule for resting contacts is too strict on purpose.
+    As a rule for resting contacts, this is deliberately too strict.
     """
 
     def resolve(contacts: list[Contact], duration: float) -> None:
@@ -231,21 +232,24 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Release a chain that DirectChain simulates, and record the same two values as ``chain``."""
+    """Release a chain that is simulated as a DirectChain, and record its errors in length.
+
+    The two results have the same meaning as those of ``chain``.
+    """
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 
 
 def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
-    """Release a pendulum from horizontal, and record its energy in J over time.
+    """Release a pendulum from a horizontal position, and record its energy in J over time.
 
-    The bob has a mass of 1 kg, and the length is 1 m. The energy is measured from the lowest point,
-    so it starts at 10 J. An integrator ``step`` moves the bob, and its AnchoredRod is resolved
-    after each step.
+    The bob has a mass of 1 kg, and the rod is 1 m long. The energy is measured relative to the
+    lowest point, so it starts at 10 J. The integrator ``step`` moves the bob, and its AnchoredRod
+    is resolved after each step.
 
-    If ``step`` is None, the pendulum is a DirectChain. Its velocities are valid in the middle of a
-    step. The energy is therefore computed from the mean of the velocities before and after each
-    position.
+    If ``step`` is None, the pendulum is simulated as a DirectChain. A DirectChain stores the
+    velocity halfway between two positions. The energy at a position is therefore computed from the
+    mean of the velocities before and after it.
     """
     particle = Particle(Vector3(1.0), acceleration=Vector3(0.0, -GRAVITY))
     frames = round(seconds * rate)
@@ -268,7 +272,7 @@ def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
 
 
 def _energy(place: Numbers, velocity: Numbers) -> float:
-    """Return the energy of a pendulum's bob of 1 kg in J, measured from the lowest point."""
+    """Compute the energy in J of a 1 kg pendulum bob, relative to its lowest point."""
     return GRAVITY * (1.0 + place[1]) + 0.5 * math.fsum(v * v for v in velocity)
 
 

@@ -62,7 +62,7 @@ class DragFlight:
 
 
 def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Simulate a flight with Particle.integrate of the engine in use, such as a student's."""
+    """Simulate a flight by calling Particle.integrate of the current engine for every frame."""
     particle = make_particle(flight)
     states = [_state_of(particle)]
     for _ in range(frames):
@@ -85,7 +85,7 @@ def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def make_particle(flight: DragFlight) -> Particle:
-    """Create a particle that is ready to start on a flight."""
+    """Create a particle in the initial state of a flight."""
     return Particle(
         Vector3(*flight.start.position),
         Vector3(*flight.start.velocity),
@@ -95,7 +95,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Create a pymunk space with one or more bodies that are ready to start on a flight."""
+    """Create a pymunk space with one or more bodies in the initial state of a flight."""
     import pymunk  # here, because plots of a student's engine do not need it
 
     space = pymunk.Space()

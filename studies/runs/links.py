@@ -18,7 +18,7 @@ def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
 
 
 def over_length(links: Iterable[object]) -> float:
-    """Return by what percentage the worst cable exceeds its maximum length, or 0 if none does."""
+    """Return the excess length of the worst cable in percent, or 0 if no cable is too long."""
     worst = 0.0
     for link in links:
         if isinstance(link, Cable | AnchoredCable):

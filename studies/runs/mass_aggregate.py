@@ -96,7 +96,7 @@ def default_bridge() -> Bridge:
 
 
 def variation(run: Track, since: float) -> float:
-    """Measure how much a recorded value still varies from time ``since`` on.
+    """Measure how much a recorded value still varies after the time ``since``.
 
     The result is the range of the values, as a fraction of the last value. It is NaN if the engine
     failed.
@@ -216,7 +216,7 @@ def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Throw a blob down from a height of 2 m, and record how many bonds hold over time."""
+    """Throw a blob down from a height of 2 m, and record the number of unbroken bonds over time."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:
@@ -241,7 +241,7 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Drop balls on the ground, and record how much work their contacts cause over time.
+    """Drop balls on the ground, and record three values that show how sleeping saves work.
 
     ``kind`` is the class of the world, such as SleepingWorld, in which resting balls fall asleep.
     Return three values over time: the number of awake balls, the number of contacts resolved per

@@ -21,9 +21,9 @@ from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver,
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
     """Simulate a stack of spheres, and record its height and the overlap of the spheres over time.
 
-    The spheres just touch at the start, and do not bounce. The height is that of the top sphere's
-    center. The overlap is the largest one between two spheres, or between a sphere and the ground,
-    as a fraction of the diameter.
+    The spheres just touch at the start, and their restitution is 0. The height is measured at the
+    center of the top sphere. The second value is the largest overlap between two spheres, or
+    between a sphere and the ground. It is a fraction of the diameter.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
@@ -63,10 +63,10 @@ def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[
 
 
 def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
-    """Resolve the contacts of a pile in ``iterations`` iterations, and measure what errors remain.
+    """Resolve a pile's contacts in ``iterations`` iterations, and measure the remaining errors.
 
-    If ``in_order`` is true, the contacts are resolved in the order of the list, again and again,
-    except for those that need no resolution. Otherwise a ContactResolver always resolves the worst
+    If ``in_order`` is true, the contacts are resolved in list order, in repeated passes. Contacts
+    that need no resolution are skipped. Otherwise a ContactResolver always resolves the worst
     contact first.
 
     Returns:
@@ -92,7 +92,11 @@ def _sweep(
     wants: Callable[[Contact], bool],
     resolve: Callable[[Contact], object],
 ) -> None:
-    """Resolve contacts in the order of the list, again and again, but only ``limit`` in total."""
+    """Resolve contacts in list order, in repeated passes, up to ``limit`` times in total.
+
+    ``wants`` returns True if a contact needs to be resolved, and ``resolve`` resolves it. The
+    passes end early if no contact needs to be resolved.
+    """
     used = 0
     while True:
         before = used

@@ -39,11 +39,11 @@ class Release:
 
 
 def releases(design: Design) -> list[Release]:
-    """Simulate a trebuchet whose sling never lets go, and list all throws that would be possible.
+    """Simulate a trebuchet that never releases its projectile, and list all possible throws.
 
-    A sling lets go in the first time step in which the direction of flight is below the release
-    angle. A release is therefore possible in every step in which the direction is lower than ever
-    before. The list ends when the projectile flies horizontally.
+    A real sling releases the projectile in the first time step in which it flies at or below the
+    release angle. A step is therefore a possible release only if its direction of flight is lower
+    than in all earlier steps. The list ends when the projectile flies horizontally.
 
     Ranges and fractions are computed as in Trebuchet.throw, but with plain numbers.
     """

@@ -1,7 +1,7 @@
 """Simulate a rope that hangs between two nails, and compute its exact shape.
 
-The simulated rope is a chain of rods or a DirectChain. It has the length LENGTH, and a particle of
-1 kg wherever two links meet. The nails are at height 0, SPAN apart.
+The simulated rope is a chain of rods or a DirectChain. Its length is LENGTH, and there is a
+particle of 1 kg wherever two links meet. The nails are at height 0, at a distance of SPAN.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ Place = tuple[float, float]
 class Hanging:
     """The final shape of a hanging rope, with its sag and its excess length in m.
 
-    ``work`` is the number of contacts resolved, or with a DirectChain the number of rods whose
-    forces were computed.
+    ``work`` is the number of contacts that were resolved in the simulation. For a DirectChain, it
+    is the number of rod forces that were computed.
     """
 
     places: list[Place]
@@ -98,11 +98,11 @@ def rope_particles(places: list[Place]) -> list[Particle]:
 
 
 def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
-    """Simulate a hanging rope of two-sided rods in a ParticleWorld, and measure its sag.
+    """Simulate a hanging rope with a TwoSidedRod for each link, and measure its sag.
 
-    The rope starts in its exact position of rest, so it should not sag any further. There are
-    ``rate`` time steps per second, each divided into ``substeps``. Contacts are resolved by a
-    HeapResolver, which is faster than a ContactResolver and computes the same results.
+    The rope starts in its exact shape at rest, so it should not sag any further. There are ``rate``
+    time steps per second, each divided into ``substeps``. Contacts are resolved by a HeapResolver,
+    which is faster than a ContactResolver and computes the same results.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
@@ -118,8 +118,8 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
     """Simulate a hanging rope with a DirectChain, which keeps the length of every link.
 
-    If ``from_v`` is true, the rope is released as a V. Otherwise it starts in its exact position of
-    rest.
+    If ``from_v`` is true, the rope starts in the shape of a V. Otherwise it starts in its exact
+    shape at rest.
     """
     particles = rope_particles(straight_v(links) if from_v else polygon(links))
     chain = DirectChain(particles[1:], particles[0].position)

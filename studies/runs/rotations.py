@@ -1,7 +1,7 @@
-"""Compute the exact orientations of a rotating body, to check those that an engine computes.
+"""Compute the exact orientations of a rotating body, as a reference for an engine's results.
 
-An orientation has one of two forms. The first form is a quaternion with the components r, i, j and
-k. The second form is three arrows: the directions of the body's axes X, Y and Z in the world.
+An orientation is given either as a quaternion or as three arrows. The quaternion has the components
+r, i, j and k. The arrows are the directions of the body's axes X, Y and Z in world coordinates.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def arrows(q: Components) -> Arrows:
 
 
 def arrows_by_engine(q: Quaternion) -> Arrows:
-    """Let the engine rotate the axes X, Y and Z by ``q``, and return where they point."""
+    """Rotate the axes X, Y and Z by ``q`` with the engine, and return their new directions."""
     x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
     return x, y, z
 
@@ -78,7 +78,7 @@ def arrows_by_engine(q: Quaternion) -> Arrows:
 def degrees_apart(a: Components, b: Components) -> float:
     """Compute the angle in degrees between two orientations that are given as quaternions.
 
-    The quaternions need not have the length 1. Return NaN if a length is 0 or not finite.
+    The quaternions do not have to be normalized. Return NaN if a length is 0 or not finite.
     """
     if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
         return math.nan
@@ -87,10 +87,10 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Compute the angle in degrees between two orientations that are given as arrows.
+    """Compute the angle in degrees between two orientations that are given as axis directions.
 
-    The arrows are a body's three axes. The angle follows from the trace of the rotation between the
-    two. Return NaN if an axis is not finite.
+    Each of them consists of a body's three axes. The angle follows from the trace of the matrix
+    that rotates one to the other. Return NaN if an axis is not finite.
     """
     if not is_drawable(*a, *b):
         return math.nan
@@ -144,7 +144,7 @@ class Throw:
     message: str
 
     def worst(self, measure: Callable[[Arrows], float]) -> float:
-        """Apply ``measure`` to the axes at all times of the flight. Return the largest error."""
+        """Compute an error at every time of the flight with ``measure``, and return the largest."""
         return largest([measure(found) for found in self.found])
 
     def worst_direction(self) -> float:
@@ -154,7 +154,7 @@ class Throw:
 
 
 def disc_place(time: float) -> Numbers:
-    """Compute the position of the thrown disc, which lands 6 m away at the height of the throw."""
+    """Compute the position of the thrown disc, which lands 6 m away at its initial height."""
     return 6.0 * time / FLIGHT, 0.5 * GRAVITY * time * (FLIGHT - time), 0.0
 
 
@@ -221,7 +221,7 @@ CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
 
 
 def steady_velocity(_: float) -> Numbers:
-    """Return the angular velocity of a body that rotates steadily, the same at all times."""
+    """Return the constant angular velocity of a body that rotates steadily."""
     return STEADY
 
 
@@ -231,15 +231,16 @@ def steady_orientation(time: float) -> Components:
 
 
 def coning_velocity(time: float) -> Numbers:
-    """Compute the angular velocity of a body whose axis of rotation moves around Z."""
+    """Compute the angular velocity of a body whose rotation axis itself rotates about Z."""
     x, y, z = rotated(turn(Z, CONING * time), SLANTING)
     return x, y, z + CONING
 
 
 def coning_orientation(time: float) -> Components:
-    """Compute the exact orientation of a body whose axis of rotation moves around Z.
+    """Compute the exact orientation of a body whose rotation axis itself rotates about Z.
 
-    The body first rotates about a fixed axis, and then about Z.
+    The orientation is the product of two rotations. The body first rotates about a fixed axis, and
+    the result then rotates about Z.
     """
     return product(turn(Z, CONING * time), product(turn(SLANTING, TAU * time), START))
 
@@ -267,8 +268,8 @@ def turn_by_steps(
 def worst_axis(distance: float, z: float) -> Numbers:
     """Find the axis about which a rotation changes the Euler angles fastest, near gimbal lock.
 
-    The angle y is ``distance`` below 90 degrees. The axis lies halfway between the world's Z axis
-    and the rotated X axis.
+    Gimbal lock occurs when the Euler angle y is 90 degrees. ``distance`` is how far y is below
+    that, in radians. The axis lies halfway between the world's Z axis and the rotated X axis.
     """
     up = math.sin(0.5 * distance)
     along = math.cos(0.5 * distance)

@@ -1,7 +1,7 @@
-"""Measure how integrators simulate a spring: how it oscillates, and when it becomes unstable.
+"""Simulate a spring with different integrators, and measure when it becomes unstable.
 
-A spring pulls a particle of 1 kg toward 0 along X. Solvers for a single linear spring are wrapped
-as integrators of chapter 6, so that all methods run in the same way.
+A spring pulls a particle of 1 kg toward 0 along X. Methods that can only solve for a single linear
+spring are wrapped as integrators of chapter 6.
 """
 
 from __future__ import annotations
@@ -83,15 +83,15 @@ def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrato
 
 
 def methods(stiffness: float) -> dict[str, Integrator]:
-    """Return all integrators and solvers by name. Each solver is wrapped for an undamped spring."""
+    """Return all integrators by name, including the solvers wrapped for an undamped spring."""
     return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return an integrator that raises an error if a particle moves faster than ``limit`` in m/s.
+    """Return an integrator that raises an error if a particle's speed exceeds ``limit`` in m/s.
 
-    If the student has not written ``watched`` yet, return the integrator itself. An unstable
-    simulation then still ends, because particles reject forces that are not finite.
+    The student's function ``watched`` adds this check. If it is not written yet, return the
+    integrator itself. Particles then still reject forces that are not finite.
     """
     try:
         step = watched(integrator, limit)
@@ -153,9 +153,9 @@ def step_matrix(
 
 
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
-    """Compute the factor by which oscillations grow per time step at k h^2 / m = ``kappa``.
+    """Compute the factor by which the oscillations of a spring grow in one time step.
 
-    ``damping`` is c h / m of the spring for a solver, or d^h of the particle for an integrator.
+    ``kappa`` is k h^2 / m. ``damping`` is d^h for an integrator, and c h / m for a solver.
     """
     k = kappa / duration**2
     if name in SOLVERS:
@@ -176,9 +176,9 @@ def true_place(k: float, c: float, time: float) -> float:
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Compute the factor by which oscillations of a faked stiff spring grow per time step.
+    """Compute the factor by which oscillations of a FakeStiffSpring grow per time step.
 
-    ``angle`` is chi h, the phase per step, and ``share`` is a fraction of critical damping.
+    ``angle`` is h sqrt(k / m). ``share`` is the damping, as a fraction of critical damping.
     """
     chi = angle / duration
     fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
@@ -186,7 +186,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Count the steps until a cloth's knot exceeds 1000 m/s. Return that and any error message."""
+    """Return how many steps pass until a cloth particle exceeds 1000 m/s, and any error message."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -202,7 +202,7 @@ def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, s
 
 
 def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
-    """Drop a body of 1 kg onto undamped penalty ground at 60 Hz, and record its heights."""
+    """Drop a 1 kg body onto an undamped PenaltyGround, and record its height at 60 Hz."""
     particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
     ground = PenaltyGround(0.0, stiffness)
     step = watching(semi_implicit_euler, 1e4)
@@ -218,7 +218,7 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Compare a simulated spring with cos(chi t) 64 times a second. Return the largest error."""
+    """Compare a spring 64 times per second with the exact cos(chi t). Return the largest error."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
@@ -247,10 +247,10 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Measure the largest k h^2 / m at which an integrator is stable, for several dampings d^h.
+    """Measure the stability limit k h^2 / m of an integrator for several levels of damping.
 
-    Here k is the stiffness and h is the time step. Return tuples of d^h, the measured limit and the
-    limit in theory. Undamped explicit Euler is left out, because its limit is 0.
+    Return tuples of d^h, the measured limit and the theoretical limit, where h is the time step.
+    Undamped explicit Euler is left out, because its limit is 0.
     """
     found = []
     for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):
@@ -261,10 +261,10 @@ def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
 
 
 def theory(name: str, kept: float) -> float:
-    """Return the stiffness k h^2 / m above which a spring is unstable in theory with a time step h.
+    """Return the theoretical stability limit k h^2 / m of a spring, where h is the time step.
 
-    ``kept`` is the fraction D = d^h of the velocity that a step keeps. Each limit follows from the
-    matrix of the step. Verlet and Runge-Kutta apply the damping only at the end of the step.
+    ``kept`` is D = d^h, the fraction of the velocity that remains after a step. Each limit follows
+    from the matrix of a step. Verlet and Runge-Kutta apply the damping at the end of a step.
     """
     if name == "explicit Euler":
         return 1.0 / kept - 1.0

@@ -334,10 +334,10 @@ BAD = {
     "DURATION must be a number of seconds, at least one frame of 1/60 s, got 'two'": (
         "DURATION = 'two'"
     ),
-    "the file stopped in line 13 with SyntaxError: invalid syntax": "def (",
-    "the file stopped in line 13 with ZeroDivisionError: division by zero": "1 / 0",
-    "the file stopped in line 13 with SystemExit: 3": "raise SystemExit(3)",
-    "build() stopped in line 13 with ValueError: mass must be positive, got -1.0": (
+    "the file stopped on line 13 with SyntaxError: invalid syntax": "def (",
+    "the file stopped on line 13 with ZeroDivisionError: division by zero": "1 / 0",
+    "the file stopped on line 13 with SystemExit: 3": "raise SystemExit(3)",
+    "build() stopped on line 13 with ValueError: mass must be positive, got -1.0": (
         "build = lambda: Particle(mass=-1.0)"
     ),
     "build() must return a ParticleWorld, got [1]": "build = lambda: [1]",
@@ -357,7 +357,7 @@ BAD = {
     "seed any random numbers": (
         "import random\nbuild = lambda: ParticleWorld([Particle(Vector3(random.random()))])"
     ),
-    "explicit Euler stopped in line 16 with TypeError: force must be a Vector3": (
+    "explicit Euler stopped on line 16 with TypeError: force must be a Vector3": (
         FORCE.format("particle.add_force(3)")
     ),
     "no model could run the scene; ": FORCE.format("1 / 0"),

@@ -64,7 +64,11 @@ class Runs:
         self.shown = False
 
     def __call__(self, chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
-        """Check a chapter and return the verdict on each check, as run_checks does."""
+        """Run the checks of a chapter, and return a verdict for each of them.
+
+        An object of this class replaces the function ``run_checks``, so its results have the same
+        form.
+        """
         if chapter == self.chapter:
             self.found = self.run(chapter, engine, seed=self.seed, **options)
             return self.found

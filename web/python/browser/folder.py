@@ -28,7 +28,7 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Write the student's files from the page to the folder, and the stub of every other file.
+        """Write the student's ``files`` to the folder, and reset every other file to its stub.
 
         Raises:
             ValueError: A path does not have the form chNN_name/name.

@@ -52,7 +52,11 @@ class Past:
 
 
 class Processes:
-    """Runs the checks for one request, or replays the reports of an earlier web worker."""
+    """Runs the checks for one request, without repeating those of an earlier web worker.
+
+    If a check never ends, the page terminates the worker and starts a new one. The new worker
+    replays the reports of the old one instead of running the same checks again.
+    """
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
@@ -64,7 +68,7 @@ class Processes:
         return not self.past
 
     def judge(self, run: Run) -> Ending:
-        """Run the checks of one process, and return how the process ended.
+        """Run a set of checks as if in a process of its own, and return how that process ended.
 
         If an earlier web worker has already run these checks, replay its reports instead.
         """
@@ -88,7 +92,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Replay the reports of an earlier worker's process as if they had just arrived."""
+        """Replay the reports of a process that an earlier web worker ran, as if they were new."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds

@@ -71,7 +71,10 @@ class InBrowser(InProcess):
         code.change(self.engine, self.graded)
 
     def after_collection(self) -> None:
-        """Skip a step that saves memory in copies of the process, since browsers make no copies."""
+        """Do nothing, because a browser cannot fork a process.
+
+        Outside a browser, this method lets forked copies of the process share more memory.
+        """
 
     def start_clock(self) -> None:
         """Start the watchdog, which interrupts the student's code when a check takes too long."""

@@ -1,8 +1,8 @@
-"""Run several of the page's scenes in one Python interpreter, each with an engine of its own.
+"""Run several scenes of a page in one Python interpreter, each with its own engine.
 
-The modules of all engines have the same names, so sys.modules can contain only one engine at a
-time. Each Link therefore stores the modules that its scene has imported. They are in sys.modules
-only while the link answers a message.
+The modules of all engines have the same names, so sys.modules can hold only one engine at a time.
+Each Link therefore keeps the modules that its scene has imported. It adds them to sys.modules
+before it answers a message, and removes them afterward.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class Link:
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
         """Build the scene's engine from the student's files.
 
-        Chapters that the student has skipped come from the reference.
+        Chapters that the student has skipped come from the reference solution.
         """
         if self.loaded == (files, numbers):
             return
@@ -86,7 +86,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Let a with block import the engine of this scene, under the limits for student code."""
+        """Make the scene's engine importable in a with block, under the limits for student code."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

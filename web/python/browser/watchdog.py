@@ -29,7 +29,7 @@ class Watchdog:
         self.explain: Callable[[str], dict[str, Any]] = lambda _: {}
 
     def install(self) -> None:
-        """Make Python call `hear` when the worker signals that time is up."""
+        """Make `hear` the handler of SIGALRM, which the web worker sends when time is up."""
         signal.signal(signal.SIGALRM, self.hear)
 
     def start(self, seconds: float) -> None:
@@ -40,7 +40,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Tell the page which line is running, then wait for the page to end the worker."""
+        """Report the running line to the page, then wait until the page terminates the worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:

@@ -1,7 +1,7 @@
 """Force generators for buoyancy, the lift of a balloon, overcrowding and homing bullets.
 
 All of these forces depend on the positions of particles. The units and the argument checks are the
-same as in springs.py. You can import the classes from this module or from springs.py.
+same as in springs.py, from which you can import these classes, too.
 """
 
 from __future__ import annotations

@@ -84,8 +84,8 @@ class Wheel:
     """
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:
-        if driven not in range(COUNT + 1):
-            raise ValueError(f"driven must be from 0 to {COUNT}, got {driven!r}")
+        if not isinstance(driven, int) or driven not in range(COUNT + 1):
+            raise ValueError(f"driven must be a whole number from 0 to {COUNT}, got {driven!r}")
         self.hub = Particle(mass=math.inf)
         angles = [math.tau * i / COUNT for i in range(COUNT)]
         self.rim = [

@@ -36,8 +36,9 @@ LOWEST = PIVOT_HEIGHT + 4.0 * math.sin(START)  # m, initial height of the tip of
         (lambda: Cube(0.0), ValueError, "height must be positive"),
         (lambda: Cube(rods=[(0, -1)]), IndexError, r"from 0 to 7, got \(0, -1\)"),
         (lambda: Cube(rods=[(8, 0)]), IndexError, r"from 0 to 7, got \(8, 0\)"),
-        (lambda: Wheel(driven=-1), ValueError, "driven must be from 0 to 8, got -1"),
-        (lambda: Wheel(driven=9), ValueError, "driven must be from 0 to 8, got 9"),
+        (lambda: Wheel(driven=-1), ValueError, "driven must be a whole number from 0 to 8, got -1"),
+        (lambda: Wheel(driven=9), ValueError, "driven must be a whole number from 0 to 8, got 9"),
+        (lambda: Wheel(driven=2.0), ValueError, "driven must be a whole number"),
         (lambda: Wheel(math.inf), ValueError, "force must be finite"),
         (lambda: Rules(0), ValueError, "rows must be 1 or more, got 0"),
         (lambda: Rules(2.5), TypeError, "rows must be a whole number, got 2.5"),  # type: ignore[arg-type]

@@ -206,8 +206,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         ),
         (
             tuple(b[i] + along * a[i] for i in range(3)),
-            "You add the projection of b onto a to b. Subtract it instead, with d = b - c a, where "
-            "c = a . b.",
+            "You add the projection of b onto a to b. Subtract it instead: d = b - c a, where c = "
+            "a . b.",
         ),
         (
             tuple(a[i] - along * b[i] for i in range(3)),

@@ -144,7 +144,7 @@ def test_without_jitter_all_frames_are_equal() -> None:
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
     about.cause = (
-        "You treat the last 5e-08 s as a rounding error, although they are 0.6% of the total. "
+        "You treat the last 5e-08 s as a rounding error, although that time is 0.6% of the total. "
         "Compare the remaining time with 1e-12 * total, not with a fixed time."
     )
     about.call = "random_frames(mean=4e-06, jitter=0.0, total=8.05e-06, seed=3)"

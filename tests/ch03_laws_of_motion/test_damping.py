@@ -192,8 +192,8 @@ def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 def test_both_equations_refuse_text(name: str) -> None:
     about.cause = (
-        "Check the damping with not_negative() and the duration with positive(), both from "
-        "arguments.py. They raise the TypeError for you."
+        "Check the damping with not_negative() and the duration with positive() from arguments.py. "
+        "Both raise the TypeError for you."
     )
     about.read = "the docstring in damping.py"
     for numbers in (("0.5", 0.5), (0.5, "0.5")):

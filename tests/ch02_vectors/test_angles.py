@@ -72,8 +72,8 @@ def test_the_sign_of_the_scalar_product_gives_the_kind_of_angle(rng: Random, wor
             )
         if got == "right":
             about.cause = (
-                "You treat a small scalar product as 0, but only exactly 0 means a right angle. "
-                "Don't round the product, because its sign still decides."
+                "You return right, but the scalar product is not exactly 0. Test the sign of the "
+                "product without rounding it first."
             )
         expect_exactly(got, word, then="; the second result, the kind of angle")
 
@@ -93,8 +93,8 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     expect_close(product, 0.0, then="; the first result, the scalar product")
     if got in ("acute", "obtuse"):
         about.cause = (
-            "Your comparison with 0 includes 0 itself. The angle is a right angle if the scalar "
-            "product is exactly 0, so return the word right."
+            f"You return {got} for a scalar product of exactly 0, which means a right angle. "
+            "Compare the product with 0 by > and <, not by >= or <=."
         )
     expect_exactly(got, "right", then="; the second result, the kind of angle")
 
@@ -146,8 +146,8 @@ def test_the_angles_of_the_book() -> None:
         ),
         (
             0.25 * math.pi,
-            "You lose the minus sign of the scalar product, as abs does. Keep it, because the "
-            "angle is obtuse here.",
+            "You drop the minus sign of the scalar product, perhaps with abs. Keep it, because a "
+            "negative product means that the angle is obtuse.",
         ),
         (
             -0.25 * math.pi,

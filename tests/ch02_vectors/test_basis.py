@@ -21,6 +21,7 @@ from expect import (
     xyz,
 )
 
+THREE = "a, b = Vector3{}, Vector3{}; v1, v2, v3 = make_orthonormal_basis(a, b)"
 X_AXIS, Y_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
 
@@ -40,12 +41,11 @@ def basis_of(
 @pytest.mark.exercise("B2.10")
 def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
     a, b = components(rng), components(rng)
-    about(f"make_orthonormal_basis(Vector3{a}, Vector3{b})", read="book 2.1.9")
+    about(f"{THREE.format(a, b)}; v1, v2, v3", read="book 2.1.9")
     basis = basis_of(a, b)
     for i in range(3):
         for j in range(i, 3):
-            other = "itself" if i == j else f"vector {j + 1}"
-            name = f"{about.call}; the scalar product of vector {i + 1} of the basis with {other}"
+            name = f"{THREE.format(a, b)}; v{i + 1}.dot(v{j + 1})"
             about.cause = (
                 "The three vectors of the basis must be perpendicular to each other. Check vector "
                 "2 first: with c = a x b, it should be c x a."
@@ -59,13 +59,13 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
             mistakes = [
                 (
                     along,
-                    "Vector 2 of your basis is the normalized b, which is not perpendicular to a. "
-                    "Compute it as c x a instead, with c = a x b.",
+                    "The second vector of your basis is the normalized b, which is not "
+                    "perpendicular to a. Compute c x a instead, with c = a x b.",
                 ),
                 (
                     1.0 - along**2,
-                    "You don't normalize vector 3, a x b. Its length is 1 only if a and b are "
-                    "perpendicular, so divide a x b by its length.",
+                    "You don't normalize the third vector, a x b, which is shorter than 1 unless a "
+                    "and b are perpendicular. Divide a x b by its length.",
                 ),
             ]
             got = dot(basis[i], basis[j])
@@ -89,12 +89,12 @@ def test_vector_1_points_along_a_and_vector_2_toward_b(rng: Random) -> None:
         wanted = (a[0] / length, a[1] / length, a[2] / length)
         expect_close(first, wanted, then="; vector 1 of the basis", tolerance=1e-12)
         about.cause = (
-            "Vector 2 of your basis points away from b. Compute c = a x b first, and then vector 2 "
-            "as c x a."
+            "The second vector of your basis points away from b. Compute c = a x b first, and then "
+            "the second vector as c x a."
         )
         along = dot(second, b)
-        then = "; the scalar product of vector 2 of the basis with b"
-        expect_that(along > 0.0, f"{along:.6g}", "a positive number", then=then)
+        name = f"{THREE.format(a, b)}; v2.dot(b)"
+        expect_that(along > 0.0, f"{along:.6g}", "a positive number", call=name)
 
 
 @pytest.mark.exercise("B2.10")
@@ -193,8 +193,8 @@ def test_vectors_along_one_axis_are_refused() -> None:
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = (
-        "These vectors are parallel, but because of rounding, a x b has a length of about 1e-16. "
-        "Compare its length with a small limit instead of 0."
+        "These vectors are parallel, but rounding gives a x b a tiny length instead of 0. Raise "
+        "ValueError if the length is below a limit such as 1e-12."
     )
     # In nearly all of the 40 pairs, rounding leaves a vector product that is not exactly zero.
     for _ in range(40):
@@ -206,8 +206,8 @@ def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
 def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
     x, y, z = components(rng)
     about.cause = (
-        "Your limit for parallel vectors is too large. The sine of the angle between these two is "
-        "well above 1e-12, so return a basis."
+        "These two vectors are not parallel, because the sine of the angle between them is well "
+        "above 1e-12. Return a basis instead of raising an error."
     )
     about.read = "the docstring of make_orthonormal_basis"
     # Rounding errors of 1e-16 are divided by the angle, which is at least 1/30 of the change.
@@ -219,7 +219,9 @@ def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
         expect_close(
             got,
             0.0,
-            then="; the scalar product of vectors 1 and 3 of the basis",
+            call=f"{THREE.format((x, y, z), b)}; v1.dot(v3)",
+            cause="The third vector of your basis is not perpendicular to the first. Compute it as "
+            "the vector product of the normalized a and b, and normalize the result.",
             tolerance=tolerance,
         )
 

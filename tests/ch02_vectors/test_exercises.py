@@ -125,7 +125,7 @@ def test_the_perpendicular_vector_of_the_book() -> None:
         ),
         (
             -3.0,
-            "You return 3 z, because a.z is 3 here. Divide it by a.z to get z.",
+            "You solve the equation for 3 z, not for z. Divide the result by a.z, which is 3 here.",
         ),
     ]
     blame(got, mistakes)
@@ -176,12 +176,12 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = (
-        f"unit vectors, rounded here: a = Vector3{rounded(a)}; b = Vector3{rounded(b)}; "
-        "remove_projection(a, b)"
+        f"a = Vector3{rounded(a)}  # a unit vector, rounded to 6 digits; "
+        f"b = Vector3{rounded(b)}  # a unit vector, rounded to 6 digits; remove_projection(a, b)"
     )
     about.cause = (
-        "You reject unit vectors whose lengths differ from 1 only by rounding. Instead of "
-        "comparing their lengths with 1 by ==, allow a tolerance of 1e-6."
+        "You reject unit vectors whose lengths differ from 1 only by rounding. Don't compare a "
+        "length with 1 by ==, but accept a difference of up to 1e-6."
     )
     about.read = "book 2.1.7"
     c, d, angle = exercises.remove_projection(v, w)
@@ -197,8 +197,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     mistakes = [
         (
             tuple(along * n for n in a),
-            "You return the projection itself. Subtract it from b to get d, the part of b that "
-            "is perpendicular to a.",
+            "You return the projection of b onto a. Subtract it from b to get d, the part of b "
+            "that is perpendicular to a.",
         ),
         (
             tuple(-n for n in wanted),
@@ -206,7 +206,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         ),
         (
             tuple(b[i] + along * a[i] for i in range(3)),
-            ("You add the projection c a to b. Subtract it instead: d = b - c a, where c = a . b."),
+            "You add the projection of b onto a to b. Subtract it instead: d = b - c a, where c = "
+            "a . b.",
         ),
         (
             tuple(a[i] - along * b[i] for i in range(3)),
@@ -221,8 +222,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     mistakes = [
         (
             90.0,
-            "Your angle is in degrees, but it must be in radians. The functions of math return "
-            "radians, so don't convert their results.",
+            "Your angle is in degrees, but it must be in radians. The math module already returns "
+            "radians, so don't convert the angle.",
         ),
         (
             math.acos(max(-1.0, min(along, 1.0))),
@@ -262,8 +263,8 @@ def test_a_vector_that_is_not_a_unit_vector_is_refused() -> None:
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
     about.cause = (
-        "You accept a vector whose length is not 1, but c a is the projection only for unit "
-        "vectors. Check the lengths of both a and b first."
+        "You accept a vector whose length is not 1, but the formula is right only for unit "
+        "vectors. Check the lengths of a and b first, and raise ValueError."
     )
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
@@ -306,16 +307,16 @@ def test_the_projection_of_parallel_vectors_is_refused(rng: Random) -> None:
     )
     about.read = "the docstring of remove_projection"
     for b, second in ((a, "a"), ((-a[0], -a[1], -a[2]), "-a")):
-        about.call = f"a unit vector, here rounded: a = Vector3{rounded(a)}; remove_projection(a, "
-        about.call += f"{second})"
+        about.call = f"a = Vector3{rounded(a)}  # a unit vector, rounded to 6 digits; "
+        about.call += f"remove_projection(a, {second})"
         expect_error(
             lambda b=b: exercises.remove_projection(Vector3(*a), Vector3(*b)),
             ValueError,
             allowed=lambda: remove_projection_of_length(1.0),
         )
     about.cause = (
-        "Here b is nearly parallel to a, so the rest d is shorter than 1e-6. Compare the length of "
-        "d with 1e-6 instead of 0, and raise ValueError."
+        "Here b is nearly parallel to a, so the length of d is only 5e-7. Raise ValueError if the "
+        "length of d is below 1e-6."
     )
     x = Vector3(1.0, 0.0, 0.0)
     # Both have length 1 to the last digit, and d is their Y component.

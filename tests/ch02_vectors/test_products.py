@@ -64,8 +64,8 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     v.add_scaled(w, scale)
     mistakes = [
         (a, LOST),
-        (tuple(a[i] * scale + b[i] for i in range(3)), "You multiply v by the number "
-         "instead of w. Add w times the number to v."),
+        (tuple(a[i] * scale + b[i] for i in range(3)), "You multiply the wrong vector by the "
+         "number: v instead of w. Add w times the number to v."),
         (tuple((a[i] + b[i]) * scale for i in range(3)), "You multiply the whole sum v + w by the "
          "number. Multiply only w by it, and then add the product to v."),
         (tuple(a[i] + b[i] for i in range(3)), "You add w without multiplying it by the "

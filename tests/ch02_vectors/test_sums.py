@@ -37,7 +37,8 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
         read="book 2.1.4",
     )
     got = xyz(v + w)
-    blame(got, [(wanted, "Your sums are right, but not in a vector. Return a new Vector3.")])
+    no_vector = "Your three sums are right, but you don't return a vector. Pass them to Vector3()."
+    blame(got, [(wanted, no_vector)])
     expect_close(got, wanted)
     about.cause = (
         "Your __add__ changes v or w, but only v += w may change v. Return a new vector and leave "

@@ -69,8 +69,8 @@ def test_clear_leaves_zero(rng: Random) -> None:
     about.read = "the docstring of Vector3.clear"
     v.clear()
     same = (
-        "v did not change. A new vector, returned or assigned to the name self, does not change "
-        "v, so assign 0 to self.x, self.y and self.z instead."
+        "Your clear leaves v unchanged, perhaps because it assigns a new vector to the name self. "
+        "Assign 0 to self.x, self.y and self.z instead."
     )
     mistakes = [(a, same)]
     for i, name in enumerate("xyz"):
@@ -204,8 +204,8 @@ def test_the_length_of_a_vector_with_nan_is_nan() -> None:
     lost = Vector3(1.0, math.nan, 2.0)
     about.call = "Vector3(1, nan, 2).magnitude()"
     about.cause = (
-        "You hide the NaN with a comparison, such as max or min. Return the result without "
-        "comparing it with another number."
+        "Your code loses the NaN, perhaps by calling max or min. Return the result of the formula "
+        "without comparing it with another number."
     )
     expect_nan(lost.magnitude())
     about.call = "Vector3(1, nan, 2).squared_magnitude()"
@@ -257,8 +257,8 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     about.read = "the docstring of Vector3.normalized"
     result = v.normalized()
     in_place = (
-        "Your normalized returns None, as normalize does, which works in place. Normalize a copy "
-        "of v first, and then return the copy."
+        "Your normalized returns None, perhaps because you return the result of normalize. "
+        "Normalize a copy of v first, and then return the copy."
     )
     expect_that(result is not None, "nothing (None)", "a new unit vector", cause=in_place)
     got = xyz(result)

@@ -127,8 +127,8 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
         )
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "You compute (v + a h) d^h, as in the book's listing (E-16), which damps a h as well. "
-            "This function implements Eq. 3.6, v d^h + a h."
+            "You damp the acceleration term as well, as the book's listing does (E-16). In Eq. 3.6 "
+            "the factor d^h applies only to the old velocity."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -180,7 +180,7 @@ def expect_refusal(
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
     about.cause = (
-        f"The duration is {bad}. It must be positive and finite, so pass it to positive from "
+        f"The duration is {bad}, but it must be positive and finite. Check it with positive() from "
         "arguments.py, which raises the ValueError for you."
     )
     about.read = f"the docstring of {name}"
@@ -192,8 +192,8 @@ def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 def test_both_equations_refuse_text(name: str) -> None:
     about.cause = (
-        "Pass the arguments to not_negative and positive from arguments.py, which raise this "
-        "TypeError for you."
+        "Check the damping with not_negative() and the duration with positive() from arguments.py. "
+        "Both raise the TypeError for you."
     )
     about.read = "the docstring in damping.py"
     for numbers in (("0.5", 0.5), (0.5, "0.5")):
@@ -206,8 +206,8 @@ def test_both_equations_refuse_text(name: str) -> None:
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
     about.cause = (
-        f"The damping is {bad}. It must be at least 0 and finite, so pass it to not_negative from "
-        "arguments.py, which raises the ValueError for you."
+        f"The damping is {bad}, but it must be finite and at least 0. Check it with not_negative() "
+        "from arguments.py, which raises the ValueError for you."
     )
     about.read = f"the docstring of {name}"
     expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5))

@@ -64,8 +64,8 @@ def test_the_speed_ratio_is_the_inverse_of_the_mass_ratio(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
     about.cause = (
-        f"One mass is {bad}. Both masses must be positive and finite, so pass them to positive "
-        "from arguments.py, which raises the ValueError for you."
+        f"One mass is {bad}, but both masses must be positive and finite. Check them with "
+        "positive() from arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of speed_ratio"
     for masses in ((bad, 1.0), (1.0, bad), (bad, bad)):
@@ -138,8 +138,8 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
     about.read = "the docstring of gravity_between"
     for i, data in enumerate(((bad, 1.0, 1.0), (1.0, bad, 1.0), (1.0, 1.0, bad))):
         about.cause = (
-            f"The {('first mass', 'second mass', 'distance')[i]} is {bad}. It must be positive and "
-            "finite, so pass it to positive from arguments.py, which raises the ValueError."
+            f"The {('first mass', 'second mass', 'distance')[i]} is {bad}, but it must be positive "
+            "and finite. Check it with positive() from arguments.py, which raises the ValueError."
         )
         about.call = f"gravity_between{data}"
         expect_error(
@@ -153,7 +153,7 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.robust
 def test_text_is_refused_as_a_mass_or_a_distance() -> None:
     about.cause = (
-        "Pass each argument to positive from arguments.py, which raises the TypeError for you."
+        "Check each argument with positive() from arguments.py, which raises the TypeError for you."
     )
     about.read = "the docstring of gravity_between"
     data: Any
@@ -230,7 +230,7 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
 def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
     about.call = f"{EXAMPLE}; position_by_equation(p, v, a, time={bad})"
     about.cause = (
-        f"The time is {bad}. It must be positive and finite, so pass it to positive from "
+        f"The time is {bad}, but it must be positive and finite. Check it with positive() from "
         "arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of position_by_equation"
@@ -257,8 +257,8 @@ def test_one_step_and_five_steps_of_a_second() -> None:
         expect_that(not hasattr(got, "x"), "a single vector", "a pair of vectors", cause=alone)
         position, velocity = got
         few = (
-            "You make one step too few. Use range(steps) for the loop, because range(1, steps) "
-            "runs only steps - 1 times."
+            "You take one step too few. Loop over range(steps), because a loop over range(1, "
+            "steps) runs only steps - 1 times."
         )
         mistakes = [
             (
@@ -268,13 +268,13 @@ def test_one_step_and_five_steps_of_a_second() -> None:
             ),
             (
                 (7.0, 0.0, 9.0),
-                "You make a single step of 5 s. Make five steps of 1 s instead.",
+                "You take a single step of 5 s. Take five steps of 1 s instead.",
             ),
             (START if steps == 1 else (-6.0, 7.0, 10.0), few),
             (
                 (1.0, 5.0, 1.5) if steps == 1 else (-23.0, 15.0, 16.5),
-                "You change the velocity before the position. Move the position first, with the "
-                "old velocity (E-17).",
+                "You change the velocity before the position. Compute the new position first, with "
+                "the old velocity (E-17).",
             ),
         ]
         blame(xyz(position), mistakes)
@@ -292,7 +292,7 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
         f"steps={steps})"
     )
     about.cause = (
-        f"Make exactly {steps} steps of {h} s each. Every step must start from the position and "
+        f"Take exactly {steps} steps of {h} s each. Every step must start from the position and "
         "the velocity at the end of the previous step."
     )
     about.read = "book 2.2, Eq. 2.7 and 2.8"
@@ -332,8 +332,8 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
     )
     if steps > 0:
         about.cause = (
-            f"The duration is {duration}. It must be positive and finite, so pass it to positive "
-            "from arguments.py, which raises the ValueError for you."
+            f"The duration is {duration}, but it must be positive and finite. Check it with "
+            "positive() from arguments.py, which raises the ValueError for you."
         )
     about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)

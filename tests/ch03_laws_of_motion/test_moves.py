@@ -48,8 +48,8 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "You use the acceleration in drift. Move the position with the velocity alone, "
-                "because only kick uses the acceleration.",
+                "You use the acceleration in drift, but only kick may use it. Add only the "
+                "velocity times the duration to the position.",
             ),
             (
                 tuple(x[i] + v[i] * damping**h * h for i in range(3)),
@@ -98,8 +98,8 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         mistakes = [
             (
                 tuple(v[i] * keep + a[i] * h for i in range(3)),
-                "You compute v d^h + a h, as in Eq. 3.6, but the engine follows the book's listing "
-                "(E-16). Add a h first, and then multiply the sum by d^h.",
+                "You damp only the old velocity, as in Eq. 3.6, but the engine follows the book's "
+                "listing (E-16). Compute (v + a h) d^h, where h is the duration.",
             ),
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),

@@ -129,7 +129,7 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
     about.cause = (
-        "You reject an infinite mass, which is valid. Check the mass with positive_or_infinite "
+        "You reject an infinite mass, which is valid. Check the mass with positive_or_infinite() "
         "from arguments.py, which accepts math.inf."
     )
     about.read = "book 3.2"
@@ -155,7 +155,7 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
     about.cause = (
         "You reject an inverse mass of 0, which is valid and means an infinite mass. Check it with "
-        "not_negative from arguments.py, which accepts 0."
+        "not_negative() from arguments.py, which accepts 0."
     )
     about.read = "book 3.2"
     p = Particle()
@@ -178,7 +178,7 @@ def test_a_damping_is_stored_unchanged(rng: Random) -> None:
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
         about.cause = (
-            f"You reject a damping of {damping}, which is valid. Check it with not_negative from "
+            f"You reject a damping of {damping}, which is valid. Check it with not_negative() from "
             "arguments.py, which accepts 0 and every positive, finite number."
         )
         about.call = f"p = Particle({damping=!r}); p.damping"
@@ -220,8 +220,8 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
     about.cause = (
-        f"The mass is {bad}. It must be positive or infinite, so pass it to positive_or_infinite "
-        "from arguments.py, which raises the ValueError for you."
+        f"The mass is {bad}, but it must be positive (infinity is allowed). Check it with "
+        "positive_or_infinite() from arguments.py, which raises the ValueError for you."
     )
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
@@ -231,8 +231,8 @@ def test_a_mass_must_be_positive(bad: float) -> None:
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
     about.cause = (
-        f"The inverse mass is {bad}. It must be at least 0 and finite, so pass it to not_negative "
-        "from arguments.py, which raises the ValueError for you."
+        f"The inverse mass is {bad}, but it must be finite and at least 0. Check it with "
+        "not_negative() from arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of inverse_mass"
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, read=about.read)
@@ -243,8 +243,8 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
 @pytest.mark.parametrize("bad", [-0.1, math.inf, math.nan])
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
     about.cause = (
-        f"The damping is {bad}. It must be at least 0 and finite, so pass it to not_negative from "
-        "arguments.py, which raises the ValueError for you."
+        f"The damping is {bad}, but it must be finite and at least 0. Check it with not_negative() "
+        "from arguments.py, which raises the ValueError for you."
     )
     about.read = "the docstring of damping"
     expect_refusal("damping", bad, ValueError, good=0.5, read=about.read)

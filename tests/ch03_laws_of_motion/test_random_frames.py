@@ -132,8 +132,8 @@ def test_without_jitter_all_frames_are_equal() -> None:
         about.cause = "Without jitter, every frame must take exactly the mean."
         if len(got) > count and 0.0 < got[-1] < 1e-9:
             about.cause = (
-                "You add a frame for a rounding error of about 1e-16 s at the end. Stop when only "
-                "a rounding error of the total is left."
+                "Your extra frame at the end is only a rounding error of the total. Stop when the "
+                "remaining time is below 1e-12 * total."
             )
         expect_close(got, [mean] * count, tolerance=1e-11)
     about.cause = (
@@ -144,8 +144,8 @@ def test_without_jitter_all_frames_are_equal() -> None:
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
     about.cause = (
-        "You treat the last 5e-08 s as a rounding error, although this is 0.6% of the total. "
-        "Compare the rest with a tiny fraction of the total, not with a fixed time."
+        "You treat the last 5e-08 s as a rounding error, although that time is 0.6% of the total. "
+        "Compare the remaining time with 1e-12 * total, not with a fixed time."
     )
     about.call = "random_frames(mean=4e-06, jitter=0.0, total=8.05e-06, seed=3)"
     got = frames_of(4e-6, 0.0, 8.05e-6, 3)

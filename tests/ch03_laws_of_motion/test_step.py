@@ -51,8 +51,8 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
             ),
             (
                 tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
-                "You move the position by an extra a h^2 / 2, but the book leaves this term out on "
-                "purpose. Move it only by the old velocity times h.",
+                "You add an extra a h^2 / 2 to the position, but the book leaves out this term. "
+                "Add only the old velocity times the duration h.",
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
@@ -332,7 +332,7 @@ def test_the_last_acceleration_is_a_copy_of_the_acceleration(rng: Random) -> Non
 @pytest.mark.exercise("B3.4")
 def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     x, v, h = components(rng), components(rng), draw_frame(rng)
-    about.call = f"a particle p whose class overrides kick; p.integrate({h})"
+    about.call = f"p is a particle whose class overrides kick; p.integrate({h})"
     about.read = "the docstring of integrate"
     kicks = probes.kicks_of_a_step(x, v, h)
     about.cause = "Your integrate does not call self.kick. Call self.kick(duration) once, because "
@@ -340,8 +340,8 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     if kicks:
         about.cause = "Your integrate must call self.kick(duration) exactly once, with the whole "
         about.cause += "duration of the step."
-    got = " and ".join(f"kick({duration})" for duration, _ in kicks) or "no call of kick"
-    expect_that([duration for duration, _ in kicks] == [h], got, f"a single call, kick({h})")
+    got = " and ".join(f"kick({duration})" for duration, _ in kicks) or "none"
+    expect_that([k[0] for k in kicks] == [h], got, f"kick({h}), once", then="; the calls of kick")
     about.cause = (
         "The position must move before the kick. Call drift first and then kick, so that the "
         "position moves with the old velocity."
@@ -358,8 +358,8 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
     x, v, a = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)
     for mass in (1.0, math.inf):
         about.cause = (
-            f"The duration is {duration}. It must be positive and finite, so pass it to positive "
-            "from arguments.py, which raises the ValueError for you."
+            f"The duration is {duration}, but it must be positive and finite. Check it with "
+            "positive() from arguments.py, which raises the ValueError for you."
         )
         if mass == math.inf:
             shown = "NaN" if math.isnan(duration) else duration
@@ -391,8 +391,8 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
 def test_text_is_refused_as_a_duration() -> None:
     about.call = 'Particle().integrate("0.5")'
     about.cause = (
-        "A text is not a duration. Pass the duration to positive from arguments.py, which raises "
-        "the TypeError for you."
+        "A string is not a duration. Check the duration with positive() from arguments.py, which "
+        "raises the TypeError for you."
     )
     about.read = "the docstring of integrate"
     expect_error(

@@ -35,10 +35,7 @@ ROUNDED = 1e-12  # some rounding errors of numbers up to 30
 def thrown(*, frames: int, others: tuple[str, ...] = ()) -> tuple[str, Any]:
     """Throw a grenade, fire others, and update the range in frames of a quarter of a second."""
     fired = "; ".join(f'r.fire("{name}")' for name in ("grenade", *others))
-    about.call = (
-        f"r = BallisticRange(); {fired}; r.update(0.25), called {frames} times, "
-        f"{0.25 * frames} s in total"
-    )
+    about.call = f"r = BallisticRange(); {fired}; for i in range({frames}): r.update(0.25)"
     at = ballistics.BallisticRange()
     at.fire("grenade")
     for name in others:
@@ -252,24 +249,26 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     frames = BURST_FRAME - 1
-    about.call = f'r = BallisticRange(); r.fire("grenade"); r.update(0.25), called {frames} times'
+    about.call = 'r = BallisticRange(); r.fire("grenade"); '
+    about.call += f"for i in range({frames}): r.update(0.25)"
     about.cause = (
-        "You remove the grenade when it falls below the ground. Call bounce before is_spent, so "
-        "that it bounces until its fuse has burned down."
+        "Your grenade disappears before its fuse has burned down, perhaps because it falls below "
+        "the ground. Call bounce before is_spent."
     )
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
     expect_exactly(
         len(heights),
         frames,
-        then="; the number of updates after which the grenade is still in flight",
+        then="; the number of updates that the grenade survives",
     )
     about.cause = "The grenade never returns to y = 0. Let bounce move it there when it lands."
     lowest = min(heights)
     if lowest > ROUNDED and len(thrown(frames=1)[1].shots) > 1:
-        about.cause = "Your grenade bursts at once. It must burst when its age reaches FUSE (4 s)."
+        about.cause = "Your grenade bursts in the first update, so it never reaches the ground. It "
+        about.cause += "must not burst before its age reaches FUSE, which is 4 s."
     # It lands in frame 12 and is put back to exactly 0.
-    lowest_of = "; the lowest height of the grenade after an update"
+    lowest_of = "; the lowest height that the grenade reaches"
     expect_close(lowest, 0.0, then=lowest_of, unit="m", tolerance=ROUNDED)
     landed = heights.index(lowest)
     about.cause = (
@@ -292,8 +291,8 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
     types = tuple(shot.type for shot in at.shots)
     expect_exactly(types, ("grenade",), then="; the types of the shots")
     about.cause = (
-        "Your grenade does not burst into 12 fragments when its age reaches FUSE, which is 4 s. "
-        "Return 12 shots of the type fragment then."
+        "After 4 s, your grenade has not burst into 12 fragments. Return 12 shots of the type "
+        "fragment as soon as the age of the grenade reaches FUSE."
     )
     about.call, at = thrown(frames=BURST_FRAME)
     types = tuple(shot.type for shot in at.shots)
@@ -302,9 +301,10 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
             "The 12 shots of your burst still have the type grenade. Give each of them the type "
             "fragment."
         )
-    shown = f"{len(types)} of type {' and '.join(sorted({str(type) for type in types}))}"
+    kinds = " and ".join(sorted({str(type) for type in types}))
+    shown = f"{len(types)} shot{'s' * (len(types) != 1)}{' of type ' * bool(types)}{kinds}"
     holds = types == ("fragment",) * 12
-    expect_that(holds, shown, "12 of type fragment", then="; the shots on the range")
+    expect_that(holds, shown, "12 shots of type fragment", then="; the shots on the range")
     ages = tuple(shot.age for shot in at.shots)
     expect_close(ages, (0.0,) * 12, then="; the ages of the shots in s", tolerance=0.0)
 
@@ -329,7 +329,7 @@ def test_other_shots_fly_on_and_spent_fragments_are_removed() -> None:
 
 @pytest.mark.exercise("4.1")
 def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
-    about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); grenade_after(shot)'
+    about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); len(grenade_after(shot))'
     about.cause = (
         "You keep a grenade that is past the end of the range, at z = 201 m. Call is_spent for "
         "grenades too, and return an empty list if it returns True."
@@ -337,7 +337,7 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.read = "the docstring of grenade_after"
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     left = ballistics.grenade_after(shot)
-    expect_exactly(len(left), 0, then="; the number of shots that it returns")
+    expect_exactly(len(left), 0)
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 9))); shot.age = 2; grenade_after(shot)'
     )
@@ -348,7 +348,7 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
     shot.age = 2.0
     left = [(each.type, each.age) for each in ballistics.grenade_after(shot)]
-    expect_exactly(left, [("grenade", 2.0)], then="; (type, age) of each shot that it returns")
+    expect_exactly(left, [("grenade", 2.0)], then="; (type, age) of each shot in the result")
 
 
 @pytest.mark.exercise("4.1")
@@ -384,7 +384,8 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
         tolerance=ROUNDED,
     )
     about.call = (
-        'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
+        'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; '
+        "len(grenade_after(shot))"
     )
     about.cause = (
         "You call is_spent before you check the fuse, so this grenade disappears without a burst. "
@@ -393,4 +394,4 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     shot.age = 6.0
     left = ballistics.grenade_after(shot)
-    expect_exactly(len(left), 12, then="; the number of shots that it returns")
+    expect_exactly(len(left), 12)

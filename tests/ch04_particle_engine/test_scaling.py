@@ -39,7 +39,7 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     about(
         f"muzzle_energy(mass={mass}, speed=0)",
         cause="You reject a speed of 0, but a body can be at rest. Check the speed with "
-        "not_negative from arguments.py instead of positive.",
+        "not_negative() from arguments.py instead of positive().",
     )
     expect_close(scaling.muzzle_energy(mass, 0), 0.0, unit="J")
 

@@ -76,7 +76,7 @@ def advice(chapter: Chapter) -> list[str]:
         given += texts(parsed(path), docstrings=False)
     for file in chapter.edited_files:
         given += texts(stub(chapter.name, file), docstrings=True)
-    return [text.replace("`", "") for text in given if " " in text]
+    return [text.replace("`", "").replace("() from ", " from ") for text in given if " " in text]
 
 
 def below(chapter: Chapter) -> list[Chapter]:

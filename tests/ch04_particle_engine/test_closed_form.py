@@ -68,7 +68,7 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         if damping == 0.9999:
             undamped = (
                 "You treat this damping as 1 because it is close to 1. Over such a long time, the "
-                "drag still matters. Test whether -ln(damping) x time is small instead."
+                "drag still matters. Use the full formulas unless -ln(damping) x time is small."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
@@ -270,8 +270,8 @@ def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None
     for i in range(2):
         got, wanted = xyz(later[i]), xyz(at_once[i])
         name, unit = (("position", "m"), ("velocity", "m/s"))[i]
-        then = f"; the {name}, which must be the same as after "
-        then += f"state_after(p, {first + second:.6g})"
+        then = f"; the {name}, which must equal the one that "
+        then += f"state_after(p, {first + second:.6g}) returns"
         expect_close(got, wanted, then=then, unit=unit, tolerance=1e-11)
     about.call = (
         f"{words}; state_after(p, {first}); the velocity, which must equal the slope of the "

@@ -163,8 +163,8 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
         "flies along Z to z = 20; strike_first(start, p, blocks); the hits of each block"
     )
     about.cause = (
-        "The shot must hit the second block, for which hit_fraction returns 0. Test for a miss "
-        "with `is None`, because Python treats 0 as false in an if statement."
+        "The shot must hit only the second block, for which hit_fraction returns 0. Test for a "
+        "miss with `is None`, because Python treats 0 as false in an if statement."
     )
     blocks = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (10.0, 5.0)]
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))

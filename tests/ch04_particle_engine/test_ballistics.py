@@ -185,8 +185,8 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
         (
             (0.0, 0.0, speed),
             (
-                "If no elevation is given, you fire the shot horizontally. Use the elevation of "
-                "its type's velocity instead."
+                "You fire the shot horizontally if no elevation is given. Use the elevation angle "
+                "of the velocity in SHOT_TYPES instead."
             ),
         ),
         (

@@ -72,7 +72,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.9")
 def test_drag_factors_is_called_once_for_all_sparks() -> None:
-    about.call = "burst_positions(...) with 50 speeds; the calls of drag_factors"
+    about.call = "burst_positions(...) with 50 speeds; the number of calls to drag_factors"
     about.cause = (
         "You call drag_factors again for each spark, although the factors don't depend on its "
         "speed. Call drag_factors once, before the loop."

@@ -67,8 +67,8 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         )
         if damping == 0.9999:
             undamped = (
-                "You treat this damping as 1 because it is close to 1. Base the decision on the "
-                "product -ln(damping) x time instead, which is not small here."
+                "You treat this damping as 1 because it is close to 1. Over such a long time, the "
+                "drag still matters. Use the full formulas unless -ln(damping) x time is small."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
@@ -143,12 +143,12 @@ def test_the_factors_hold_for_a_damping_near_1(away: float, rng: Random) -> None
         f"subtracts nearly equal numbers. Use {instead} instead."
         for name, difference, instead in (
             ("gone", "1 - d^t", "math.expm1"),
-            ("fallen", "t - gone", "the first terms of a series"),
+            ("fallen", "t - gone", "the first terms of its power series"),
         )
     )
     undamped = (
-        "You treat this damping as 1 because it is close to 1. Base the decision on the product "
-        "-ln(damping) x time instead."
+        "You treat this damping as 1 because it is close to 1, but its drag still changes the "
+        "factors. Use the first terms of the power series for fallen instead."
     )
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):
@@ -199,20 +199,21 @@ def test_an_artillery_shell_lands_at_the_known_place() -> None:
         words, p = particle_of(x, v, a, damping)
         about.call = f"{words}; state_after(p, {time}); the position"
         about.cause = (
-            "Your position is not x + v gone + a fallen. Compute it with this formula and the "
+            "Your position is not x + v * gone + a * fallen. Compute it with this formula and the "
             "factors that drag_factors returns."
         )
         position, _ = closed_form.state_after(p, time)
         # The times are known to 5e-8 s, and the shell moves at up to 50 m/s.
         got, wanted = expect_vector(position), (0.0, 0.0, reach)
         gone = (
-            "In the position, you multiply the acceleration by gone. Multiply it by fallen instead."
+            "To get the position, you multiply the acceleration by gone. Multiply it by fallen "
+            "instead."
         )
         blame(got, [((0.0, 1.5 + (30.0 - 20.0) * time, 40.0 * time), gone)])
         if math.dist(got, wanted) < 1.0:
             about.cause = (
-                "Your position is close but not exact. Compute it without time steps, as x + v "
-                "gone + a fallen, with the factors from drag_factors."
+                "Your position is close but not exact, perhaps because you use time steps. "
+                "Compute x + v * gone + a * fallen instead, with the factors from drag_factors."
             )
         expect_close(got, wanted, unit="m", tolerance=1e-5)
 
@@ -242,7 +243,10 @@ def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None
     x, v, a = components(rng), components(rng), components(rng)
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
-    about.call = f"{words}; state_after for {first} s, and from there for another {second} s"
+    about.call = (
+        f"{words}; middle = state_after(p, {first}); q = Particle(*middle, a, damping={damping}); "
+        f"state_after(q, {second})"
+    )
     about.cause = (
         "Predicting in two parts must give the same state as a single prediction over the total "
         "time. Check your formulas for position and velocity."
@@ -251,7 +255,7 @@ def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
         about.cause = (
-            "Your state_after changed the particle itself. Only read its position and velocity, "
+            "Your state_after changes the particle p itself. Only read p.position and p.velocity, "
             "and return new vectors."
         )
     undamped = (
@@ -266,7 +270,8 @@ def test_two_predictions_in_a_row_equal_one_long_prediction(rng: Random) -> None
     for i in range(2):
         got, wanted = xyz(later[i]), xyz(at_once[i])
         name, unit = (("position", "m"), ("velocity", "m/s"))[i]
-        then = f"; the {name}, which must equal that of state_after(p, {first + second:.6g})"
+        then = f"; the {name}, which must equal the one that "
+        then += f"state_after(p, {first + second:.6g}) returns"
         expect_close(got, wanted, then=then, unit=unit, tolerance=1e-11)
     about.call = (
         f"{words}; state_after(p, {first}); the velocity, which must equal the slope of the "
@@ -322,9 +327,9 @@ def test_the_particle_stays_as_it_is(rng: Random) -> None:
     for t in (2.0, 0.0):
         state = closed_form.state_after(p, t)
         state[0].x = state[1].x = 99.0
-        expect_unchanged("p.position", xyz(p.position), x)
-        expect_unchanged("p.velocity", xyz(p.velocity), v)
-        expect_unchanged("p.acceleration", xyz(p.acceleration), a)
+        expect_unchanged("p.position", xyz(p.position), x, then="; p.position")
+        expect_unchanged("p.velocity", xyz(p.velocity), v, then="; p.velocity")
+        expect_unchanged("p.acceleration", xyz(p.acceleration), a, then="; p.acceleration")
 
 
 @pytest.mark.exercise("B4.8")
@@ -333,8 +338,8 @@ def test_an_immovable_particle_keeps_its_state(rng: Random) -> None:
     words, p = particle_of(x, v, a, 0.5, mass=math.inf)
     about.call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
     about(
-        cause="You change the state of a particle with an infinite mass, which is immovable. "
-        "Return copies of its current position and velocity.",
+        cause="This particle has an infinite mass, so its position and velocity never change. "
+        "Return copies of both.",
         read=STATE,
     )
     position, velocity = closed_form.state_after(p, 3.0)
@@ -346,8 +351,8 @@ def test_an_immovable_particle_keeps_its_state(rng: Random) -> None:
         "You return one of the particle's own vectors, so a change to the result also changes the "
         "particle. Return copies instead."
     )
-    expect_unchanged("p.position", xyz(p.position), x)
-    expect_unchanged("p.velocity", xyz(p.velocity), v)
+    expect_unchanged("p.position", xyz(p.position), x, then="; p.position")
+    expect_unchanged("p.velocity", xyz(p.velocity), v, then="; p.velocity")
 
 
 @pytest.mark.exercise("B4.8")

@@ -43,8 +43,8 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
         "all rockets to the click."
     )
     about.call = (
-        "a rocket of type 1 at 2 m from the click, one of type 3 at 1 m and one of type 1 at 1.5 "
-        f"m; find_rocket(display, {x}, {y})"
+        "three rockets near the click: type 1 at 2 m, type 3 at 1 m, and type 1 at 1.5 m; "
+        f"find_rocket(display, {x}, {y})"
     )
     found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
     expect_that(found is not None, "no rocket (None)", "the rocket of type 3")
@@ -346,20 +346,23 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
     ):
         about.cause = cause
         burning = " and ".join({1: "a rocket", 2: "a spark"}[type] for type, *_ in lit) or "none"
-        about.call = f"burning fireworks: {burning}; {misses} misses so far; is_over(display)"
+        burning = "two sparks" if lit == (spark, spark) else burning
+        about.call = f"burning fireworks: {burning}; {misses or 'no'} misses so far; "
+        about.call += "is_over(display)"
         a_game = game(*lit)
         a_game.misses = misses
         got = display.is_over(a_game)
         if misses == 6 and got is False and display.is_over(game()) is False:
             about.cause = (
-                "You end the game only if both conditions hold. It is over if no rocket is left, "
-                "and also after more than five misses (MISSES_ALLOWED)."
+                "You end the game only if no rocket is left and more than five clicks have missed "
+                "(MISSES_ALLOWED). Either condition alone must end the game."
             )
         expect_exactly(got, over)
-    about.call = "one rocket that was hit, so its age is 0; is_over(display)"
+    about.call = "burning fireworks: a rocket that was hit and now has an age of 0; "
+    about.call += "is_over(display)"
     about.cause = (
-        "You leave out a rocket whose age is 0. It still counts until it bursts in the next "
-        "update, so the game is not over yet."
+        "The game is not over yet, because a rocket that was hit keeps burning until the next "
+        "update. Also count rockets with an age of 0."
     )
     a_game = game(rocket)
     a_game.show.fireworks[0].age = 0.0
@@ -384,7 +387,7 @@ def test_a_click_after_the_end_does_nothing() -> None:
         counted, (6, 0), then="; click(display, 30, 20); the pair (display.misses, display.score)"
     )
     expect_exactly(types(a_game), [1], then="; the types of the burning fireworks")
-    about.call = "only a spark burns, so the game is over; click(display, 0, 20)"
+    about.call = "only a spark is still burning, so the game is over; click(display, 0, 20)"
     about.cause = (
         "You count a miss although the game is over. No rocket is left, so call is_over first "
         "instead of checking only the number of misses."

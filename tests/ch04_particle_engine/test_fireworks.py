@@ -57,8 +57,8 @@ def expect_even(name: str, drawn: list[float], low: float, high: float) -> None:
 def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
-        f"a rule with min_age = 0.5 s and max_age = 1.4 s; {MANY} calls of make_firework(rule, "
-        f"random), with random = Random({seed})"
+        f"a rule with min_age = 0.5 s and max_age = 1.4 s; random = Random({seed}); "
+        f"make_firework(rule, random), called {MANY} times"
     )
     about.cause = (
         "The ages are not spread evenly between min_age and max_age. Draw a new age for each "
@@ -83,31 +83,34 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     seed = rng.randrange(10**6)
     low, high = FIRST[3], FIRST[4]
     about.call = (
-        f"a rule with velocities from {low} to {high}; {MANY} calls of make_firework(rule, "
-        f"random), with random = Random({seed})"
+        f"a rule with velocities from {low} to {high}; random = Random({seed}); "
+        f"make_firework(rule, random), called {MANY} times"
     )
     about.read = "the docstring of make_firework; book 4.2.1"
     made = probes.lit(FIRST, seed, MANY)
-    columns = {}
+    columns: dict[str, list[float]] = {}
     for i, axis in enumerate("XYZ"):
         about.cause = (
             "This component of the velocity is not spread evenly between its limits. Draw each "
             "component with random.uniform and the two limits of its own axis."
         )
-        columns[f"the {axis} components"] = drawn = [firework[5 + i] for firework in made]
+        columns[axis] = drawn = [firework[5 + i] for firework in made]
         expect_even(f"the {axis} components of the velocities", drawn, low[i], high[i])
     ages = [firework[1] for firework in made]
     if min(ages) < max(ages):  # another check tests whether ages are drawn at all
-        columns["the ages"] = ages
+        columns["age"] = ages
     for one, other in itertools.combinations(columns, 2):
+        pair = f"the {one} and {other} components of the velocity"
+        if other == "age":
+            pair = f"the {one} component of the velocity and the age"
         about.cause = (
-            f"You use the same random number for {one} and {other}. Draw the age and each "
-            "component of the velocity separately."
+            f"You use the same random number for {pair}. Draw the age and each component "
+            "separately."
         )
         correlation = statistics.correlation(columns[one], columns[other])
         # The standard deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
-        name = f"; the correlation between {one} and {other} of the fireworks"
+        name = f"; the correlation between {pair}"
         expect_between(correlation, -tolerance, tolerance, then=name)
 
 
@@ -115,8 +118,8 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
 def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
-        f"{MANY} calls of make_firework(rule, random) without a parent, with random = "
-        f"Random({seed})"
+        f"random = Random({seed}); make_firework(rule, random), without a parent, called {MANY} "
+        "times"
     )
     about.cause = (
         "A firework without a parent starts on the ground, at y = 0 and z = 0. Choose its x at "
@@ -140,7 +143,7 @@ def test_a_firework_without_a_parent_starts_at_a_launch_place(rng: Random) -> No
         spread = 5.0 * math.sqrt(MANY * 2.0 / 9.0)
         found = places.count((x, 0.0, 0.0))
         least, most = rounded_bounds(MANY / 3.0, spread)
-        name = f"; how many fireworks start at ({x}, 0, 0)"
+        name = f"; the number of fireworks that start at ({x:g}, 0, 0)"
         expect_between(found, least, most, then=name)
 
 
@@ -205,8 +208,8 @@ def test_a_firework_gets_its_type_damping_gravity_and_mass(rng: Random) -> None:
 def test_every_random_number_comes_from_the_given_generator(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = (
-        f"5 calls of make_firework(rule, random) with random = Random({seed}); the same 5 calls "
-        f"with a new Random({seed})"
+        f"make_firework(rule, random), called 5 times with random = Random({seed}); "
+        f"make_firework(rule, random), called 5 more times with a new Random({seed})"
     )
     about.cause = (
         "You draw numbers from another generator, so the fireworks differ although the seed is the "
@@ -215,10 +218,12 @@ def test_every_random_number_comes_from_the_given_generator(rng: Random) -> None
     about.read = "the docstring of make_firework"
     once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
     differ = sum(a != b for a, b in zip(once, again, strict=True))
-    expect_exactly(differ, 0, then="; how many of the second 5 fireworks differ from the first 5")
+    name = "; the number of fireworks that differ between the two series"
+    expect_exactly(differ, 0, then=name)
     about.call = (
-        f"5 calls of make_firework(rule, random) with random = Random({seed}); 5 calls with "
-        f"Random({seed + 1}); how many velocities are equal"
+        f"make_firework(rule, random), called 5 times with random = Random({seed}); "
+        f"make_firework(rule, random), called 5 more times with random = Random({seed + 1}); the "
+        "number of velocities that are the same in both series"
     )
     about.cause = (
         "Your fireworks are the same although the seeds differ. Draw every number from the "

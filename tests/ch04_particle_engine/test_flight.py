@@ -225,7 +225,8 @@ def test_shots_are_removed_in_the_update_that_ends_their_flight() -> None:
     ):
         about.cause = f"You remove the shot in the wrong update. {cause}"
         about.call = (
-            f'r = BallisticRange(); r.fire("{name}"); r.update({frame}) until r.shots is empty'
+            f'r = BallisticRange(); r.fire("{name}"); r.update({frame}), repeated until r.shots is '
+            "empty; the number of updates"
         )
         got = probes.frames_in_flight(name, frame, 200)
         if got == 201:
@@ -240,8 +241,8 @@ def test_shots_are_removed_in_the_update_that_ends_their_flight() -> None:
 def test_spent_shots_next_to_each_other_are_all_removed() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = (
-        f"r = BallisticRange(), which fires {', '.join(names)}; r.update(0.5), called 5 times; the "
-        "types of the shots after update"
+        f"r = BallisticRange(); for name in {names}: r.fire(name); r.update(0.5), called 5 times; "
+        "the types of the shots after update"
     )
     about.cause = "Each update must remove all spent shots and keep the others. Build a new list "
     about.cause += "of the shots that keep flying."
@@ -249,8 +250,8 @@ def test_spent_shots_next_to_each_other_are_all_removed() -> None:
     seen = probes.shots_over(names, 0.5, 5)
     if 2 < len(seen[-1]) < len(names):
         about.cause = (
-            "You remove shots from the list while you loop over it, so the loop skips the shot "
-            "after each removed one. Build a new list of the shots that keep flying."
+            "You remove shots from the list while you loop over it, so each removal makes the "
+            "loop skip the next shot. Build a new list of the shots that keep flying."
         )
     flying = [", ".join(types) for types in seen]
     for i, wanted in enumerate([", ".join(names)] * 4 + ["fireball, fireball"]):

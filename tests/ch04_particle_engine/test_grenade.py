@@ -137,8 +137,8 @@ def test_a_grenade_that_does_not_move_down_keeps_its_velocity(rng: Random) -> No
         got = xyz(p.position)
         expect_close(got, (1.0, 0.0, 3.0), then="; p.position", unit="m")
         up = (
-            "You change the velocity of a grenade that does not move down. Change it only if its Y "
-            "component is negative."
+            "You change the velocity of a grenade that is not moving down. Change the velocity "
+            "only if its Y component is negative."
         )
         expect_unchanged("p.velocity", xyz(p.velocity), v, cause=up)
 

@@ -13,12 +13,16 @@ from expect import about, expect_between, expect_exactly, expect_that
 
 def words(leaves: dict[int, list[int]]) -> str:
     """Return the call in words, for rules that are given by the types of their payloads."""
+    nouns = ("nothing", "type ", "types ")
     shown = [
-        f"{type} lights {' and '.join(map(str, after)) or 'nothing'}"
+        f"type {type} lights {nouns[min(len(after), 2)]}{' and '.join(map(str, after))}"
         for type, after in leaves.items()
     ]
-    more = f", and so on for {len(shown) - 6} more types" if len(shown) > 6 else ""
-    return f"rules in which type {', '.join(shown[:6])}{more}; endless_types(rules)"
+    if len(shown) > 6:
+        shown[6:] = [f"so on for {len(shown) - 6} more types"]
+    *first, last = shown
+    start = f"{', '.join(first)}{',' if len(first) > 1 else ''} and " if first else ""
+    return f"rules in which {start}{last}; endless_types(rules)"
 
 
 @pytest.mark.exercise("B4.7")
@@ -77,8 +81,8 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
             {9: [1], 1: [2, 3], 2: [3], 3: [1], 4: [9], 5: []},
             [1, 2, 3],
             (
-                "You include types 4 and 9. They light fireworks of the cycle 1, 2, 3, but no "
-                "firework of the cycle lights them, so leave them out."
+                "Types 1, 2 and 3 form a cycle. Types 4 and 9 only lead into this cycle, and "
+                "nothing in it leads back to them, so leave them out."
             ),
         ),
         (
@@ -98,8 +102,8 @@ def test_all_types_of_a_cycle_are_endless(rng: Random) -> None:
         got = probes.endless(leaves)
         if got == []:
             about.cause = (
-                "You check only whether a type lights itself directly. Also follow the payloads of "
-                "its payloads, until you get back to the type or find no new type."
+                "You don't find types that lead back to themselves through other types. Follow "
+                "the payloads until they lead back to the start, or no new types are left."
             )
         elif isinstance(got, list) and got != wanted and {*map(str, got)} == {*map(str, wanted)}:
             about.cause = "You don't sort the types. Return them in ascending order."
@@ -198,7 +202,7 @@ def test_your_types_burn_and_come_to_an_end() -> None:
     # The show is always the same, so that a type with short enough fuses never fails by chance.
     seed = 5
     about.read = READ
-    about.call = "the types of own_types() whose payloads lead back to the same type"
+    about.call = "own_types(); the types whose payloads lead back to the same type"
     about.cause = (
         "Your types lead back to themselves through their payloads, so a show with them never "
         "ends. Remove a payload to break the cycle."

@@ -150,8 +150,8 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         )
     if left == [2]:
         about.cause = (
-            "You ignore the count of the payload, so you light one firework instead of three. "
-            "Pass the payload to light as a single item with a count of 3."
+            "You light only one of the three fireworks in the payload. Pass the payload's count "
+            "to self.light."
         )
     expect_exactly(left, [2, 2, 2], then="; the types of the burning fireworks")
     about.cause = (
@@ -234,9 +234,9 @@ def test_burnt_out_fireworks_make_room_before_payloads_are_lit() -> None:
     about.read = READ
     rules = [fixed(1, 0.1, UP, (3, 2)), fixed(2, 0.1, UP, (4, 2)), fixed(3, 5.0), fixed(4, 5.0)]
     about.call = (
-        'a show with 3 slots and the policy "keep_old"; show.update(0.25), in which three '
-        "fireworks burn out; their payloads are 2 fireworks of type 3, 2 of type 4 and 2 of type "
-        "4; the types of the burning fireworks"
+        'a show with 3 slots and the policy "keep_old"; three burning fireworks, whose payloads '
+        "are 2 fireworks of type 3, 2 of type 4, and 2 of type 4; show.update(0.25), in which all "
+        "three burn out; the types of the burning fireworks"
     )
     about.cause = (
         "You light payloads while other burned-out fireworks still occupy their slots. Remove "
@@ -383,14 +383,14 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_rejects_an_invalid_duration_and_moves_no_firework(bad: float) -> None:
     about.cause = (
-        f"The duration is {bad}. It must be positive and finite, even if nothing burns. Check it "
-        "before you change anything, and raise ValueError."
+        f"The duration is {bad}. It must be positive and finite, even if no firework is burning. "
+        "Check it before you change anything, and raise ValueError."
     )
-    about.read = "the docstring of update"
-    rules = [fixed(1, 2.0)]
+    about.read, rules = "the docstring of update", [fixed(1, 2.0)]
     for births in ([], [(1, 1, None)]):
         a_show = show_with(rules, births)
-        about.call = f"a show with {len(births) or 'no'} burning firework; show.update({bad})"
+        count = "one burning firework" if births else "no burning fireworks"
+        about.call = f"a show with {count}; show.update({bad})"
         expect_error(
             lambda a_show=a_show: a_show.update(bad),
             ValueError,

@@ -50,7 +50,8 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
         about.cause = about.cause.replace("does not light exactly", "lights more than")
     expect_exactly(burning(a_show), [type])
     about.call = (
-        f"80 calls of show.launch({type}); the different positions (x, y) at which fireworks start"
+        f"show.launch({type}), called 80 times; the different positions (x, y) at which fireworks "
+        "start"
     )
     about.cause = (
         "A launched firework has no parent, so make_firework must choose one of the three "
@@ -205,7 +206,7 @@ def test_births_have_their_own_parents(rng: Random) -> None:
     places = [lit[i].particle.position for i in (0, 1, 2)]
     got = [n for place in places[:2] for n in (place.x, place.y)] + [places[2].y]
     wanted = [*x[:2], *x[:2], 0.0]
-    name = "; x and y of the first two fireworks, and y of the third"
+    name = "; (x1, y1, x2, y2, y3), the coordinates of the three fireworks in order"
     expect_close(got, wanted, then=name, unit="m")
     places[0].x = 99.0
     about.cause = (

@@ -127,8 +127,8 @@ def test_a_shot_hits_the_block_that_it_touches_first() -> None:
     )
     about.read = STRIKE
     about.call = (
-        "a shot that flies along Z from z = 0 to 20, through a long block from z = 4 to 16; "
-        "inside it is a thin block at z = 9; strike_first(start, p, blocks)"
+        "a long block from z = 4 to 16, with a thin block inside it at z = 9; a shot p that flies "
+        "along Z from z = 0 to 20, through both; strike_first(start, p, blocks)"
     )
     long = TargetBlock(Vector3(0.0, 1.0, 10.0), (2.0, 2.0, 12.0), mass=5.0)
     thin = TargetBlock(Vector3(0.0, 1.0, 9.0), (2.0, 2.0, 0.1), mass=5.0)
@@ -140,7 +140,7 @@ def test_a_shot_hits_the_block_that_it_touches_first() -> None:
         "on the path. Compare the results of hit_fraction instead."
     )
     blame(hits, [((1, 0), centers)])
-    expect_exactly(hits, (0, 1), then="; the hits of the thin block and of the long one")
+    expect_exactly(hits, (0, 1), then="; (hits of the thin block, hits of the long block)")
     about.call = (
         "a shot that reaches two blocks at the same time; strike_first(start, p, blocks); the hits "
         "of each block, in the order of the list"
@@ -159,12 +159,12 @@ def test_a_shot_hits_the_block_that_it_touches_first() -> None:
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     about.read = STRIKE
     about.call = (
-        "a shot that flies along Z from z = 5 to 20, through blocks at z = 10 and 5; it starts "
-        "inside the second one; strike_first(start, p, blocks); the hits of each block"
+        "blocks at z = 10 and z = 5; a shot p that starts inside the second block, at z = 5, and "
+        "flies along Z to z = 20; strike_first(start, p, blocks); the hits of each block"
     )
     about.cause = (
-        "You treat a fraction of 0 as a miss, because Python treats 0 as false in an if statement. "
-        "Test for a miss with `is None`."
+        "The shot must hit only the second block, for which hit_fraction returns 0. Test for a "
+        "miss with `is None`, because Python treats 0 as false in an if statement."
     )
     blocks = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (10.0, 5.0)]
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))

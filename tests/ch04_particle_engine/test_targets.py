@@ -57,8 +57,8 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
     whole = (
-        "You treat the block as twice as thick as it is. The numbers in size are whole sides, so "
-        "each face is only half a side from the center."
+        "You treat the block as twice as thick as it is. Each number in size is the length of a "
+        "whole side, so a face is only half that length from the center."
     )
     blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
     if got is None:
@@ -76,10 +76,6 @@ def test_a_path_hits_the_box_where_it_enters() -> None:
         "between the faces on all three axes."
         for which in ("smallest of the three entry fractions", "entry fraction of the last axis")
     )
-    backward = (
-        "You use the face with the smaller coordinate as the entry, but this path leads backward "
-        "and gets to the other face first. Take the smaller of the two fractions as the entry."
-    )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
         ((1.5, 3.0, 17.0), (2.5, 5.0, 1.0), 0.5),
@@ -95,8 +91,13 @@ def test_a_path_hits_the_box_where_it_enters() -> None:
             "the largest of the three entry fractions."
         )
         got = fraction(start, end)
-        if got is None and any(e < s for s, e in zip(start, end, strict=True)):
-            about.cause = backward
+        back = [axis for axis, s, e in zip("XYZ", start, end, strict=True) if e < s]
+        if got is None and back:
+            about.cause = (
+                f"This path goes in the negative {back[0]} direction, so it reaches the face with "
+                f"the larger {back[0].lower()} first. On each axis, the smaller of the two "
+                "fractions is the entry."
+            )
         faces = zip(start, end, CENTER, SIZE, strict=True)
         entries = [min((c - w - s) / (e - s) for w in (n / 2, -n / 2)) for s, e, c, n in faces]
         blame(got, [(min(entries), smallest), (max(0.0, entries[2]), last)])
@@ -118,8 +119,8 @@ def test_a_path_along_one_axis_needs_no_division_on_the_others() -> None:
         got = fraction(start, end)
         if got is None:
             about.cause = (
-                "This path is parallel to a face of the box, but it runs between the faces, so "
-                "it is not a miss. Return None only if a parallel path is outside them."
+                "This path is parallel to one axis, and it hits the box. For the other two axes, "
+                "return None only if the path is not between the two faces."
             )
         expect_hit(got, wanted)
 
@@ -205,7 +206,7 @@ def test_a_path_beside_before_or_behind_the_box_misses() -> None:
             (1.1, 4.0, 9.0),
             False,
             "This path hits the box, because x = 1.1 is between the faces at x = 1 and x = 3. "
-            "Use the absolute value of the distance from the center.",
+            "If you compare its distance from the center with half a side, use the absolute value.",
         ),
         (
             (2.0, 1.5, 1.0),

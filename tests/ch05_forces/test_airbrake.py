@@ -180,7 +180,7 @@ def test_a_strong_brake_keeps_earlier_forces(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
         cleared = "The earlier force is missing, because you clear the sum of the forces. Add the "
-        cleared += "force of the brake with add_force, and clear nothing."
+        cleared += "force of the brake to this sum with add_force instead."
         blame(got, {cleared: [-v[i] * mass / h for i in range(3)]})
         # Up to a part in 1e12 of 400 N, as FULL says.
         expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-9)
@@ -204,8 +204,8 @@ def test_no_brake_reverses_the_motion(rng: Random) -> None:
     about.cause = "Rounding makes your limit -v m / h slightly too large, so the step reverses the "
     about.cause += "motion. Multiply the limit by FULL, which is slightly below 1."
     tries = 400
-    about.call = f"{tries} particles that move along X, each with an Airbrake of k > m / h that is "
-    about.call += "on; brake.update_force(p, h) and p.integrate(h) for each; the smallest "
+    about.call = f"{tries} particles p that move along X, each with its own brake; every brake is "
+    about.call += "on and has k > m / h; brake.update_force(p, h); p.integrate(h); the smallest "
     about.call += "ratio of the new velocity to the old one"
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)

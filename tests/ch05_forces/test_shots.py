@@ -151,8 +151,8 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     about.call += "fired = range.shoot(0.0, 0.0)"
     about.cause = "You fire a second bullet while the first one is in flight. Return False instead."
     expect_exactly(at.shoot(0.0, 0.0), False, then="; fired")
-    early = "The second call fires no bullet, so it must not change shots_left. Return False "
-    early += "before you reduce shots_left."
+    early = "The second call of shoot fires no bullet, so it must not change shots_left. Return "
+    early += "False before you reduce shots_left."
     expect_exactly(at.shots_left, 9, then="; range.shots_left", cause=early)
     bullet = at.bullet
     expect_close(xyz(bullet.position), place, then="; range.bullet.position, in m")

@@ -68,8 +68,8 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                     "Your stretched rope pushes, as in the book's listing (E-4). Reverse the sign "
                     "of the force, so that it pulls p toward the other end."
                 ): [-part for part in wanted],
-                "Your stretched rope exerts no force. A rope is slack only if it is not longer "
-                "than its rest length, so check your condition for a slack rope.": ZERO,
+                "Your stretched rope exerts no force. A rope that is longer than its rest length "
+                "is not slack, so check your condition for a slack rope.": ZERO,
                 "Your force is the stiffness times the whole length of the rope. Only the "
                 "extension counts, so subtract the rest length from the length.": [
                     -k * (rest + extension) * part for part in d

@@ -63,12 +63,12 @@ def test_the_three_cases_by_known_values() -> None:
         "Your exponent uses the full rate c / m. The amplitude decays at half that rate, c / "
         "(2 m), where c is the damping and m the mass.": math.exp(-1.0)
         * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
-        "Your position is only e^(-half * t) * cos(gamma * t), with half = c / (2 m). Add half * "
+        "Your position is only e^(-half * t) * cos(gamma * t), where half = c / (2 m). Add half * "
         "sin(gamma * t) / gamma to the cosine.": math.exp(-0.5) * math.cos(0.5 * damped),
         "Your spring oscillates at the undamped frequency sqrt(k / m). Use the damped frequency "
         "gamma, which is lower.": math.exp(-0.5) * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "The spring is critically damped, but your position is only e^(-half * t), with half = c / "
-        "(2 m). Multiply it by (1 + half * t).": math.exp(-5.0),
+        "The spring is critically damped, but your position is only e^(-half * t), where half = c "
+        "/ (2 m). Multiply it by (1 + half * t).": math.exp(-5.0),
     }
     over = math.sqrt(300.0)  # gamma for c = 40
     slips |= {
@@ -163,7 +163,7 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
             "Your velocity leaves out the initial position x0. When you differentiate the "
             "position, include its terms with x0.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
             "Your position is right, but one term of your velocity has the wrong sign. "
-            "Differentiate the term of the position that contains v0 again.": (
+            "Check the derivative of the position's term with v0.": (
                 x,
                 v + 2.0 * half * by_roots(0.0, v0, k, c, m, t)[0],
             ),

@@ -55,7 +55,7 @@ def test_the_force_by_its_formula() -> None:
         "You use the force of a real spring, -k x. Compute the force that takes p to T, the "
         "position that a real spring would reach in h seconds.": -400.0,
         "Your force is twice as large as it should be. In one step, an acceleration a moves p by a "
-        "h^2 and not by a h^2 / 2, so divide by h^2.": 2.0 * wanted[0],
+        "* h^2 and not by a * h^2 / 2, so divide by h^2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.

@@ -127,26 +127,28 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.98,
             False,
-            "The stiffness is 2% below the limit, so the oscillation dies out. Compare the largest "
-            "distance in a late part of the motion with the largest distance in an earlier part.",
+            "The stiffness is 2% below the limit, so the oscillation dies out. Compare the "
+            "amplitude in the last quarter of the steps with the amplitude in an earlier quarter.",
         ),
         (
             1.02,
             True,
             "The stiffness is 2% above the limit, so the oscillation grows slowly. Compare the "
-            "largest distance in a late part of the motion with that in an earlier part.",
+            "amplitude in the last quarter of the steps with the amplitude in an earlier quarter.",
         ),
         (
             4.0,
             True,
             "The stiffness is far above the limit, so the oscillation grows without bound. "
-            "Return True as soon as the distance from the anchor is a million times START.",
+            "Return True early, for example when the distance from the anchor exceeds a million "
+            "times START.",
         ),
         (
             1e6,
             True,
-            "The oscillation grows so fast that the position soon is too large for a float. "
-            "Return True earlier, when the distance from the anchor is a million times START.",
+            "The oscillation grows so fast that the position soon becomes too large for a float. "
+            "Return True early, for example when the distance from the anchor exceeds a million "
+            "times START.",
         ),
     ):
         about.cause = cause

@@ -147,7 +147,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
         about.cause += "Call it once in update, and never in shoot."
     name, way = "; x and y of range.bullet.position, in m", "the docstring of update"
     expect_close(place[:2], wanted, then=name, read=way, tolerance=1e-12)
-    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); range.update(1/60); "
+    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); one step of 1/60 s; "
     about.call += "fired = range.shoot(0.0, 0.0)"
     about.cause = "You fire a second bullet while the first one is in flight. Return False instead."
     expect_exactly(at.shoot(0.0, 0.0), False, then="; fired")

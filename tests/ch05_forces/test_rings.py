@@ -24,7 +24,7 @@ def test_only_the_smallest_ring_counts(rng: Random) -> None:
     for x, y, points, slip, gives in (
         (0.0, 0.3, 2, "You compare only x with the radii of the rings.", 10),
         (0.3, 0.0, 2, "You compare only y with the radii of the rings.", 10),
-        (0.08, -0.08, 5, "Your distance from the center is smaller than 0.1131 m.", 10),
+        (0.08, -0.08, 5, "You treat this hole as if it were inside the 0.1 m ring.", 10),
         (0.2, 0.2, 2, "You use the larger of |x| and |y|, which makes the rings square.", 5),
     ):
         about.call = f"ring_points({x}, {y}), for a hole {math.hypot(x, y):.4f} m from the center"

@@ -110,8 +110,8 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator, in N"
-    about.cause = "The wind must act on the bullet exactly once. In shoot, add the pair of the "
-    about.cause += "new bullet and the wind to self.forces once."
+    about.cause = "The wind must act on the bullet exactly once. In shoot, register the wind for "
+    about.cause += "the new bullet in self.forces once."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
     at.shoot(0.0, 0.0)
@@ -122,8 +122,8 @@ def test_the_wind_acts_on_the_bullet() -> None:
     wanted = (4.0 * drag, 0.0, -100.0 * drag)
     got = xyz(bullet.force_accumulator)
     twice = "You registered the wind for your bullet twice. Register it only once."
-    never = "The wind doesn't act on your bullet. In shoot, add the pair of the new bullet and the "
-    never += "wind to self.forces."
+    never = "The wind doesn't act on your bullet. In shoot, register the wind for the new bullet "
+    never += "in self.forces."
     blame(got, [([2.0 * part for part in wanted], twice), ((0.0, 0.0, 0.0), never)])
     expect_close(got, wanted)
 
@@ -148,10 +148,11 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     name, way = "; x and y of range.bullet.position, in m", "the docstring of update"
     expect_close(place[:2], wanted, then=name, read=way, tolerance=1e-12)
     about.call = f"range = SniperRange(1); range.shoot({a}, {e}); one step of 1/60 s; "
-    about.call += "range.shoot(0.0, 0.0)"
+    about.call += "fired = range.shoot(0.0, 0.0)"
     about.cause = "You fire a second bullet while the first one is in flight. Return False instead."
-    expect_exactly(at.shoot(0.0, 0.0), False, then="; the result of this last call")
-    early = "You reduce shots_left even if no bullet is fired. Return False before that."
+    expect_exactly(at.shoot(0.0, 0.0), False, then="; fired")
+    early = "The second call of shoot fires no bullet, so it must not change shots_left. Return "
+    early += "False before you reduce shots_left."
     expect_exactly(at.shots_left, 9, then="; range.shots_left", cause=early)
     bullet = at.bullet
     expect_close(xyz(bullet.position), place, then="; range.bullet.position, in m")
@@ -160,7 +161,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
 @pytest.mark.exercise("P4.2b")
 def test_without_shots_left_none_is_fired() -> None:
     about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
-    about.call += "range.bullet = None; range.shoot(0.0, 0.0)"
+    about.call += "range.bullet = None; fired = range.shoot(0.0, 0.0)"
     about.cause = "You fire a bullet although no shots are left. Return False if shots_left is 0."
     at = SniperRange(1)
     at.shots_left = 1
@@ -172,7 +173,7 @@ def test_without_shots_left_none_is_fired() -> None:
         cause="There is one shot left, so shoot must fire it and return True.",
     )
     at.bullet = None
-    expect_exactly(at.shoot(0.0, 0.0), False, then="; the result of this last call")
+    expect_exactly(at.shoot(0.0, 0.0), False, then="; fired")
     expect_exactly(at.shots_left, 0, then="; range.shots_left")
     expect_exactly(at.bullet is None, True, then="; range.bullet is None")
 
@@ -200,8 +201,9 @@ def test_rejects_an_angle_beyond_swing(bad: float) -> None:
         expect_exactly(at.shots_left, 10, then="; range.shots_left")
         expect_exactly(at.bullet is None, True, then="; range.bullet is None")
         at.shoot(0.0, 0.0)
-        about.cause = "You check the angles too late. Check them before anything else, so that a "
-        about.cause += "bad angle, such as NaN, is an error even while a bullet is in flight."
+        shown = "NaN" if math.isnan(bad) else bad
+        about.cause = f"An angle of {shown} rad must raise ValueError even while a bullet is in "
+        about.cause += "flight. Check both angles before you check for a bullet."
         expect_error(
             lambda at=at, angles=angles: at.shoot(*angles),
             ValueError,

@@ -104,7 +104,8 @@ def test_the_wind_carries_the_bullet_away() -> None:
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
     frames = (len(blown), len(still))
     # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in step 109.
-    none = "Your bullet flies as if there were no drag. Call update_forces before each integrate."
+    none = "Your bullet flies as if there were no drag. Call update_forces before you call "
+    none += "integrate."
     blame(frames, [((105, 105), none)])
     if min(frames) > 109:
         about.cause = "Your bullet flies on beyond the end of the range. End the shot as soon as "
@@ -121,17 +122,17 @@ def test_the_wind_carries_the_bullet_away() -> None:
     late = "You call update_forces after integrate, so every force acts one step too late. Call "
     blame(got, [((before, 0.0), f"{late}it before integrate.")])
     if got[1] != 0.0:
-        about.cause = "The wind starts to blow while the bullet is in flight. Change the wind only "
-        about.cause += "after the shot has landed."
+        about.cause = "Without wind, x must stay 0, but your bullet drifts sideways. Call "
+        about.cause += "change_wind only after the shot has ended."
     expect_close(
         got,
         wanted,
-        then="; x of the bullet in m after its last step in flight, with wind and without wind",
+        then="; the bullet's x after its last step in flight, with wind and without wind, in m",
         tolerance=1e-10,
     )
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
     about.cause = once
-    then = "; z of the bullet in m after its last step in flight, with wind"
+    then = "; the bullet's z after its last step in flight, with wind, in m"
     expect_close(blown[-1][2], z, then=then, tolerance=1e-9)
 
 

@@ -68,8 +68,8 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                     "Your stretched rope pushes, as in the book's listing (E-4). Reverse the sign "
                     "of the force, so that it pulls p toward the other end."
                 ): [-part for part in wanted],
-                "Your stretched rope exerts no force. Check the condition with which your code "
-                "detects a slack rope, because only a shorter rope is slack.": ZERO,
+                "Your stretched rope exerts no force. A rope that is longer than its rest length "
+                "is not slack, so check your condition for a slack rope.": ZERO,
                 "Your force is the stiffness times the whole length of the rope. Only the "
                 "extension counts, so subtract the rest length from the length.": [
                     -k * (rest + extension) * part for part in d
@@ -200,8 +200,8 @@ def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
     about.read = "the docstring of Bungee"
     f = components(rng)
     about.cause = (
-        "Your rope must pull p with 4 N along Y, besides the force that was added to p before. Use "
-        "add_force, which keeps that force."
+        "Your rope must add a pull of 4 N along Y to the force that p already has. Use add_force, "
+        "which keeps that force."
     )
     about.call = f"p at (0, -3, 0) and q at (0, 0, 0); p.add_force(Vector3{f}); Bungee(q, "
     about.call += "stiffness=2.0, rest_length=1.0).update_force(p, 0.5)"
@@ -219,8 +219,8 @@ def test_a_rope_adds_its_pull_to_other_forces(rng: Random) -> None:
         about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b is a {kind} with stiffness=2.0 "
         about.call += "and rest_length=1.0 whose other end is at (0, 0, 0); b.update_force(p, 0.5)"
         about.cause = (
-            "You remove the force that was added to p before. Use add_force, which keeps that "
-            "force."
+            "Your rope must add a pull of 4 N along Y to the force that p already has. Use "
+            "add_force, which keeps that force."
         )
         p.add_force(Vector3(*f))
         bungee.update_force(p, 0.5)

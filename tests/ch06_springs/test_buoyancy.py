@@ -43,8 +43,8 @@ def test_the_lift_grows_with_the_submerged_fraction(rng: Random) -> None:
             "There is no lift, perhaps because you used (y - y_w - s) from the book's listing "
             "(E-5). Use (y_w + s - y), where y_w is water_height and s is max_depth."
         ): (0.0, 0.0),
-        "Your lift points down, as with (y - y_w - s) in the book's listing (E-5). Use (y_w + s "
-        "- y), where y_w is water_height and s is max_depth.": (
+        "Your lift points down, perhaps because you used (y - y_w - s) from the book's listing "
+        "(E-5). Use (y_w + s - y), where y_w is water_height and s is max_depth.": (
             -0.25 * full,
             -0.75 * full,
         ),

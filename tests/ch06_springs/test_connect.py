@@ -216,8 +216,8 @@ def test_connect_registers_the_spring_once(rng: Random) -> None:
                 swapped = tension(here, ZERO, there, ZERO, (rest, k, 0.0))
                 slips = {
                     unmoved: ZERO,
-                    "The spring acts twice, because you registered the spring for both ends. "
-                    "Register it once, because one call of update_force acts on both ends.": [
+                    "Your spring acts twice, because you registered it for both ends. One call of "
+                    "update_force already acts on both ends, so register the spring once.": [
                         2.0 * part for part in force
                     ],
                     "You swapped the stiffness and the rest length. Pass the arguments to "
@@ -248,7 +248,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     undamped = "You left out the damping. Pass it to Connection too."
     blame(got, [((k, rest, 0.0), undamped)])
     expect_close(got, (k, rest, c), then="; s.stiffness, s.rest_length and s.damping")
-    about.cause = "In the spring that you return, s.a is not a or s.b is not b. Create a single "
+    about.cause = "connect must return a Connection with a and b as its ends. Create a single "
     about.cause += "Connection for both ends, register it, and return it."
     got = (*xyz(s.a.position), *xyz(s.b.position))
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)

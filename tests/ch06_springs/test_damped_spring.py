@@ -63,22 +63,21 @@ def test_the_three_cases_by_known_values() -> None:
         "Your exponent uses the full rate c / m. The amplitude decays at half that rate, c / "
         "(2 m), where c is the damping and m the mass.": math.exp(-1.0)
         * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
-        "Your position is only e^(-half t) cos(gamma t), with half = c / (2 m) and the damped "
-        "frequency gamma. Add half sin(gamma t) / gamma to the cosine.": math.exp(-0.5)
-        * math.cos(0.5 * damped),
+        "Your position is only e^(-half * t) * cos(gamma * t), where half = c / (2 m). Add half * "
+        "sin(gamma * t) / gamma to the cosine.": math.exp(-0.5) * math.cos(0.5 * damped),
         "Your spring oscillates at the undamped frequency sqrt(k / m). Use the damped frequency "
         "gamma, which is lower.": math.exp(-0.5) * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "The spring is critically damped, but your position is only e^(-half t), with half = c / "
-        "(2 m). Add the second term, half t e^(-half t).": math.exp(-5.0),
+        "The spring is critically damped, but your position is only e^(-half * t), where half = c "
+        "/ (2 m). Multiply it by (1 + half * t).": math.exp(-5.0),
     }
     over = math.sqrt(300.0)  # gamma for c = 40
     slips |= {
-        "You use sinh(gamma t) in both terms, but the first one needs cosh(gamma t). Add the two "
-        "exponentials there instead of subtracting them.": math.exp(-1.0)
+        "You use sinh(gamma * t) in both terms, but the first one needs cosh(gamma * t). Add the "
+        "two exponentials there instead of subtracting them.": math.exp(-1.0)
         * (1.0 + 20.0 / over)
         * math.sinh(0.05 * over),
-        "Your position leaves out its second term. Multiply e^(-half t) by cosh(gamma t) plus "
-        "half sinh(gamma t) / gamma, where half = c / (2 m).": math.exp(-1.0)
+        "Your position leaves out its second term. Multiply e^(-half * t) by cosh(gamma * t) + "
+        "half * sinh(gamma * t) / gamma, where half = c / (2 m).": math.exp(-1.0)
         * math.cosh(0.05 * over),
         "You use cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
         "sinh instead.": math.exp(-1.0)
@@ -90,21 +89,22 @@ def test_the_three_cases_by_known_values() -> None:
             0.5,
             0.09855066761858595,
             "The spring is under-damped, so it oscillates while its amplitude decays. Multiply "
-            "e^(-half t) by terms with cos(gamma t) and sin(gamma t), where half = c / (2 m).",
+            "e^(-half * t) by terms with cos(gamma * t) and sin(gamma * t), where half = c / "
+            "(2 m).",
         ),
         (
             20.0,
             0.5,
             0.04042768199451279,
             "The spring is critically damped, which the book leaves out (E-23). gamma is 0 here, "
-            "so use t, the limit of sin(gamma t) / gamma.",
+            "so use t, the limit of sin(gamma * t) / gamma.",
         ),
         (
             40.0,
             0.05,
             0.9302947940980407,
             "The spring is over-damped, which the book leaves out (E-23). Multiply "
-            "e^(-half t) by terms with cosh(gamma t) and sinh(gamma t), where half = c / "
+            "e^(-half * t) by terms with cosh(gamma * t) and sinh(gamma * t), where half = c / "
             "(2 m).",
         ),
         (
@@ -112,7 +112,7 @@ def test_the_three_cases_by_known_values() -> None:
             0.5,
             0.2821711739751533,
             "The spring is over-damped, and at this late time only the slowly decaying part "
-            "e^(-(half - gamma) t) is left, where half = c / (2 m).",
+            "e^(-(half - gamma) * t) is left, where half = c / (2 m).",
         ),
     ):
         about(
@@ -162,8 +162,8 @@ def test_any_initial_state_and_mass(share: float, name: str, rng: Random) -> Non
             ),
             "Your velocity leaves out the initial position x0. When you differentiate the "
             "position, include its terms with x0.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
-            "Your position is right, but in your velocity the sign of the term with half v0 is "
-            "wrong. Differentiate the position again.": (
+            "Your position is right, but one term of your velocity has the wrong sign. "
+            "Check the derivative of the position's term with v0.": (
                 x,
                 v + 2.0 * half * by_roots(0.0, v0, k, c, m, t)[0],
             ),
@@ -197,19 +197,19 @@ def test_the_motion_is_smooth_at_critical_damping(rng: Random) -> None:
             (
                 0.0,
                 1e-12,
-                "At critical damping the position is (x0 + (v0 + half x0) t) e^(-half t), "
+                "At critical damping the position is (x0 + (v0 + half * x0) * t) * e^(-half * t), "
                 "where half = c / (2 m). Differentiate it to get the velocity.",
             ),
             (
                 -1e-9,
                 1e-7,
-                "Slightly below critical damping, sin(gamma t) / gamma is very close to t. "
+                "Slightly below critical damping, sin(gamma * t) / gamma is very close to t. "
                 "Your result must be close to that of critical damping.",
             ),
             (
                 1e-9,
                 1e-7,
-                "The damping is slightly above the critical one, so sinh(gamma t) / gamma is "
+                "The damping is slightly above the critical one, so sinh(gamma * t) / gamma is "
                 "very close to t. The result must be close to that of critical damping.",
             ),
             (
@@ -317,21 +317,21 @@ def test_late_times_and_strong_damping() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh(gamma t) is too large for a float at this late time. Combine it with e^(-half t) "
-            "on paper, so that you need only e^(-(half - gamma) t) and e^(-(half + gamma) t).",
+            "cosh(gamma * t) is too large for a float at this late time. Replace e^(-half * t) * "
+            "cosh(gamma * t) with (e^(-(half - gamma) * t) + e^(-(half + gamma) * t)) / 2.",
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
             math.exp(-1.0),
             1e-9,
-            "Your half - gamma loses all of its digits, because half = c / (2 m) and gamma are "
-            "almost equal. Use chi^2 / (half + gamma) instead, where chi^2 = k / m.",
+            "half = c / (2 m) and gamma are almost equal, so the difference half - gamma loses all "
+            "of its digits. Use chi^2 / (half + gamma) instead, where chi^2 = k / m.",
         ),
         (
             (1.0, 1.0, 5.0, 10.0, 1.0, 1e6),
             0.0,
             1e-12,
-            "cosh(gamma t) is too large for a float here, and e^(-half t) is 0. Combine the "
+            "cosh(gamma * t) is too large for a float here, and e^(-half * t) is 0. Combine the "
             "two factors into one exponential before you evaluate it.",
         ),
         (

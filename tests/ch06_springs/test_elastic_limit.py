@@ -106,8 +106,8 @@ def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "Your force stops growing at the limit. Beyond the limit, let the force grow with "
-                "share * stiffness."
+                "Your force stops growing at the limit. Beyond the limit, add share * stiffness * "
+                "(length - limit) to the force."
             ): limit - rest,
             (
                 "You multiply the whole extension by share. Apply share only to the part of "
@@ -115,8 +115,8 @@ def test_a_spring_beyond_its_limit_is_softer(rng: Random) -> None:
             ): share * (length - rest),
             "Your spring keeps its full stiffness beyond the limit. Use share * stiffness for the "
             "part of the length that is beyond the limit.": length - rest,
-            "You leave out the pull up to the limit. Add stiffness * (limit - rest_length) to the "
-            "pull of the part beyond it.": share * beyond,
+            "Your pull includes only the part of the length beyond the limit. Add the pull up to "
+            "the limit, which is stiffness * (limit - rest_length).": share * beyond,
             "You compare the limit with the extension. Compare it with the length of the "
             "spring instead.": (min(length, late) - rest + share * max(length - late, 0.0)),
         }

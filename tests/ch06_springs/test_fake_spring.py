@@ -54,8 +54,8 @@ def test_the_force_by_its_formula() -> None:
         "h (E-6). Divide by h * h instead.": wanted[0] / 3600.0,
         "You use the force of a real spring, -k x. Compute the force that takes p to T, the "
         "position that a real spring would reach in h seconds.": -400.0,
-        "Your force is twice as large as it should be. With an acceleration of a, the step moves p "
-        "by a h^2 and not by half of that, so divide by h^2.": 2.0 * wanted[0],
+        "Your force is twice as large as it should be. In one step, an acceleration a moves p by a "
+        "* h^2 and not by a * h^2 / 2, so divide by h^2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
@@ -112,7 +112,7 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         about.call = f"p of {m} kg at {place} with velocity {v}; s = "
         about.call += f"FakeStiffSpring(anchor=Vector3{anchor}, stiffness={k}, damping={c:.6g}); "
         about.call += f"s.update_force(p, {h:.6g}); one step of semi-implicit Euler; p.position "
-        about.call += "after it, in m"
+        about.call += "after the step, in m"
         about.cause = "The step must end at T, the position that a real spring would reach. "
         about.cause += "Compute T on each axis, from the position relative to the anchor, the "
         about.cause += "particle's mass and the spring's damping."
@@ -124,16 +124,16 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         slips = {
             "Your force does not depend on the mass, so it is really an acceleration. Multiply "
             "it by particle.mass.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
-            "You compute T, the position that a real spring would reach, for a mass of 1 kg. "
-            "Pass the particle's mass to damped_spring_state.": [
+            "You compute where a real spring would move a particle of 1 kg. Pass the mass of p to "
+            "damped_spring_state.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
             ],
-            "You compute T, the position that a real spring would reach, without damping. "
-            "Pass self.damping to damped_spring_state.": [
+            "You compute where a real spring without damping would move p. Pass self.damping to "
+            "damped_spring_state.": [
                 a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
             ],
-            "You compute T, the position that a real spring would reach, for an anchor at (0, 0, "
-            "0). Measure the position from self.anchor.": [
+            "You compute where a real spring with its anchor at (0, 0, 0) would move p. Use the "
+            "position of p relative to self.anchor.": [
                 true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
             ],
         }

@@ -67,13 +67,13 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
         (0.0, "On the ground, at a height of 0, the lift must be max_lift."),
         (
             -0.5 * scale,
-            "Below the ground the lift must stay max_lift. Use a height of at least 0 in the "
+            "Below the ground the lift must stay max_lift. Replace a negative height with 0 in the "
             "formula.",
         ),
         (
             -1e6,
-            "Below the ground the lift must be the same as on the ground. Use a height of at "
-            "least 0, because e^1000000 is too large for a float.",
+            "Below the ground the lift must be the same as on the ground. Replace a "
+            "negative height with 0, because the exponential is too large for a float here.",
         ),
     ):
         about.cause = cause

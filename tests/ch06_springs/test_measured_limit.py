@@ -59,32 +59,32 @@ def test_how_the_particle_is_released() -> None:
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
     about.cause = "Pass the integrator a list with exactly one particle. Don't add anything else, "
     about.cause += "such as the anchor."
-    expect_exactly(count, 1, then="; number of particles that the integrator gets")
+    expect_exactly(count, 1, then="; number of particles that are passed to the integrator")
     about.cause = "Give the particle a mass of 1 kg. The limit is measured for this mass, and a "
     about.cause += "heavier particle tolerates a stiffer spring."
-    expect_close(mass, 1.0, then="; mass of the particle that the integrator gets, in kg")
+    expect_close(mass, 1.0, then="; mass of the particle that is passed to the integrator, in kg")
     about.cause = "The particle must have the damping that is passed to swings_wider. Set it when "
     about.cause += "you create the particle."
     if damping == 1.0:
         about.cause = "The particle has no damping. Pass the damping to Particle and not to the "
         about.cause += "spring."
-    expect_close(damping, 0.25, then="; the damping of the particle that the integrator gets")
+    expect_close(damping, 0.25, then="; damping of the particle that is passed to the integrator")
     about.cause = "You called the integrator with the wrong duration. Pass it the duration that "
     about.cause += "swings_wider was called with."
-    expect_close(h, 0.125, then="; duration that the integrator gets, in s")
-    about.cause = "Your particle starts at the wrong distance. Release it START m, which is 10 m, "
-    about.cause += "from the anchor."
+    expect_close(h, 0.125, then="; duration that is passed to the integrator, in s")
+    about.cause = "Your particle starts at the wrong distance from the anchor. Release it at a "
+    about.cause += "distance of START, which is 10 m."
     expect_close(
         math.hypot(*place),
         10.0,
-        then="; the distance from particle to anchor in the first call of the integrator, in m",
+        then="; distance of the particle from the anchor when the integrator is first called, in m",
     )
     about.cause = "There must be no gravity here. Leave the particle's own acceleration at 0, so "
     about.cause += "that only the spring acts."
     expect_close(
         drift,
         (0.0, 0.0, 0.0),
-        then="; acceleration of the particle that the integrator gets, in m/s^2",
+        then="; acceleration of the particle that is passed to the integrator, in m/s^2",
     )
     about.cause = "Release the particle at rest, with a velocity of 0."
     expect_close(
@@ -127,27 +127,28 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.98,
             False,
-            "You return True although the oscillation dies out, because the stiffness is 2 % below "
-            "the limit. Compare the largest distance in late swings with that in early ones.",
+            "The stiffness is 2% below the limit, so the oscillation dies out. Compare the "
+            "amplitude in the last quarter of the steps with the amplitude in an earlier quarter.",
         ),
         (
             1.02,
             True,
-            "You miss an oscillation that grows slowly, because the stiffness is only 2% above "
-            "the limit. Compare the largest distance in late swings with that in early ones.",
+            "The stiffness is 2% above the limit, so the oscillation grows slowly. Compare the "
+            "amplitude in the last quarter of the steps with the amplitude in an earlier quarter.",
         ),
         (
             4.0,
             True,
             "The stiffness is far above the limit, so the oscillation grows without bound. "
-            "Return True as soon as it is huge, before a number becomes too large for a "
-            "float.",
+            "Return True early, for example when the distance from the anchor exceeds a million "
+            "times START.",
         ),
         (
             1e6,
             True,
-            "You continue until the position is too large for a float. Return True as soon as "
-            "the distance is huge.",
+            "The oscillation grows so fast that the position soon becomes too large for a float. "
+            "Return True early, for example when the distance from the anchor exceeds a million "
+            "times START.",
         ),
     ):
         about.cause = cause
@@ -162,8 +163,8 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
 def test_swings_of_constant_size_are_not_wider() -> None:
     about.read = WIDER
     about.cause = "Without damping, semi-implicit Euler keeps the amplitude, so the result must be "
-    about.cause += "False. Compare the largest distance in many late swings with that in many "
-    about.cause += "early ones, because a step can miss the peak of a swing."
+    about.cause += "False. Compare the largest distances in many late and many early swings, "
+    about.cause += "because a step can miss the peak of a swing."
     for share in (0.1, 0.9, 0.98):
         k = share * 14_400.0
         about.call = "the integrator is stable up to 14400 N/m; swings_wider(integrator, "

@@ -37,8 +37,8 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
         ),
         (
             1.1,
-            "You add a force although q is farther away than self.distance. Add one only if q is "
-            "closer than that.",
+            "q is farther away than self.distance, so it must not push p. Add a force only for "
+            "particles that are closer.",
         ),
     ):
         there = tuple(h + share * distance * part for h, part in zip(here, d, strict=True))
@@ -60,8 +60,8 @@ def test_a_particle_that_is_too_near_pushes(rng: Random) -> None:
             "Your force pulls p toward q. Reverse its direction, so that it pushes p away.": -push,
             "There is no push, perhaps because your loop ends when it reaches p itself in the "
             "list. Skip p, and continue with the next particle.": 0.0,
-            "The size of your push is the stiffness, at every distance. Multiply the stiffness by "
-            "(distance - l), where l is the distance between p and q.": k,
+            "The size of your push equals the stiffness, however far q is from p. Multiply the "
+            "stiffness by (self.distance - l), where l is the distance of q from p.": k,
             "You multiply the push by the whole offset. Normalize the offset first, so that it is "
             "only a direction.": push * near,
             "You use the squared distance between the particles. Use the distance itself, "

@@ -44,8 +44,8 @@ def spring_slips(
         "compressed spring pulls. Remove abs, so that it pushes.": along(-abs(pull) - c * rate),
         "Your damping has the wrong sign, so it acts in the direction of the motion. It must "
         "oppose the motion.": along(c * rate - pull),
-        "The sign of your force is wrong, so a stretched spring pushes. A stretched "
-        "spring must pull against the offset.": along(pull + c * rate),
+        "Your force has the wrong sign, so a stretched spring pushes. It must pull, in the "
+        "direction opposite to the offset.": along(pull + c * rate),
         "Your force is the stiffness times the whole length. Only the extension counts, so "
         "subtract the rest length from the length.": along(-k * length - c * rate),
         "You multiply the force by the whole offset instead of its direction. Normalize the "
@@ -73,8 +73,8 @@ def spring_slips(
 def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> None:
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
-    pulls = "The spring is longer than its rest length, so it must pull this end back, against "
-    pulls += "the offset. Check the sign and the size of the extension."
+    pulls = "The spring is longer than its rest length, so it must pull this end back, opposite "
+    pulls += "to the offset. Check the sign and the size of the extension."
     pushes = "The spring is shorter than its rest length, so it must push this end away, along "
     pushes += "the offset. Its extension is negative, so don't take the absolute value."
     for share, cause in ((1.5, pulls), (0.5, pushes), (1e-3, pushes)):
@@ -278,7 +278,7 @@ def test_a_spring_acts_on_the_particle_passed_to_it(rng: Random) -> None:
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
     slips[
-        "You remove the force that was added to p before. Use add_force, which keeps that force."
+        "Your spring discards the force that p already had. Use add_force, which keeps that force."
     ] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.

@@ -48,8 +48,8 @@ def expect_told(error: Sequence[float] | None, wanted: Sequence[float], then: st
 def test_a_watched_step_is_the_original_step(rng: Random) -> None:
     about.read = READ
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
-    about.call = f"{CALL.format(limit)}, {frames} times; no particle is faster than "
-    about.call += f"{0.999 * limit:.6g} m/s"
+    about.call = f"no particle is faster than {0.999 * limit:.6g} m/s; {CALL.format(limit)}, "
+    about.call += f"{frames} times"
     about.cause = "Your step probably calls the original integrator more than once. Call it "
     about.cause += "exactly once, with particles, apply_forces and duration unchanged."
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames

@@ -104,8 +104,8 @@ PERHAPS = (
     ),
     (
         "maximum recursion",
-        "A function calls itself too often, perhaps forever. Check whether an operator or method "
-        "uses itself, or a setter assigns to its own name.",
+        "A function calls itself too many times. Perhaps an operator or method uses itself, or a "
+        "setter assigns to its own name.",
     ),
     (
         "positional argument",

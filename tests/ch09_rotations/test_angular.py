@@ -39,6 +39,8 @@ from turning import (
 POINT = "book 9.3.1, Eq. 9.6"
 STEP = "the docstring of integrate_rotation"
 DRIFT = "the docstring of first_order_drift, and E-31"
+LENGTH = "; the length of the quaternion after all steps"
+LAG = "; the angle in radians by which the rotation lags behind"
 
 
 @pytest.mark.exercise("B9.18")
@@ -101,9 +103,10 @@ def test_rejects_invalid_vectors() -> None:
     good = (1.0, 2.0, 3.0)
     for place in range(4):
         name = ("point", "position", "velocity", "angular velocity")[place]
-        about.cause = f"The {name} must be a finite Vector3, so raise an error. Check it with "
-        about.cause += "finite_vector from arguments.py."
         for bad in ((1.0, math.nan, 3.0), (1.0, 2.0, math.inf), None):
+            problem = "is a tuple" if bad is None else "contains NaN or infinity"
+            about.cause = f"The {name} {problem}. Check it with finite_vector from arguments.py, "
+            about.cause += "which raises the error for you."
             vectors = [Vector3(*good) for _ in range(4)]
             if bad is not None:
                 vectors[place] = Vector3(*bad)
@@ -132,8 +135,8 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
         "You rotate by the mean of the old and the new w. Rotate by the new w.": hamilton(
             quad(mean, h * math.hypot(*mean)), q
         ),
-        "You take a normalized step of Eq. 9.5, which is only accurate to first order. Rotate "
-        "exactly, with rotate_by.": tuple(c / math.hypot(*longer) for c in longer),
+        "You use Eq. 9.5 and then normalize, which is accurate only to first order. Call rotate_by "
+        "instead, which rotates exactly.": tuple(c / math.hypot(*longer) for c in longer),
         "You take a step of Eq. 9.5 (E-31). Rotate exactly instead, with rotate_by.": longer,
         "You rotate by the new w alone. Multiply it by h.": hamilton(quad(new, size), q),
         "You rotate about an axis of the object. Rotate about w in world axes.": hamilton(
@@ -199,16 +202,14 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.18")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
-    about(
-        cause="You don't normalize q. Normalize it at the end of each step, so that rounding "
-        "errors of its length don't add up.",
-        read=STEP,
-    )
+    about.read = STEP
+    about.cause = "You don't normalize q, so the error in its length remains. Normalize q at the "
+    about.cause += "end of each step."
     for off in (1.001, 1.0 + 5e-7):
         q = tuple(off * component for component in draw_quad(rng))
         orientation = Quaternion(*q)
-        about.call = f"q = Quaternion{short(q)}; integrate_rotation(q, Vector3(1, 2, 3), "
-        about.call += "Vector3(), 0.1); the length of q"
+        about.call = f"q = Quaternion{short(q)}, whose length is {off}; integrate_rotation(q, "
+        about.call += "Vector3(1, 2, 3), Vector3(), 0.1); the length of q"
         integrate_rotation(orientation, Vector3(1.0, 2.0, 3.0), Vector3(), 0.1)
         got = math.hypot(*rijk(orientation))
         expect_close(got, 1.0, tolerance=TIGHT)
@@ -237,9 +238,8 @@ def test_a_step_from_rest(rng: Random) -> None:
 @pytest.mark.robust
 def test_an_invalid_step_changes_nothing(rng: Random) -> None:
     about.read = STEP
-    q, w, a = draw_quad(rng), components(rng), components(rng)
-    changed = "You start the step before you have checked all arguments. Check them first."
-    nan = math.nan
+    q, w, a, nan = draw_quad(rng), components(rng), components(rng), math.nan
+    changed = "An invalid call must not change anything. Check all arguments before you change any."
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),
         (w, a, -0.1, ValueError),
@@ -312,11 +312,12 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
     """Return the lengths that likely mistakes give."""
     turn = abs(speed) * duration / count
     growth = 1.0 + 0.25 * turn * turn
+    added, start = 1.0 + count * (math.sqrt(growth) - 1.0), 1.0 + 0.125 * count * turn * turn
     return {
         "the squared length, without the square root": growth**count,
         "the length after a single step": math.sqrt(growth),
-        "You add up the growth of the steps.": 1.0 + count * (math.sqrt(growth) - 1.0),
-        "You return only the first term of a series.": 1.0 + 0.125 * count * turn * turn,
+        "You add the same amount to the length in every step, instead of multiplying it.": added,
+        f"You return 1 + {count} (w h)^2 / 8, which is only an approximation.": start,
         "You use w h instead of w h / 2.": (1.0 + turn * turn) ** (0.5 * count),
     }
 
@@ -324,11 +325,11 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
 def lag_slips(right: float, turn: float) -> dict[str, float]:
     """Return the missing angles that likely mistakes give, out of a whole turn."""
     return {
-        "You return half of the missing angle, because a quaternion contains half-angles. Double "
-        "it.": 0.5 * right,
-        "You return the angle of all steps. Subtract it from the intended angle.": turn - right,
+        "You return half of the angle, because a quaternion contains half the angle of rotation. "
+        "Double your result.": 0.5 * right,
+        "You return the actual angle. Subtract it from the intended angle.": turn - right,
         "Your angle has the wrong sign."
-        + " It must be negative if the speed is negative." * (turn < 0.0): -right,
+        + " If the speed is negative, the angle is negative too." * (turn < 0.0): -right,
         "You return the angle in degrees. Return it in radians.": math.degrees(right),
     }
 
@@ -341,12 +342,12 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals of the known figure of E-31.
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
-    expect_close(length, 1.0856, then="; the length after all steps", cause=why, tolerance=5e-5)
+    expect_close(length, 1.0856, then=LENGTH, cause=why, tolerance=5e-5)
     about.cause = "A step should rotate by w h, but it rotates by only 2 atan(w h / 2). Return the "
     about.cause += "sum of these differences over all steps."
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
     why = named(lag, about.cause, lag_slips(wanted, math.tau))
-    expect_close(lag, wanted, then="; the missing angle in radians", cause=why, tolerance=TIGHT)
+    expect_close(lag, wanted, then=LAG, cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.19")
@@ -363,12 +364,11 @@ def test_the_drift_of_a_few_rotations(rng: Random) -> None:
         # Rounding of 500 steps.
         near = 1e-10 * wanted
         why = named(length, about.cause, length_slips(speed, duration, steps_))
-        expect_close(length, wanted, then="; the length after all steps", cause=why, tolerance=near)
+        expect_close(length, wanted, then=LENGTH, cause=why, tolerance=near)
         about.cause = "Return the intended angle, which is the speed times the duration, minus the "
         about.cause += "angle of all steps together."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))
-        about.call += "; the missing angle in radians"
-        expect_close(lag, missing, cause=why, tolerance=1e-10)
+        expect_close(lag, missing, then=LAG, cause=why, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B9.19")
@@ -384,7 +384,7 @@ def test_no_drift_at_a_speed_of_zero() -> None:
 def test_rejects_an_invalid_speed_duration_or_step_count() -> None:
     about.read = DRIFT
     expect_finite_numbers(
-        "first_order_drift(speed, duration, 3) with (speed, duration) = ",
+        "first_order_drift(angular_speed={}, duration={}, steps=3)",
         lambda speed, duration: first_order_drift(speed, duration, 3),
         (1, 1),
         ((1, 0.0), (1, -1.0)),

@@ -109,8 +109,8 @@ def test_the_rate_map(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y:.6g}, {z}), row by row"
         about.cause = (
-            "The columns should be the three rotation axes: X after the rotations by y and z, Y "
-            "after the rotation by z, and Z itself."
+            "Column 1 should be the X axis after the rotations by y and z. Column 2 should be the "
+            "Y axis after the rotation by z, and column 3 the Z axis."
         )
         got = entries(rate_map(x, y, z))
         slips = {
@@ -139,7 +139,7 @@ def test_the_rates_produce_the_angular_velocity(rng: Random) -> None:
     drawn = draw_angles(rng)  # first for a plain message, last for the code after the loop
     for angles in (drawn, (0.4, 2.5, 0.7), (0.4, -2.5, 0.7), (0.4, 4.0, 0.7), drawn):
         x, y, z = angles
-        about.call = f"euler_rates({x}, {y}, {z}, Vector3{short(w)})"
+        about.call = f"rates = euler_rates({x}, {y}, {z}, Vector3{short(w)})"
         about.cause = (
             "These angles are not gimbal lock, so the rates exist. Raise an error only if |cos y| "
             "is at most SINGULAR."
@@ -148,29 +148,27 @@ def test_the_rates_produce_the_angular_velocity(rng: Random) -> None:
             about.cause = f"You reject a negative cos y, which is {math.cos(y):.3g} here. Compare "
             about.cause += "its absolute value with SINGULAR."
         rates = xyz(euler_rates(*angles, velocity))
-        about.cause = "Multiply the angular velocity by the inverse of the rate map."
+        about.cause = "Multiply the angular velocity by the inverse of rate_map(x, y, z)."
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "You multiply the angular velocity by the rate map. Multiply it by the inverse of the "
-            "map instead.": applied(there, w),
-            "You multiply by the transpose of the rate map instead of its inverse. The two differ, "
-            "because the map is not a rotation.": applied(transposed(there), w),
+            "You multiply the angular velocity by rate_map(x, y, z). Multiply by the inverse of "
+            "this matrix instead.": applied(there, w),
+            "You multiply by the transpose of rate_map(x, y, z) instead of its inverse. The two "
+            "differ, because this matrix is not a rotation.": applied(transposed(there), w),
         }
         about.cause = named(rates, about.cause, slips)
         got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
-        expect_close(
-            got, w, then="; the angular velocity that these rates produce", tolerance=1e-11
-        )
+        expect_close(got, w, then="; the angular velocity that results from rates", tolerance=1e-11)
     expect_kept("angular_velocity", xyz(velocity), w)
     step = 1e-6
     x, y, z = (angle + step * rate for angle, rate in zip(angles, rates, strict=True))
     q = in_order(*angles)
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
-    about.call += f"; the angles change by these rates for {step} s; the rotation per second"
+    about.call += f"; the angles change at these rates for {step} s; the rotation per second"
     about.cause = (
         "Your rates don't produce this angular velocity. Multiply the angular velocity by the "
-        "inverse of the rate map."
+        "inverse of rate_map(x, y, z)."
     )
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
@@ -246,7 +244,7 @@ def test_rejects_invalid_angles_and_velocities() -> None:
     expect_finite_numbers("euler_to_quaternion", euler_to_quaternion, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers("rate_map", rate_map, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers(
-        "euler_rates(x, y, z, w) with (x, y, z) = ",
+        "euler_rates({}, {}, {}, Vector3(1, 2, 3))",
         lambda x, y, z: euler_rates(x, y, z, Vector3(1.0, 2.0, 3.0)),
         (1, 1, 1),
         (),

@@ -355,14 +355,14 @@ def test_an_error_is_at_most_half_a_turn() -> None:
 def test_rejects_invalid_rates_durations_and_steps() -> None:
     bad = ((1, 0.0), (1, -1.0))
     expect_finite_numbers(
-        "turned_by_sense(q, rate, duration) with (rate, duration) = ",
+        "turned_by_sense(Quaternion(), rate={}, duration={})",
         lambda rate, duration: turned_by_sense(Quaternion(), rate, duration),
         (1, 2),
         bad,
         read=SENSE,
     )
     expect_finite_numbers(
-        "turned_by_steps(q, rate, duration) with (rate, duration) = ",
+        "turned_by_steps(Quaternion(), rate={}, duration={})",
         lambda rate, duration: turned_by_steps(Quaternion(), rate, duration),
         (1, 2),
         bad,

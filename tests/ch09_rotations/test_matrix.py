@@ -57,8 +57,8 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     why = named(got, about.cause, slips)
     # Three products of numbers up to 90.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
-    changed = "Your transform changes v. Return a new vector, and only read the components of v."
-    expect_unchanged("v", xyz(v), a, cause=changed)
+    changed = "Your code changes the vector, which it should only read. Return a new vector."
+    expect_unchanged("the vector", xyz(v), a, cause=changed)
     about.call = f"m = {written(m)}; m @ Vector3{short(a)}, which calls m.transform"
     got = xyz(Matrix3(*m) @ v)
     expect_close(got, wanted, tolerance=1e-11)
@@ -162,15 +162,15 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         "+ c (d h - e g)": c * (d * h - e * g),
     }
     signs = {
-        f"The term {name[2:]} has the wrong sign in your determinant. With the rows a b c, d e f "
-        f"and g h i, it must be {'added' if name[0] == '+' else 'subtracted'}.": right
-        - 2.0 * product
+        "With the rows (a, b, c), (d, e, f) and (g, h, i), your determinant "
+        + (f"subtracts {name[2:]}. Add " if name[0] == "+" else f"adds {name[2:]}. Subtract ")
+        + "this term instead.": right - 2.0 * product
         for name, product in products.items()
     }
     return signs | {
         "Your determinant has the wrong sign."
-        + " It must be negative here, so keep the sign of each term and of the sum."
-        * (right < 0.0): -right,
+        + " It must be negative here, so don't take its absolute value, and check which terms you "
+        "subtract." * (right < 0.0): -right,
         "You return only the product of the three numbers on the diagonal. The other five products "
         "of the determinant are missing.": a * e * i,
         "You add all six products. Three of them must be subtracted.": a * e * i
@@ -198,8 +198,8 @@ def test_the_determinant(rng: Random) -> None:
         why = named(got, about.cause, determinant_slips(n))
         expect_close(got, determinant(n), cause=why, tolerance=1e-10)
     about.cause = (
-        "Zeros on the diagonal don't make the determinant 0. Add all six products, including those "
-        "of numbers outside the diagonal."
+        "Zeros on the diagonal don't make the determinant 0. Compute all six products, because "
+        "some of them contain no number on the diagonal."
     )
     for n in ring_and_swap():
         about.call = f"n = {written(n)}; n.determinant()"
@@ -262,15 +262,15 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
                 slips[
-                    "You return the transpose of the inverse. Write the three vector products into "
-                    "its columns, not into its rows."
+                    "You return the transpose of the inverse. Swap the rows and columns of your "
+                    "result."
                 ] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
         expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)
     about.cause = (
-        "The diagonal of this matrix contains zeros, but the matrix still has an inverse. Don't "
-        "divide by the numbers on the diagonal."
+        "The diagonal of this matrix contains zeros, but the matrix has an inverse. If you use "
+        "elimination, swap rows so that you never divide by 0."
     )
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
         if n[0]:
@@ -324,8 +324,8 @@ def test_how_near_to_singular_is_too_near() -> None:
     for small, regular in ((1.1e-13, True), (1e-13, False), (0.9e-13, False)):
         m = (2.0, 0.0, 0.0, 4.0, 4.0 * small, 0.0, 0.0, 0.0, 8.0)
         about.cause = (
-            f"The absolute value of the determinant is {small} times the product of the row "
-            "lengths. That is more than SINGULAR (1e-13), so this matrix has an inverse."
+            f"The determinant is {small} times the product of the row lengths, so this matrix has "
+            "an inverse. Raise ValueError only if this ratio is at most SINGULAR (1e-13)."
         )
         if not regular:
             about.cause = (

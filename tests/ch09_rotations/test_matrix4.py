@@ -52,8 +52,8 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
         "You leave out the translation. Add the fourth number of each row.": applied(m, a),
-        "You add the translation before you multiply by the other nine numbers. Add it "
-        "last.": applied(m, added(a, p)),
+        "You add the translation before you multiply by the 3x3 part. Multiply first, and then add "
+        "the translation.": applied(m, added(a, p)),
         "You multiply the vector by the columns of the matrix instead of its rows.": moved(
             transposed(m), p, a
         ),
@@ -76,12 +76,11 @@ def test_one_transformation_after_another(rng: Random) -> None:
     first, second = joined(m, p), joined(n, q)
     one, other = Matrix4(*first), Matrix4(*second)
     about.call = f"a = {written(first)}; b = {written(second)}; a.product(b), row by row"
-    about.cause = "The last column should be the translation of b, transformed by a."
+    about.cause = "The last column should be a.transform(p), where p is the translation of b."
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
     slips = {
-        "Your last column is the sum of the translations. Transform that of b by a instead of "
-        "adding it.": joined(times(m, n), added(p, q)),
+        "Your last column is the sum of the two translations.": joined(times(m, n), added(p, q)),
         "Your last column lacks the translation of a.": joined(times(m, n), applied(m, q)),
         "Your last column is only the translation of a.": joined(times(m, n), p),
         "Your last column is only the translation of b.": joined(times(m, n), q),
@@ -94,7 +93,7 @@ def test_one_transformation_after_another(rng: Random) -> None:
     why = named(got, about.cause, slips)
     if why == about.cause:
         about.cause = "The first three columns are the product of the two 3x3 parts. The last "
-        about.cause += "column is the translation of b, transformed by a."
+        about.cause += "column is a.transform(p), where p is the translation of b."
         why = named(got, about.cause, {}, wanted)
     expect_close(got, wanted, cause=why, tolerance=LOOSE)
     expect_kept("a", entries(one), first)
@@ -192,8 +191,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         about.cause = how
         got = entries(matrix.inverse())
         about.cause = (
-            "The translation should be -I p, where p is the last column of m, and I is the inverse "
-            "of the other nine numbers."
+            "The translation of the inverse should be -A p, where p is the translation of m, and A "
+            "is the inverse of its 3x3 part."
         )
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
@@ -203,12 +202,14 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 applied(transposed(m), subtracted(there, p)),
             )
             slips = {
-                "Your inverse has the translation -p.": subtracted(plain, p),
-                "Your inverse has the translation p.": added(plain, p),
-                "Your inverse has the translation I p.": added(plain, applied(linear, p)),
+                "You use -p as the translation.": subtracted(plain, p),
+                "You use p as the translation.": added(plain, p),
+                "You leave out the minus sign of the translation.": added(
+                    plain, applied(linear, p)
+                ),
                 "Your inverse has no translation.": plain,
-                "You transpose the nine other numbers, which inverts only a rotation. Use "
-                "Matrix3.inverse instead.": turned_back,
+                "You transpose the 3x3 part, but the transpose is the inverse only for a rotation. "
+                "Use Matrix3.inverse instead.": turned_back,
                 "You don't divide by the determinant. Use Matrix3.inverse, which does.": [
                     determinant(m) * component for component in a
                 ],
@@ -230,10 +231,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
 def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     about.read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
-    about.cause = (
-        "The nine numbers to the left of the last column form a singular matrix, so there is no "
-        "inverse. Call Matrix3.inverse for them, which raises ValueError."
-    )
+    singular = "The 3x3 part of this matrix is singular, so the matrix has no inverse. "
+    infinite = "The 3x3 part contains infinity or NaN, so the matrix has no inverse. "
     planes = []
     for _ in range(6):  # rows in one plane, apart from rounding errors, which may be zero
         a, b = components(rng), components(rng)
@@ -242,6 +241,8 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     bad = [(*plane[:4], n, *IDENTITY[5:]) for n in (math.nan, math.inf)]
     for linear in (flat, (0.0,) * 9, *planes, *bad):
         twelve = joined(linear, components(rng))
+        about.cause = infinite if linear in bad else singular
+        about.cause += "Raise ValueError, as Matrix3.inverse does for the 3x3 part."
         expect_error(
             lambda twelve=twelve: Matrix4(*twelve).inverse(),
             ValueError,

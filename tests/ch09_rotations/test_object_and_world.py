@@ -132,7 +132,7 @@ def test_rejects_an_invalid_orientation_or_position() -> None:
         )
 
 
-def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
+def world_slips(method: str, m: Nine, p: Components, a: Components) -> dict[str, Components]:
     """Return the results of wrong orders and directions between the object and the world.
 
     ``m`` is nearly a rotation: the dot product of each row with itself is 1 + 8e-6.
@@ -140,21 +140,35 @@ def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
     size = m[0] ** 2 + m[1] ** 2 + m[2] ** 2
     back = transposed(m)
     inverse = tuple(number / size for number in back)
-    return {
+    rotated, shifted = "You rotate the vector forward.", "You subtract the translation and then "
+    shifted += "rotate forward."
+    reversed_ = "You rotate the vector back."
+    to_go_back = " To rotate back, multiply by the transpose of the 3x3 part."
+    if method == "transform_inverse":
+        shifted += to_go_back
+    elif method == "transform_inverse_direction":
+        rotated += to_go_back
+    else:
+        reversed_ += " To rotate forward, multiply by the 3x3 part itself, not by its transpose."
+    slips = {
         "You rotate the vector and then add the translation.": moved(m, p, a),
-        "You rotate the vector forward.": applied(m, a),
-        "You subtract the translation and then rotate forward.": applied(m, subtracted(a, p)),
+        rotated: applied(m, a),
+        shifted: applied(m, subtracted(a, p)),
         "You rotate forward and then subtract the translation.": subtracted(applied(m, a), p),
-        "You rotate the vector back.": applied(back, a),
+        reversed_: applied(back, a),
         "You subtract the translation and then rotate back.": applied(back, subtracted(a, p)),
         "You rotate back and then subtract the translation.": subtracted(applied(back, a), p),
         "You rotate back and then add the translation.": moved(back, p, a),
         "You add the translation and then rotate back.": applied(back, added(a, p)),
-        "You use a general inverse, which is slower and differs slightly from the transpose here. "
-        "Subtract the translation, and then use the transpose.": applied(inverse, subtracted(a, p)),
-        "You use a general inverse, which is slower and differs slightly from the transpose here. "
-        "Use the transpose instead.": applied(inverse, a),
     }
+    general = "You use a general inverse, which is slower and differs slightly from the transpose "
+    general += "here. "
+    if method == "transform_inverse":
+        general += "Subtract the translation, and then use the transpose."
+        slips[general] = applied(inverse, subtracted(a, p))
+    elif method == "transform_inverse_direction":
+        slips[f"{general}Use the transpose instead."] = applied(inverse, a)
+    return slips
 
 
 @pytest.mark.exercise("B9.15")
@@ -172,17 +186,19 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
         ),
         "transform_direction": (
             applied(m, a),
-            "This method should only rotate it forward.",
+            "The translation doesn't affect a direction, so just multiply the vector by the 3x3 "
+            "part.",
         ),
         "transform_inverse_direction": (
             applied(transposed(m), a),
-            "This method should only rotate it back.",
+            "The translation doesn't affect a direction, so just multiply the vector by the "
+            "transpose of the 3x3 part.",
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)
     about.call = f"m = {written(twelve)}; m.{method}(Vector3{short(a)})"
     got = xyz(getattr(matrix, method)(v))
-    why = named(got, about.cause, world_slips(m, p, a))
+    why = named(got, about.cause, world_slips(method, m, p, a))
     # Rounding of numbers up to 30.
     expect_close(got, wanted, cause=why, tolerance=LOOSE)
     expect_kept("the vector", xyz(v), a)
@@ -212,19 +228,19 @@ def test_a_rotation_in_other_axes() -> None:
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
     about.call = f"m = {written(about_z)}; basis = {written(z_to_x)}; change_basis(m, basis), row "
     about.call += "by row"
-    about.cause = "Return the product basis m basis^-1."
+    about.cause = "Return basis @ m @ basis.inverse()."
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
     wanted = tuple(round(n, 15) for n in matrix_of(quad((1.0, 0.0, 0.0), 0.5 * math.pi)))
     back = transposed(z_to_x)
     slips = {
-        "You swap basis and its inverse, so your result is basis^-1 m basis.": times(
+        "You swap basis and its inverse, so you return basis.inverse() @ m @ basis.": times(
             times(back, about_z), z_to_x
         ),
-        "You compute basis m, without the inverse.": times(z_to_x, about_z),
-        "You compute m basis, without the inverse.": times(about_z, z_to_x),
-        "You compute m basis^-1, without the basis on the left.": times(about_z, back),
-        "You compute basis^-1 m, without the basis on the right.": times(back, about_z),
-        "You compute basis m basis, without the inverse.": times(times(z_to_x, about_z), z_to_x),
+        "You return basis @ m, without the inverse on the right.": times(z_to_x, about_z),
+        "You return only m @ basis.": times(about_z, z_to_x),
+        "You return m @ basis.inverse(), without the basis on the left.": times(about_z, back),
+        "You return only basis.inverse() @ m.": times(back, about_z),
+        "You return basis @ m @ basis, without the inverse.": times(times(z_to_x, about_z), z_to_x),
         "m itself": about_z,
     }
     why = named(got, about.cause, slips)
@@ -238,7 +254,7 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     one, other = Matrix3(*m), Matrix3(*basis)
     about.call = f"m = {written(m)}; basis = {written(basis)}; change_basis(m, basis) @ basis, row "
     about.call += "by row"
-    about.cause = "Return the product basis m basis^-1, with the inverse of the basis."
+    about.cause = "Return basis @ m @ basis.inverse()."
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
     by_transpose = times(times(times(basis, m), transposed(basis)), basis)
@@ -261,8 +277,8 @@ def test_a_motion_with_a_translation(rng: Random) -> None:
     about.call = f"m = {written(first)}; basis = {written(second)}; change_basis(m, basis) @ "
     about.call += f"(basis @ Vector3{short(a)})"
     about.cause = (
-        "Return the product basis m basis^-1 of complete Matrix4s, not only of their rotations. "
-        "Both have a translation here."
+        "Return basis @ m @ basis.inverse() for the complete Matrix4s, including their "
+        "translations."
     )
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)

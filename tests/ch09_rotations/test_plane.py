@@ -39,10 +39,10 @@ def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
                     "pi.": angle % math.tau,
                     "You return the angle unchanged. Subtract its full turns of 2 pi, or add "
                     "them.": angle + turns * math.tau,
-                    "You subtract only one full turn. The angle can contain many, so subtract all "
-                    "of them.": angle + (turns - 1) * math.tau,
-                    "You add only one full turn. The angle can be many turns below the range, so "
-                    "add all of them.": angle + (turns + 1) * math.tau,
+                    "You subtract only one full turn of 2 pi. Subtract as many as you need, until "
+                    "the angle is at most pi.": angle + (turns - 1) * math.tau,
+                    "You add only one full turn of 2 pi. Add as many as you need, until the angle "
+                    "is above -pi.": angle + (turns + 1) * math.tau,
                     "You return the angle in degrees. Return it in radians.": math.degrees(angle),
                 }
                 why = named(got, about.cause, slips)
@@ -77,11 +77,10 @@ def test_half_a_turn_is_wrapped_to_pi_and_not_to_minus_pi() -> None:
         about.call = f"wrap_angle({'-' if angle < 0.0 else ''}math.pi)"
         got = wrap_angle(angle)
         expect_close(got, math.pi, tolerance=0.0)
-    about.cause = (
-        "You change an angle that is near the end of the range, although it is already in range. "
-        "Of the two ends, only -pi must become pi."
-    )
     for angle in (1e-6 - math.pi, math.pi - 1e-6):
+        end = "pi" if angle > 0.0 else "-pi"
+        about.cause = f"This angle is close to {end}, but it is already in range, so return it "
+        about.cause += "unchanged. Replace only -pi itself with pi."
         about.call = f"wrap_angle({'math.pi - 1e-6' if angle > 0.0 else '-math.pi + 1e-6'})"
         got = wrap_angle(angle)
         expect_close(got, angle, tolerance=TIGHT)

@@ -163,8 +163,8 @@ def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
     length = math.hypot(*q)
     wanted = tuple(component / length for component in q)
     about.cause = (
-        "You square the components, but their squares don't fit into a float. Use math.hypot, "
-        "which avoids this."
+        "You square the components, but their squares don't fit into a float. Call math.hypot "
+        "instead, which works for numbers of any size."
     )
     for scale in (1e200, 1e-200):
         scaled = tuple(component * scale for component in q)

@@ -57,8 +57,8 @@ def test_accepts_rotations(rng: Random) -> None:
     about.cause = "You reject the identity, but it is a rotation by 0. So return True."
     expect_rotation(IDENTITY, True)
     about.cause = (
-        "You reject a rotation, probably because of rounding errors. Test whether the products of "
-        "the rows are close to 1 and 0, not whether they are exactly equal."
+        "You reject a rotation, probably because of rounding errors. Don't compare the scalar "
+        "products of the rows with ==. Accept errors of up to ROTATION_TOLERANCE."
     )
     for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))):
         expect_rotation(m, True)
@@ -113,18 +113,17 @@ def test_rejects_matrices_that_are_not_rotations(rng: Random) -> None:
 @pytest.mark.exercise("B9.6")
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
-    accept = "That is within ROTATION_TOLERANCE (1e-5) of {}, so return True."
-    reject = "It may differ from {} by at most ROTATION_TOLERANCE (1e-5), so return False."
+    limit = "It may differ from {} by at most ROTATION_TOLERANCE (1e-5)."
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
-        about.cause = f"The scalar product of each row with itself is {1.0 + 2.0 * scale:.6f} here."
-        about.cause += f" {(accept if wanted else reject).format(1)}"
+        about.cause = f"Return {wanted} here, because the scalar product of each row with itself "
+        about.cause += f"is {1.0 + 2.0 * scale:.6f}. {limit.format(1)}"
         if wanted:
             about.cause += " The determinant only has to be positive."
         expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted)
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
         n = (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0)
-        about.cause = f"The scalar product of the first two rows is {angle:.2g} here."
-        about.cause += f" {(accept if wanted else reject).format(0)}"
+        about.cause = f"Return {wanted} here, because the scalar product of the first two rows is "
+        about.cause += f"{angle:.2g}. {limit.format(0)}"
         expect_rotation(n, wanted)
 
 
@@ -133,8 +132,8 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
 def test_a_huge_matrix_is_not_a_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     about.cause = (
-        "The squares of these numbers are too large for a float, so ** raises OverflowError. "
-        "Multiply with * instead, which gives inf."
+        "The squares of these numbers are too large for a float, so ** raises OverflowError. Write "
+        "a * a instead of a**2, so that the square is inf and you return False."
     )
     expect_rotation(tuple(1e200 * number for number in m), False)
 
@@ -143,9 +142,10 @@ def test_a_huge_matrix_is_not_a_rotation(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_a_matrix_that_is_not_finite_is_not_a_rotation(bad: float) -> None:
-    about.cause = (
-        "You test whether a product is too far off, which is False for NaN. Test whether all "
-        "products are close enough instead."
+    about.cause = "" if math.isnan(bad) else "Here inf * 0 is NaN. "
+    about.cause += (
+        "Every comparison with NaN is False, so a check for errors above ROTATION_TOLERANCE misses "
+        "NaN. Instead, check that every error is at most ROTATION_TOLERANCE."
     )
     for place in range(9):
         m = [*IDENTITY]
@@ -161,8 +161,7 @@ def from_slips(q: Quad) -> dict[str, Nine]:
     return {
         "You return the transpose, as the book prints it (E-11). Swap the rows and "
         "columns.": transposed(m),
-        "You leave out the factor 2 in the numbers outside the diagonal. Double all six of "
-        "them.": halves,
+        "You leave out the factor 2 in the off-diagonal entries. Double all six of them.": halves,
         "You leave out the factor 2 in the numbers on the diagonal. Subtract twice the sum of two "
         "squares from 1.": diagonal,
         "You leave out the factor 2 in all nine numbers.": [
@@ -216,14 +215,18 @@ def test_from_quaternion_rejects_all_but_unit_quaternions(rng: Random) -> None:
         "and raise ValueError if it returns False."
     )
 
+    def scaled(length: float) -> Quad:
+        return tuple(component * length for component in q)
+
     def of_length(length: float) -> object:
-        return Matrix3.from_quaternion(Quaternion(*(component * length for component in q)))
+        return Matrix3.from_quaternion(Quaternion(*scaled(length)))
 
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
         expect_error(
             lambda length=length: of_length(length),
             ValueError,
-            call=f"q = a quaternion of length {length}; Matrix3.from_quaternion(q)",
+            call=f"q = Quaternion{short(scaled(length))}, whose length is {length}; "
+            "Matrix3.from_quaternion(q)",
             allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
         )
     about.cause = "The argument is a tuple, not a Quaternion, so raise TypeError."
@@ -250,14 +253,17 @@ def expect_back(q: Quad) -> None:
     about.call = f"m = {written(m)}; m.to_quaternion()"
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
     r, i, j, k = q
-    rows = "With the rows a b c, d e f and g h i,"
     opposite = "You return the conjugate of the right quaternion."
-    equal = {"i": "h - f = 4 i r", "j": "c - g = 4 j r", "k": "d - b = 4 k r"}
-    signs = f"{rows} take the signs from h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
+    equal = {
+        "i": "4 i r = m[2, 1] - m[1, 2]",
+        "j": "4 j r = m[0, 2] - m[2, 0]",
+        "k": "4 k r = m[1, 0] - m[0, 1]",
+    }
+    signs = f"Take the signs from {equal['i']}, {equal['j']} and {equal['k']}."
     size, letter = max(zip(map(abs, q), "rijk", strict=True))
     if letter != "r":
-        opposite = f"If {letter} is the largest component, r gets the wrong sign in your code. "
-        opposite += f"{rows} use {equal[letter]}."
+        opposite = f"Your r has the wrong sign if {letter} is the largest component. Compute r "
+        opposite += f"from {equal[letter]}."
     slips = {
         opposite: (-r, i, j, k),
         "You lose the signs of the components, because a square root is never negative.": [
@@ -268,7 +274,7 @@ def expect_back(q: Quad) -> None:
     }
     for place, name in enumerate("ijk", start=1):
         other = [-c if p == place else c for p, c in enumerate(q)]
-        slips[f"Only the sign of {name} is wrong. {rows} use {equal[name]}."] = other
+        slips[f"Only the sign of {name} is wrong. The correct equation is {equal[name]}."] = other
     # If r is nearly 0, the conjugate cannot be told apart from the right result.
     slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
     why = named(got, signs, slips)
@@ -277,8 +283,9 @@ def expect_back(q: Quad) -> None:
     elif r == 0.0 and size < 1.0 and isinstance(got, tuple):
         lost = [abs(g * g - c * c) for g, c in zip(got, q, strict=True) if type(g) is float]
         if len(lost) == 4 and max(lost) < TIGHT:  # only signs differ
-            about.cause = "You take the signs from differences such as h - f, which are 0 in a "
-            about.cause += f"half-turn. {rows} use sums such as b + d = 4 i j."
+            about.cause = "You take the signs from differences such as m[2, 1] - m[1, 2], which "
+            about.cause += "are 0 in a half-turn. Use sums instead, such as m[0, 1] + m[1, 0] = "
+            about.cause += "4 i j."
     # Components of 1e-8 come from differences of entries of 1: they are right to 1e-16 / 1.
     expect_close(got, q, tolerance=TIGHT)
 
@@ -286,8 +293,8 @@ def expect_back(q: Quad) -> None:
 @pytest.mark.exercise("B9.13", weight=2)
 def test_back_from_a_matrix(rng: Random) -> None:
     about.cause = (
-        "The sum of the diagonal is 4 r^2 - 1, which gives r. With the rows a b c, d e f and g h "
-        "i, use h - f = 4 i r, c - g = 4 j r and d - b = 4 k r for the others."
+        "The sum of the diagonal is 4 r^2 - 1, which gives r. Compute the others from m[2, 1] - "
+        "m[1, 2] = 4 i r, m[0, 2] - m[2, 0] = 4 j r and m[1, 0] - m[0, 1] = 4 k r."
     )
     expect_back((1.0, 0.0, 0.0, 0.0))
     for longest in range(3):
@@ -309,8 +316,8 @@ def test_back_from_a_matrix(rng: Random) -> None:
 @pytest.mark.exercise("B9.13")
 def test_back_from_a_half_turn(rng: Random) -> None:
     about.cause = (
-        "Don't divide by r, which is 0 or almost 0 here. Divide by the largest of the four "
-        "components r, i, j and k instead."
+        "In a half-turn r is 0 or almost 0, so a result that you compute from r is inaccurate. "
+        "Find the largest of r, i, j and k first, and compute the others from it."
     )
     for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
         expect_back((0.0, *axis))
@@ -321,8 +328,8 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         for less in (1e-3, 1e-9, -1e-9):
             expect_back(quad(axis, math.pi - less))
     about.cause = (
-        "The largest components are equal here. Divide by any one of them, and check that your "
-        "comparisons always pick one."
+        "Several components are equally large here. Make sure that your code always picks one of "
+        "them, for example by comparing with >= instead of >."
     )
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
         expect_back(half_turn(axis))

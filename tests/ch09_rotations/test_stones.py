@@ -124,8 +124,8 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
         "You measure the offset along the edge. Measure it at a right angle to the edge, to the "
         "left.": left_of(center, angle - 0.5 * math.pi),
         "You treat the angle as degrees.": left_of(center, math.radians(angle)),
-        "Your edge has equal masses on both sides (E-32). Put it below the center of mass "
-        "instead.": offset,
+        "You place the edge so that half of the mass is on each side (E-32). Place it directly "
+        "below the center of mass instead.": offset,
     }
 
 

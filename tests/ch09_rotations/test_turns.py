@@ -107,7 +107,7 @@ def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
         about.cause = "You square the components, but their squares don't fit into a float. "
-        about.cause += "Normalize the axis with a method of Vector3, which avoids this."
+        about.cause += "Call normalized() on the axis instead, which works for any length."
         expect_any_length(rng, scale, about.cause)
 
 
@@ -243,7 +243,7 @@ def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     unit = tuple(component / length for component in axis)
     about.cause = (
         "You square the components, but their squares round to 0. Use Vector3's magnitude() and "
-        "normalize(), which avoid this."
+        "normalize(), which work for vectors of any length."
     )
     expect_small_turn(unit, 1e-200)
 

@@ -125,14 +125,14 @@ def test_a_steady_rotation_is_exact_in_any_number_of_parts() -> None:
 def expect_tiny_turn(tiny: float) -> None:
     """Expect rotate_by to add half of a very small vector."""
     about.read = BY_VECTOR
-    about.cause = "You treat this small angle as 0. Rotate by it as by any other angle."
+    about.cause = "You treat this small angle as 0. Rotate by every angle, no matter how small."
     quaternion = Quaternion()
     about.call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
     quaternion.rotate_by(Vector3(0.0, tiny, 0.0))
     got = same_sign(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))[2] / tiny
     if got:
         about.cause = (
-            "Rotate by this small angle as by any other. (i, j, k) becomes half the vector."
+            "Rotate by every angle, no matter how small. Here (i, j, k) becomes half the vector."
         )
     expect_close(got, 0.5, tolerance=TIGHT)
 
@@ -171,8 +171,10 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         "You don't multiply the vector by the scale.": stepped(q, left, 0.5),
         "You rotate about an axis of the object instead of the world, because you compute q (0, "
         "vector). Swap the two factors.": stepped(q, right, 0.5 * scale),
-        "You normalize the result. Don't, because the exercises measure by how much a step of Eq. "
-        "9.5 changes the length (E-31).": unit(stepped(q, left, 0.5 * scale)),
+        "You normalize the result. Leave out the normalization, because later exercises measure "
+        "how much a step of Eq. 9.5 changes the length (E-31).": unit(
+            stepped(q, left, 0.5 * scale)
+        ),
         "You rotate exactly, as rotate_by does. add_scaled takes the first-order step of Eq. 9.5 "
         "instead: it adds scale/2 times (0, vector) q to q.": hamilton(
             quad(a, scale * math.hypot(*a)), q

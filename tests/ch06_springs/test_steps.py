@@ -49,6 +49,13 @@ WAYS = {
     "velocity_verlet": "moves p by v h + a h^2 / 2 and uses the mean of two accelerations",
     "runge_kutta_4": "uses the weighted mean of four rates",
 }
+INSTEAD = {
+    "explicit_euler": "move p with its old velocity",
+    "semi_implicit_euler": "move p with its new velocity",
+    "leapfrog": "drift for half the step, kick for all of it, and drift for the other half",
+    "velocity_verlet": "move p by v h + a h^2 / 2 and use the mean of two accelerations",
+    "runge_kutta_4": "use the weighted mean of four rates",
+}
 COUNTS = {1: "exactly once", 2: "exactly twice", 4: "exactly 4 times"}
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
@@ -100,8 +107,8 @@ def slips_of(
         ]
         slips |= {s: [axis[s][0] for axis in axes] + [axis[s][1] for axis in axes] for s in axes[0]}
     slips |= {
-        f"Your step matches that of {other}, which {WAYS[other]}. In contrast, {method} "
-        f"{WAYS[method]}.": walk(other, body, k, c, h, frames)
+        f"Your step matches that of {other}, which {WAYS[other]}. Instead, "
+        f"{INSTEAD[method]}.": walk(other, body, k, c, h, frames)
         for other in EXERCISES
         if other != method
     }
@@ -220,8 +227,8 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     expect_exactly(
         len(asked), frames * EVALUATIONS[method], then="; the number of calls to apply_forces"
     )
-    about.cause = "You call apply_forces with only a part of the duration. Pass the duration of "
-    about.cause += "the whole step in every call."
+    about.cause = "You call apply_forces with only part of the duration. Pass the duration of the "
+    about.cause += "whole step in every call."
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),

@@ -66,7 +66,8 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                 -80.0,
                 [80.0],
                 "You returned no contact for a particle that is 80 m below the ground's height. "
-                "The ground has no lower limit, so return a contact however deep the particle is.",
+                "The ground is infinitely deep, so return a contact for every particle below its "
+                "surface.",
             ),
         ):
             about.cause = cause
@@ -145,8 +146,8 @@ def test_a_fast_particle_does_not_pass_through_the_ground(rng: Random) -> None:
     speed = positive_number(rng, 500.0, 2000.0)
     about.call = f"particle p, 1 m above the ground, falls at {speed} m/s for 1/60 s; "
     about.call += "GroundPlane([p]).contacts(); the height of p plus the penetration of its contact"
-    about.cause = "The particle is several meters below the ground after this step. The ground has "
-    about.cause += "no lower limit, so return a contact however deep the particle is."
+    about.cause = "The particle is several meters below the ground after this step. The ground is "
+    about.cause += "infinitely deep, so return a contact for every particle below its surface."
     fallen, got = thrown_down(speed, 1.0 / 60.0)
     expect_close(got, 0.0, tolerance=1e-12, unit="m")
     name = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s; its height"

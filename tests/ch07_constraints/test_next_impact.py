@@ -38,9 +38,10 @@ def test_the_first_impact_on_the_ground(rng: Random) -> None:
     speeds = [positive_number(rng, 1.0, 2.0) for _ in range(4)]
     falls = [3.0, 2.0, 1.0, 2.5]
     places = [(number(rng), height + radius + fall, number(rng)) for fall in falls]
-    about.call = f"four spheres {falls} m above the ground, moving down at {speeds} m/s; ground = "
-    about.call += f"GroundPlane(spheres, height={height}, radius={radius}, restitution={c}); "
-    about.call += "ground.next_impact(9.0)"
+    about.call = "the lowest points of four spheres are 3, 2, 1 and 2.5 m above the ground; the "
+    about.call += "spheres move down at {}, {}, {} and {} m/s; ".format(*speeds)
+    about.call += f"ground = GroundPlane(spheres, height={height}, radius={radius}, "
+    about.call += f"restitution={c}); ground.next_impact(9.0)"
     particles = [
         Particle(Vector3(*place), Vector3(5.0, -speed, 5.0))
         for place, speed in zip(places, speeds, strict=True)

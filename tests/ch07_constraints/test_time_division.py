@@ -88,14 +88,14 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
             about.cause = "You found more impacts than there are. Subtract the time of each impact "
             about.cause += "from the rest of the step, and pass what is left to next_impact."
             if found[1][2] < 1e-9:
-                about.cause = "You resolved an impact before the particles had moved to it. Move "
-                about.cause += "all particles to the time of the impact first."
+                about.cause = "You resolved an impact before you moved the particles. Move all of "
+                about.cause += "them to the time of the impact first."
         if len(found) > 1000 and asked[-1] == h:
             about.cause = "You pass the whole duration to next_impact again after each impact, so "
             about.cause += "the step never ends. Pass only the time that is left in the step."
         elif len(found) > 1000:
-            about.cause = "Your ball stops bouncing, because resolve_velocity ignores the velocity "
-            about.cause += "gained during its duration. Pass a duration of 0 at each impact."
+            about.cause = "Your ball stops bouncing, because resolve_velocity ignores velocity "
+            about.cause += "gained during the duration that you pass. Pass a duration of 0."
         expect_exactly(len(found), len(times), then="the number of impacts", unit="impacts")
         last, bounces = times[-1], len(times)
         left = 3.0 - last
@@ -103,7 +103,7 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         wanted = (speed * left - 5.0 * left * left, speed - 10.0 * left)
         place, velocity = seen[-1][0]
         about.cause = "The ball bounces with the wrong speed. Pass a duration of 0 to "
-        about.cause += "resolve_velocity, which ignores the velocity gained during its duration."
+        about.cause += "resolve_velocity, because it ignores velocity gained during the duration."
         # Some 200 flights, each with a few roundings of 10 m.
         name = "the final height in m and the final velocity along y in m/s"
         expect_close((place[1], velocity[1]), wanted, then=name, tolerance=1e-11)
@@ -136,8 +136,8 @@ def test_a_restitution_of_1_loses_no_energy() -> None:
 def test_a_ball_at_rest_raises_too_many_impacts() -> None:
     about.read = "the docstring of TooManyImpacts"
     about.call = "a ball falls 2 m to the ground with gravity of 10 m/s^2; it bounces with a "
-    about.call += "restitution of 0.5; time_division_step([ball], ground, 1/60) again and again, "
-    about.call += "until it raises an error; "
+    about.call += "restitution of 0.5; time_division_step([ball], ground, 1/60) repeatedly, until "
+    about.call += "it raises an error; "
     about.cause = "You raised no error, although the impacts never end as the ball comes to rest. "
     about.cause += "Raise TooManyImpacts if there is another impact after max_impacts impacts."
     seen, _, _, ended = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 200)
@@ -186,8 +186,8 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
         speed = -10.0 * 0.5**most
         about.cause = "Before you raise TooManyImpacts, move the particles to the time of the next "
         about.cause += "impact. Don't resolve that impact, and don't apply the damping."
-        stayed = "You raised the error without moving the particles on from the last allowed "
-        stayed += "impact. Move them to the time of the next impact first."
+        stayed = "You raised the error while the particles were still at the last allowed impact. "
+        stayed += "Move them to the time of the next impact first."
         damped = "You applied the damping before you raised TooManyImpacts. Damping acts only at "
         damped += "the end of a complete step, so raise the error first."
         mistakes = [(speed * 0.5**t, damped) for t in (times[most], 9.0)]

@@ -168,8 +168,10 @@ def wrong_steps(
             "step. Runge-Kutta needs four, so evaluate two different rates in the middle.": mean_of(
                 (1.0, 4.0, 1.0), (0.0, 0.5, 1.0)
             ),
-            "To evaluate each rate, you move on from the state of the previous one. Return to the "
-            "start of the step first, and move from there.": mean_of(weights, parts, back=False),
+            "For each rate, you move on from the state of the previous one. Return to the start of "
+            "the step first, and move from there at the previous rate.": mean_of(
+                weights, parts, back=False
+            ),
             "Before each evaluation, you move p but keep its old velocity. Also set the velocity "
             "to v + a h / 2 or v + a h, where a is the previous acceleration.": mean_of(
                 weights, parts, turns=False

@@ -64,18 +64,18 @@ def test_the_new_state_solves_its_equations(method: str, rng: Random) -> None:
                 explicit += "force at the new velocity v', and solve for v'."
             new_velocities = {
                 explicit: u,
-                "Your denominator contains h k / m. The term must be h^2 k / m, because the force "
-                "is -k x' and x' contains v' h.": (v - w * x) / (1.0 + y + w),
+                "Your denominator contains h k / m, but it must contain h^2 k / m. The additional "
+                "factor h comes from x' = x + v' h.": (v - w * x) / (1.0 + y + w),
             }
             slips |= {slip: (x + new_v * h, new_v) for slip, new_v in new_velocities.items()}
         else:
             rest = v * (1.0 - 0.5 * y - 0.25 * w * h)
             new_velocities = {
-                "Your term h k x / m is only half as large as it should be. Both a and a' contain "
-                "-k x / m, so their mean contains it in full.": (rest - 0.5 * w * x)
+                "In your formula for v', you halve the term h k x / m. Use the whole term, because "
+                "both a and a' contain -k x / m.": (rest - 0.5 * w * x)
                 / (1.0 + 0.5 * y + 0.25 * w * h),
-                "The stiffness is missing from your denominator. The force at the new position x' "
-                "also depends on v', so it adds a term to the denominator too.": (rest - w * x)
+                "The stiffness is missing from your denominator. The force at x' = x + (v + v') "
+                "h / 2 depends on v', so add h^2 k / (4 m) to the denominator.": (rest - w * x)
                 / (1.0 + 0.5 * y),
                 "Your denominator contains h c / m. The term must be h c / (2 m), because the "
                 "mean (a + a') / 2 contains only half of a'.": (rest - w * x)

@@ -129,8 +129,9 @@ def test_it_moves_all_particles_by_their_forces(rng: Random) -> None:
             for pair in zip(places[frame - 1], true, strict=True)
         ]
         if math.hypot(*(m * p + n * q for p, q in zip(*ways, strict=True))) < 5e-3:
-            about.cause = "The spring moves the particles incorrectly. Clear the forces of each "
-            about.cause += "particle after you use them, and use a method of order 2 or more."
+            about.cause = "The center of mass moves correctly, but the particles don't oscillate "
+            about.cause += "correctly around it. Clear the forces of each particle after you use "
+            about.cause += "them, and use a method of order 2 or more."
         for which, place in enumerate(true):
             # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
             got = places[frame - 1][which]
@@ -186,12 +187,12 @@ def test_it_is_accurate_with_few_evaluations(rng: Random, most: float) -> None:
     about.read = STEP
     about.call = f"p moves once around an orbit of eccentricity {ECCENTRICITY}; my_step([p], "
     about.call += f"apply_forces, duration) {FRAMES} times"
-    about.cause = f"Your steps evaluate the forces too often. They may evaluate them at most {FEW} "
-    about.cause += "times in one revolution, so split each time step into fewer parts."
+    about.cause = "Your steps evaluate the forces too often. Split each time step into fewer "
+    about.cause += f"parts, so that one revolution takes at most {FEW} evaluations."
     count, error = turn_of_an_orbit(rng)
     expect_between(count, 0, FEW, then="; the number of evaluations of the forces")
     about.cause = f"Your step is not accurate enough for its {count} evaluations of the forces. "
-    about.cause += "Make shorter steps where the particle is fast, and longer ones elsewhere."
+    about.cause += "Take shorter steps where the particle moves fast, and longer ones elsewhere."
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
     expect_between(
         error,

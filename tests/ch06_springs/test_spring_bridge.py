@@ -56,8 +56,8 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     for i, force in enumerate(forces):
         x, y, z = places[i]
         slips = {
-            "Your hangers have a rest length of 0, so they pull the planks of a new bridge up. Use "
-            "the height as their rest length.": [0.0, k * height, 0.0],
+            "Your hangers have a rest length of 0, so they already pull the planks up at the "
+            "start. Use the height as the rest length of each hanger.": [0.0, k * height, 0.0],
             "You put the anchors of all hangers above planks[0]. Put each anchor straight above "
             "its own plank.": pull(
                 (places[i], ZERO), ((places[0][0], places[0][1] + height, z), ZERO), k, height, 0.0
@@ -112,7 +112,7 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
         ropes = [total - hanger for total, hanger in zip(wanted, parts[0], strict=True)]
         last = pull(end, after[-1], k, math.dist(places[i], places[-1]), c) if i == 0 else ZERO
         slips = {
-            "Your hangers pull but never push. Use an AnchoredSpring for each plank, and not an "
+            "Your hangers pull but never push. Use an AnchoredSpring for each plank instead of an "
             "AnchoredBungee.": ropes,
             "You also connect the last plank to the first one. Connect only planks that are next "
             "to each other.": [total + part for total, part in zip(wanted, last, strict=True)],
@@ -122,8 +122,8 @@ def test_springs_pull_a_moved_plank_back(rng: Random) -> None:
             ],
             "Only your hangers have an effect, because no springs join the planks to each other. "
             "Call connect for each pair of neighboring planks.": parts[0],
-            "Your springs between the planks act twice. The spring that connect registers "
-            "already acts on both planks, so call connect only once per pair.": [
+            "Your springs between the planks act twice. A single call to connect already makes "
+            "the spring act on both planks, so call connect only once per pair.": [
                 total + rope for total, rope in zip(wanted, ropes, strict=True)
             ],
         }
@@ -160,7 +160,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             1.0,
             (0.0, 0.25, 0.75),
             "The fraction s must go from 0 at one plank to 1 at the next. Divide the person's "
-            "distance from the plank by the gap between the planks, which is 2 m here.",
+            "distance from the first of these planks by the gap between them, which is 2 m here.",
         ),
         (
             -0.5,
@@ -171,13 +171,13 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             -7.0,
             (1.0, 0.0, 0.0),
             "The person is before the first plank, so the first plank must carry the whole "
-            "weight. Limit x to the ends of the bridge.",
+            "weight. Clamp x to the range from the first plank to the last.",
         ),
         (
             9.0,
             (0.0, 0.0, 1.0),
             "The person is beyond the last plank, so the last plank must carry the whole weight. "
-            "Limit x to the ends of the bridge.",
+            "Clamp x to the range from the first plank to the last.",
         ),
         (
             -1.5,
@@ -327,7 +327,7 @@ def test_a_bridge_rejects_invalid_arguments() -> None:
         if not math.isfinite(x):
             cause = f"x is {x}. It must be finite, so raise ValueError."
         if not count:
-            cause = "There are no planks that could carry the weight, so raise ValueError."
+            cause = "There are no planks to carry the weight, so raise ValueError."
         expect_error(
             lambda count=count, x=x, weight=weight: load_bridge(planks[:count], x, weight),
             ValueError,

@@ -45,11 +45,18 @@ RULES = {
 WAYS = {
     "explicit_euler": "moves p with its old velocity",
     "semi_implicit_euler": "moves p with its new velocity",
-    "leapfrog": "moves p for half the step before and after it changes the velocity",
+    "leapfrog": "drifts for half the step, kicks for all of it, and drifts for the other half",
     "velocity_verlet": "moves p by v h + a h^2 / 2 and uses the mean of two accelerations",
     "runge_kutta_4": "uses the weighted mean of four rates",
 }
-COUNTS = {1: "once", 2: "exactly twice", 4: "exactly four times"}
+INSTEAD = {
+    "explicit_euler": "move p with its old velocity",
+    "semi_implicit_euler": "move p with its new velocity",
+    "leapfrog": "drift for half the step, kick for all of it, and drift for the other half",
+    "velocity_verlet": "move p by v h + a h^2 / 2 and use the mean of two accelerations",
+    "runge_kutta_4": "use the weighted mean of four rates",
+}
+COUNTS = {1: "exactly once", 2: "exactly twice", 4: "exactly 4 times"}
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
     "method",
@@ -88,8 +95,8 @@ def slips_of(
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
-        "The forces that apply_forces adds have no effect on your step. Call it before you use "
-        "the accumulators, and clear them only after that."
+        "The forces that apply_forces adds have no effect on your step. Call apply_forces before "
+        "you update the velocity, and don't clear the accumulators in between."
         if asked
         else "You never call apply_forces. Call it in every step, before you use the accumulators."
     ] = walk(method, body, 0.0, 0.0, h, frames)
@@ -100,9 +107,8 @@ def slips_of(
         ]
         slips |= {s: [axis[s][0] for axis in axes] + [axis[s][1] for axis in axes] for s in axes[0]}
     slips |= {
-        f"This is a step of {other}, which {WAYS[other]}. A step of {method} {WAYS[method]}.": walk(
-            other, body, k, c, h, frames
-        )
+        f"Your step matches that of {other}, which {WAYS[other]}. Instead, "
+        f"{INSTEAD[method]}.": walk(other, body, k, c, h, frames)
         for other in EXERCISES
         if other != method
     }
@@ -128,8 +134,8 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three times",
             draw_body(rng),
             3,
-            "Your first step is right, but the forces of a step still act in the next one. Clear "
-            "the accumulators before the step ends.",
+            "Your first step is right, but its forces are still in the accumulators in the next "
+            "step. Clear the accumulators at the end of each step.",
         ),
         (
             "once",
@@ -158,7 +164,7 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             ("p.velocity", "m/s", ends["velocities"][0], slice(3, 6)),
         ):
             parts = {
-                one.replace("This is a step of", f"Your {name} is that of"): slips[one][numbers]
+                one.replace("Your step matches", f"Your {name} matches"): slips[one][numbers]
                 for one in slips
             }
             why = named(got, about.cause, parts) if slip == about.cause else slip
@@ -215,15 +221,14 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     about.call += f"step, the check adds a force of {hand} N to particles[0]"
     about.cause = RULES[method]
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
-    about.cause = f"Your step calls apply_forces {len(asked) / frames:.3g} times, but must call it "
-    about.cause += (
-        f"{COUNTS[EVALUATIONS[method]]}. Each call evaluates the forces of all particles."
-    )
+    about.cause = f"On average, your step calls apply_forces {len(asked) / frames:.3g} times, but "
+    about.cause += f"it must do so {COUNTS[EVALUATIONS[method]]}. Each call evaluates the forces "
+    about.cause += "of all particles."
     expect_exactly(
-        len(asked), frames * EVALUATIONS[method], then="; the number of calls of apply_forces"
+        len(asked), frames * EVALUATIONS[method], then="; the number of calls to apply_forces"
     )
-    about.cause = "You call apply_forces with only a part of the duration. Pass the duration of "
-    about.cause += "the whole step in every call."
+    about.cause = "You call apply_forces with only part of the duration. Pass the duration of the "
+    about.cause += "whole step in every call."
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
@@ -314,31 +319,30 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     place, velocity, a = components(rng), components(rng), components(rng)
     still: Body = (place, velocity, a, math.inf, 0.5, components(rng))
     other: Body = ((1.0, 2.0, 3.0), ZERO, ZERO, 2.0, 1.0, ZERO)
-    about.call = f"an immovable particle is at {place} m, with a velocity of {velocity} m/s; the "
-    about.call += f"next particle can move; {method}(particles, apply_forces, duration=0.25) twice"
-    about.cause = "You move an immovable particle. Skip it, or use drift and kick, which leave it "
-    about.cause += "where it is."
+    about.call = f"particles[0] is immovable, at {place} m, with a velocity of {velocity} m/s; "
+    about.call += "particles[1] has a mass of 2 kg; "
+    about.call += f"{method}(particles, apply_forces, duration=0.25) twice"
+    about.cause = "You move an immovable particle. Skip immovable particles, or use drift and "
+    about.cause += "kick, which leave them where they are."
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(
         ends["positions"][0],
         place,
-        then="; the position of the immovable particle, in m",
+        then="; particles[0].position, in m",
         tolerance=0.0,
     )
     about.cause = "You change the velocity of an immovable particle, which must stay the same."
     expect_close(
         ends["velocities"][0],
         velocity,
-        then="; the velocity of the immovable particle, in m/s",
+        then="; particles[0].velocity, in m/s",
         tolerance=0.0,
     )
     about.cause = (
         "Forces have no effect on an immovable particle, but they must not add up from step to "
         "step. Clear its accumulator at the end of the step too."
     )
-    expect_close(
-        ends["forces"][0], ZERO, then="; the force_accumulator of the immovable particle, in N"
-    )
+    expect_close(ends["forces"][0], ZERO, then="; particles[0].force_accumulator, in N")
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
@@ -347,7 +351,7 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
         "the immovable particle, so skip only that one."
     )
     got = ends["positions"][1][0]
-    expect_close(got, x, then="; the x of the movable particle's position, in m", tolerance=1e-12)
+    expect_close(got, x, then="; particles[1].position.x, in m", tolerance=1e-12)
 
 
 @methods
@@ -376,7 +380,7 @@ def test_a_step_needs_a_duration(method: str) -> None:
             expect_close(after[key], wanted, then=f"; p.{name}", tolerance=0.0)
         about.cause = "Your step checks the duration only after it has called apply_forces. Check "
         about.cause += "the duration before anything else."
-        expect_exactly(after["asked"], [0], then="; the number of calls of apply_forces")
+        expect_exactly(after["asked"], [0], then="; the number of calls to apply_forces")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = (
         "An empty list of particles is not an error, because there is nothing to do. A single "

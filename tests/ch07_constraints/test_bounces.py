@@ -148,7 +148,7 @@ def test_table_of_drops_rejects_invalid_drops() -> None:
     for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
         about.call = f"table_of_drops([{good}, {bad}])"
         about.cause = "The second drop has an invalid height. Call restitution_of_drop for every "
-        about.cause += "drop, and let its error through."
+        about.cause += "drop, and don't catch the error that it raises."
         expect_error(
             lambda bad=bad: table_of_drops([good, bad]),
             error,
@@ -187,7 +187,7 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     mistakes = [
         (0.575 * v,
          "You treated the lower ball as if it were at rest. When the balls collide, the lower "
-         "ball already rises at half the speed of the fall."),
+         "ball is already rising at half the speed at which it hit the ground."),
         (-0.7375 * v, "The masses are swapped. The upper ball takes the fraction lower_mass / "
                       "(lower_mass + upper_mass) of the change in the relative velocity."),
         (2.3625 * v,
@@ -228,7 +228,7 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
                 [
                     (
                         ten,
-                        "Your result is right only where gravity is 10 m/s^2. Use the argument "
+                        "Your result is right only when gravity is 10 m/s^2. Use the argument "
                         "gravity instead of the number 10.",
                     )
                 ],
@@ -317,8 +317,8 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         kept += "creates a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; g = force_for_frame(f, contact_time=1.0, frame=1.0); g.x += 1.0"
-    about.cause = "You returned the vector that was passed in. Return a new vector, even if the "
-    about.cause += "force keeps its size, so that changing one doesn't change the other."
+    about.cause = "You returned the vector that was passed in, so changing g also changes f. "
+    about.cause += "Return a new vector, even if its components are the same."
     force = Vector3(*f)
     force_for_frame(force, 1.0, 1.0).x += 1.0
     expect_unchanged("f", xyz(force), f)

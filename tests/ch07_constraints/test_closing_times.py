@@ -44,8 +44,8 @@ def test_when_a_gap_closes(rng: Random) -> None:
          "The body starts slightly inside the ground and moves out of it, which is not an impact. "
          "Return the time when it comes back."),
         (-5.0, 3.0, -10.0, 0.3,
-         "The number under the root is negative, because the body turns around before it is out "
-         "of the ground. Return the time when it turns around."),
+         "The number under the square root is negative, because the body turns around before it "
+         "leaves the ground. Return the time when it turns around."),
     ):  # fmt: skip
         about(f"time_to_close(gap={gap}, velocity={v}, acceleration={a})", cause=cause)
         got = time_to_close(gap, v, a)
@@ -91,8 +91,8 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
         (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is moving into it, however slowly, "
                                "so the gap closes at once. Return 0."),
         (2.0, -2.0, 1.0, math.inf,
-         "The number under the root is 0, because the body turns around exactly at the ground. "
-         "This is not an impact, so return math.inf."),
+         "The number under the square root is 0, because the body turns around exactly at the "
+         "ground. This is not an impact, so return math.inf."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
         (x, 1.0, 0.0, math.inf, "The body is moving away, and no acceleration brings it back. "
@@ -104,8 +104,8 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
         (x, 2.0, 3.0, math.inf, "The body moves away and accelerates away, so it never arrives. "
                                 "Return math.inf."),
         (x, -1.0, 1.0 / x, math.inf, "The body turns around before it reaches the ground. The "
-                                     "number under the root is negative, so return math.inf "
-                                     "before you take the root."),
+                                     "number under the square root is negative, so return "
+                                     "math.inf before you take the square root."),
         (0.0, 0.0, 0.0, math.inf, "The body lies on the ground and has neither velocity nor "
                                   "acceleration, so there is no impact. Return math.inf."),
         (0.0, x, 0.0, math.inf, "The body leaves the ground, and no acceleration brings it back. "
@@ -129,7 +129,7 @@ def test_the_time_keeps_its_digits() -> None:
     about.read = CLOSE
     for a in (-10.0, 10.0):
         about.cause = "You subtracted two nearly equal numbers in (-v - sqrt(...)) / a, which "
-        about.cause += "loses most digits. Use 2 gap / (sqrt(v v - 2 a gap) - v) instead."
+        about.cause += "loses most of their digits. Use 2 gap / (sqrt(v^2 - 2 a gap) - v) instead."
         about.call = f"time_to_close(gap=1e-10, velocity=-1000.0, acceleration={a})"
         got = time_to_close(1e-10, -1000.0, a)
         # The acceleration changes it by 1e-15 of it.

@@ -66,7 +66,8 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
                 -80.0,
                 [80.0],
                 "You returned no contact for a particle that is 80 m below the ground's height. "
-                "Everything below this height is ground, however deep it is.",
+                "The ground is infinitely deep, so return a contact for every particle below its "
+                "surface.",
             ),
         ):
             about.cause = cause
@@ -118,15 +119,15 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
 def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None:
     about.read = GROUND
     heights = [number(rng) for _ in range(6)]
-    about.call = f"six particles at the heights {heights}; ground = GroundPlane(particles); "
+    about.call = f"six particles at y = {heights}; ground = GroundPlane(particles); "
     about.call += "ground.contacts()"
     about.cause = "Return one contact for each particle at or below a height of 0, in the order of "
     about.cause += "the list."
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
     expect_exactly(first, wanted, then=INDICES)
-    about.call += "; then all particles are moved to a height of -1, particle 1 becomes immovable, "
-    about.call += "and particle 6 is added; ground.contacts() again"
+    about.call += "; for p in particles: p.position.y = -1; particles[1].mass = math.inf; "
+    about.call += "particles.append(Particle(Vector3(0, -1, 0))); ground.contacts()"
     about.cause = "The particles and the list have changed since the first call. Read the list "
     about.cause += "and the heights again on every call."
     if 1 in second:
@@ -145,8 +146,8 @@ def test_a_fast_particle_does_not_pass_through_the_ground(rng: Random) -> None:
     speed = positive_number(rng, 500.0, 2000.0)
     about.call = f"particle p, 1 m above the ground, falls at {speed} m/s for 1/60 s; "
     about.call += "GroundPlane([p]).contacts(); the height of p plus the penetration of its contact"
-    about.cause = "The particle is several meters below the ground after this step. Everything "
-    about.cause += "below the height is ground, however deep it is."
+    about.cause = "The particle is several meters below the ground after this step. The ground is "
+    about.cause += "infinitely deep, so return a contact for every particle below its surface."
     fallen, got = thrown_down(speed, 1.0 / 60.0)
     expect_close(got, 0.0, tolerance=1e-12, unit="m")
     name = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s; its height"

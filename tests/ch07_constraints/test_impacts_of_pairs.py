@@ -57,9 +57,9 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         impact = expect_impact(ParticlePairs(pair, radius, c).next_impact(10.0))
         if p == far:
             mistakes = [
-                (5.2, "You returned the second solution of the equation, when the particles have "
-                      "passed through each other. Return the first solution, when they begin to "
-                      "touch."),
+                (5.2, "You returned the later of the two solutions, at which the particles have "
+                      "already passed through each other. Return the earlier solution, at which "
+                      "they begin to touch."),
                 (3.6 - math.sqrt(4.29) / 3.0,
                  "You used only one radius. The particles touch when their centers are two radii "
                  "apart, because each particle has this radius."),
@@ -123,8 +123,8 @@ def test_spheres_that_touch_or_never_meet() -> None:
          "None."),
         (5.0, 0.0, 0.0, None, "The particles have the same velocity, so they never meet. Return "
                               "None before you divide by the relative speed."),
-        (5.0, 2.5, -3.0, None, "The particles miss each other, so the number under the root is "
-                               "negative. Return None before you take the root."),
+        (5.0, 2.5, -3.0, None, "The particles miss each other, so the number under the square "
+                               "root is negative. Return None before you take the square root."),
         (5.0, 2.000001, -3.0, None, "The particles miss each other by 1e-6 m, so there is no "
         "impact. Return None."),
         (5.0, 0.0, -3.0, 1.0, meet),
@@ -224,10 +224,11 @@ def test_accelerations_may_differ_by_rounding(rng: Random) -> None:
     about.read = PAIRS
     for ma, mb in ((1.1, 1.3), (3.3, 4.9), (positive_number(rng), positive_number(rng))):
         about.call = f"particle a of {ma} kg at (5, 0, 0) with velocity (-3, 0, 0); particle b of "
-        about.call += f"{mb} kg at rest at (0, 0, 0); one step of 1e-9 s with a downward force of "
-        about.call += "9.81 N per kg on both; ParticlePairs([a, b], radius=1.0).next_impact(10)"
+        about.call += f"{mb} kg at rest at (0, 0, 0); for p in (a, b): p.add_force(Vector3(0, "
+        about.call += "-9.81 * p.mass, 0)); for p in (a, b): p.integrate(1e-9); "
+        about.call += "ParticlePairs([a, b], radius=1.0).next_impact(10)"
         about.cause = "You rejected accelerations of 9.81 m/s^2 that differ only by rounding "
-        about.cause += "errors. Treat them as equal if they differ by at most 1e-12 of their size."
+        about.cause += "errors. Allow a difference of up to 1e-12 times their magnitudes."
         pair = [Particle(Vector3(5.0), Vector3(-3.0), mass=ma), Particle(mass=mb)]
         for particle, mass in zip(pair, (ma, mb), strict=True):
             particle.add_force(Vector3(0.0, -9.81 * mass, 0.0))

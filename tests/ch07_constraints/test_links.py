@@ -352,9 +352,9 @@ def test_two_equal_limits_give_two_contacts(rng: Random) -> None:
         link = Limits(*same, low, 3.0)
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
         expect_contacts(about.call, link, same, wanted)
-    about.call += "; l.min_length = 0; l.contacts()"
-    about.cause = "A min_length of 0 means that there is no lower limit. Return an empty list, "
-    about.cause += "even if the distance is 0."
+    about.call += "; then l.min_length = 0; l.contacts()"
+    about.cause = "Now min_length is 0, which means that there is no lower limit. Return an empty "
+    about.cause += "list, even if the distance is 0."
     link.min_length = 0.0
     expect_contacts(about.call, link, same, [])
 

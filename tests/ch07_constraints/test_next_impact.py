@@ -38,9 +38,10 @@ def test_the_first_impact_on_the_ground(rng: Random) -> None:
     speeds = [positive_number(rng, 1.0, 2.0) for _ in range(4)]
     falls = [3.0, 2.0, 1.0, 2.5]
     places = [(number(rng), height + radius + fall, number(rng)) for fall in falls]
-    about.call = f"four spheres {falls} m above the ground, moving down at {speeds} m/s; ground = "
-    about.call += f"GroundPlane(spheres, height={height}, radius={radius}, restitution={c}); "
-    about.call += "ground.next_impact(9.0)"
+    about.call = "the lowest points of four spheres are 3, 2, 1 and 2.5 m above the ground; the "
+    about.call += "spheres move down at {}, {}, {} and {} m/s; ".format(*speeds)
+    about.call += f"ground = GroundPlane(spheres, height={height}, radius={radius}, "
+    about.call += f"restitution={c}); ground.next_impact(9.0)"
     particles = [
         Particle(Vector3(*place), Vector3(5.0, -speed, 5.0))
         for place, speed in zip(places, speeds, strict=True)
@@ -93,8 +94,8 @@ def test_the_first_impact_on_the_ground(rng: Random) -> None:
     about.cause = "The first impact happens only after the end of the duration, so it doesn't "
     about.cause += "count. Return None."
     expect_none(ground.next_impact(0.999 * first), then=f"; ground.next_impact({0.999 * first})")
-    about.cause = "You left out an impact exactly at the end of the duration, but it still "
-    about.cause += "counts. Compare its time with the duration by <=, not by <."
+    about.cause = "You left out an impact exactly at the end of the duration, which still counts. "
+    about.cause += "Compare the time of the impact with the duration, using <= instead of <."
     got = ground.next_impact(float(time))
     name = f"; ground.next_impact({time!r})"
     missed = "None, as if there were no impact"
@@ -199,8 +200,8 @@ def test_pairs_reject_invalid_durations_and_accelerations() -> None:
     about.read = PAIRS
     pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]
     expect_durations("ParticlePairs([a, b], radius=1.0)", ParticlePairs(pair, 1.0))
-    about.cause = "You accepted two different accelerations, but the equation holds only if they "
-    about.cause += "are equal. Raise ValueError, even if the particles move apart."
+    about.cause = "You accepted two different accelerations, but your formula for the time assumes "
+    about.cause += "equal ones. Raise ValueError, even if the particles move apart."
     for velocity, one, other, force, mass in (
         (-1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
         (1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
@@ -215,7 +216,7 @@ def test_pairs_reject_invalid_durations_and_accelerations() -> None:
         about.call += f"{other}; {pushed}ParticlePairs([a, b], radius=1.0).next_impact(1.0)"
         if math.isinf(mass):
             about.cause = "Particle b is immovable, so its acceleration is 0, unlike that of a. "
-            about.cause += "Raise ValueError, because your equation needs equal accelerations."
+            about.cause += "Raise ValueError, because your formula assumes equal accelerations."
         bad = [
             Particle(Vector3(5.0), Vector3(velocity), Vector3(*one)),
             Particle(None, None, Vector3(*other), mass=mass),

@@ -73,8 +73,8 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
     e = round(rng.uniform(0.55, 0.9), 3)  # at 0.5 the bounces end at 3 s
     for frames, h in ((1, 3.0), (180, FRAME)):
         about.call = "a ball falls 5 m to the ground with gravity of 10 m/s^2; it bounces with a "
-        about.call += f"restitution of {e}; {'one call' if frames == 1 else f'{frames} calls'} of "
-        about.call += f"time_division_step([ball], ground, {h:.6g}); "
+        about.call += f"restitution of {e}; time_division_step([ball], ground, {h:.6g}) "
+        about.call += "once; " if frames == 1 else f"{frames} times; "
         # It falls for 1 s, bounces at e times 10 m/s, and flies for 2 e, 2 e^2, ... seconds.
         times, t = [], 1.0
         while t <= 3.0:
@@ -88,14 +88,14 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
             about.cause = "You found more impacts than there are. Subtract the time of each impact "
             about.cause += "from the rest of the step, and pass what is left to next_impact."
             if found[1][2] < 1e-9:
-                about.cause = "You resolved an impact before you moved the particles to its time. "
-                about.cause += "Move all particles first, and then resolve the velocity."
+                about.cause = "You resolved an impact before you moved the particles. Move all of "
+                about.cause += "them to the time of the impact first."
         if len(found) > 1000 and asked[-1] == h:
             about.cause = "You pass the whole duration to next_impact again after each impact, so "
             about.cause += "the step never ends. Pass only the time that is left in the step."
         elif len(found) > 1000:
-            about.cause = "The ball stops bouncing at an impact. Call resolve_velocity with a "
-            about.cause += "duration of 0 at each impact, so that the whole velocity bounces."
+            about.cause = "Your ball stops bouncing, because resolve_velocity ignores velocity "
+            about.cause += "gained during the duration that you pass. Pass a duration of 0."
         expect_exactly(len(found), len(times), then="the number of impacts", unit="impacts")
         last, bounces = times[-1], len(times)
         left = 3.0 - last
@@ -103,7 +103,7 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         wanted = (speed * left - 5.0 * left * left, speed - 10.0 * left)
         place, velocity = seen[-1][0]
         about.cause = "The ball bounces with the wrong speed. Pass a duration of 0 to "
-        about.cause += "resolve_velocity, so that the whole velocity bounces."
+        about.cause += "resolve_velocity, because it ignores velocity gained during the duration."
         # Some 200 flights, each with a few roundings of 10 m.
         name = "the final height in m and the final velocity along y in m/s"
         expect_close((place[1], velocity[1]), wanted, then=name, tolerance=1e-11)
@@ -112,14 +112,14 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
         expect_close(max(asked), h, then="the longest duration passed to next_impact", unit="s")
         about.cause = "You called next_impact too often or too rarely. Call it once at the start "
         about.cause += "of each step and once more after each impact."
-        expect_exactly(len(asked), frames + bounces, then="the calls of next_impact", unit="calls")
+        expect_exactly(len(asked), frames + bounces, then="calls to next_impact", unit="calls")
 
 
 @pytest.mark.exercise("B7.12")
 def test_a_restitution_of_1_loses_no_energy() -> None:
     about.read = READ
     about.call = "a ball falls 2 m to the ground with gravity of 10 m/s^2; it bounces with a "
-    about.call += "restitution of 1; 1200 calls of time_division_step([ball], ground, 1/60); "
+    about.call += "restitution of 1; time_division_step([ball], ground, 1/60) 1200 times; "
     about.cause = "The energy has changed, although no bounce loses any energy at a restitution of "
     about.cause += "1. Check how you move the particles between two impacts."
     seen, found, _, _ = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (1.0, None), FRAME, 1200)
@@ -136,18 +136,18 @@ def test_a_restitution_of_1_loses_no_energy() -> None:
 def test_a_ball_at_rest_raises_too_many_impacts() -> None:
     about.read = "the docstring of TooManyImpacts"
     about.call = "a ball falls 2 m to the ground with gravity of 10 m/s^2; it bounces with a "
-    about.call += "restitution of 0.5; calls of time_division_step([ball], ground, 1/60) until "
-    about.call += "TooManyImpacts is raised; "
-    about.cause = "You raised no error, but when the ball comes to rest, the impacts never end. "
-    about.cause += "Raise TooManyImpacts after max_impacts impacts."
+    about.call += "restitution of 0.5; time_division_step([ball], ground, 1/60) repeatedly, until "
+    about.call += "it raises an error; "
+    about.cause = "You raised no error, although the impacts never end as the ball comes to rest. "
+    about.cause += "Raise TooManyImpacts if there is another impact after max_impacts impacts."
     seen, _, _, ended = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 200)
-    expect_that(ended is not None, "no error in 200 steps", "TooManyImpacts")
+    expect_that(ended is not None, "no error in 200 steps", "TooManyImpacts", then="the error")
     impacts, time = ended or (0, 0.0)
     got = (len(seen) - 1) * FRAME + time
     # The last bounces that floats can distinguish are 1e-9 s apart.
     ends = 1.8973666
     early = int(ends / FRAME) * FRAME
-    name = "You passed the time that is left in the step to the error. Pass the time since the "
+    name = "The time in your error is the time that is left in the step. Pass the time since the "
     blame(got, [(2.0 * early + FRAME - ends, f"{name}start of the step.")], tolerance=1e-7)
     name = "the start of the last step plus error.time"
     expect_close(got, ends, then=name, tolerance=1e-7, unit="s")
@@ -186,10 +186,10 @@ def test_a_ball_at_rest_raises_too_many_impacts() -> None:
         speed = -10.0 * 0.5**most
         about.cause = "Before you raise TooManyImpacts, move the particles to the time of the next "
         about.cause += "impact. Don't resolve that impact, and don't apply the damping."
-        stayed = "You left the ball at the time of the last allowed impact. Move all particles to "
-        stayed += "the time of the next impact before you raise the error."
-        damped = "You applied the damping before you raised TooManyImpacts. It belongs to the end "
-        damped += "of a complete step, so raise the error first."
+        stayed = "You raised the error while the particles were still at the last allowed impact. "
+        stayed += "Move them to the time of the next impact first."
+        damped = "You applied the damping before you raised TooManyImpacts. Damping acts only at "
+        damped += "the end of a complete step, so raise the error first."
         mistakes = [(speed * 0.5**t, damped) for t in (times[most], 9.0)]
         blame(velocity[1], [(-speed, stayed), (-0.5 * speed, many), *mistakes])
         expect_close(place[1], 0.0, then="; the height after the error", tolerance=1e-12, unit="m")
@@ -207,8 +207,8 @@ def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
         places = [2.0 * i - (gap if i < count else 0.0) for i in range(5)]
         about.call = "five spheres (radius 1 m, 2 kg) in a row, with a restitution of 1; the first "
         about.call += f"{count} of them at {speed} m/s reach{'es' if count == 1 else ''} the "
-        about.call += "others, which touch, after 0.75 s; 4 calls of time_division_step(spheres, "
-        about.call += "pairs, 0.5); "
+        about.call += "others, which touch, after 0.75 s; "
+        about.call += "time_division_step(spheres, pairs, 0.5) 4 times; "
         about.cause = "Each impact passes the velocity on to the next sphere, so as many spheres "
         about.cause += "should leave as arrive. Resolve simultaneous impacts one after another."
         bodies = [((x, 0.0, 0.0), (v, 0.0, 0.0), 2.0) for x, v in zip(places, speeds, strict=True)]

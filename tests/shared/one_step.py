@@ -79,7 +79,7 @@ def wrong_steps(
     if method == "explicit_euler":
         middle, early = x + 0.5 * h * v, (v + 0.5 * h * first) * half_keep
         return {
-            "You make two steps of half the duration, so the second half uses a new velocity. Make "
+            "You take two steps of half the duration, so the second one uses a new velocity. Take "
             "a single step instead.": (
                 middle + 0.5 * h * early,
                 (early + 0.5 * h * acceleration) * half_keep,
@@ -121,17 +121,17 @@ def wrong_steps(
         bare, half, whole = (x + v * h + part * first * h * h for part in (0.0, 0.5, 1.0))
         least, second, most = (force(place, v + first * h) for place in (bare, half, whole))
         velocities = {
-            "Your new velocity is v + a h, which uses only a, the acceleration at the start of "
-            "the step. Use the mean of the accelerations a and b instead.": v + first * h,
-            "Your new velocity is v + b h, which uses only b, the acceleration at the end of the "
-            "step. Use the mean of the accelerations a and b instead.": v + second * h,
+            "Your new velocity uses only the acceleration at the start of the step. Use the mean "
+            "of the accelerations at the start and at the end instead.": v + first * h,
+            "Your new velocity uses only the acceleration at the end of the step. Use the mean of "
+            "the accelerations at the start and at the end instead.": v + second * h,
             "You add up the forces of both evaluations, so the velocity changes by twice as much "
             "as it should. Use their mean instead.": v + (first + second - a) * h,
             "Your new velocity starts from v + a h, which is only the estimate for the second "
             "evaluation. Start from the old velocity v instead.": v
             + (1.5 * first + 0.5 * second) * h,
-            "The forces of the first evaluation are still in the accumulators during the second "
-            "one. Clear them in between, and add only the forces from before the step.": v
+            "Your second evaluation still includes the forces of the first one. Clear the "
+            "accumulators in between, and restore only the forces added before the step.": v
             + 0.5 * (first + second + first - acceleration) * h,
             "Your second evaluation leaves out the force that was added to p before the step. "
             "Store this force, and add it again before the second evaluation.": v
@@ -156,26 +156,32 @@ def wrong_steps(
             "the weight of the others.": mean_of((1.0, 1.0, 1.0, 1.0), parts),
             "You give the first and the last rate a weight of 2. Give this weight to the second "
             "and the third rate instead.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
-            "You evaluate the third rate at the end of the step. Evaluate it in the middle, "
-            "in the state that the second rate leads to.": mean_of(weights, (0.0, 0.5, 1.0, 1.0)),
-            "You evaluate the last rate in the middle of the step. Evaluate it at the end, "
-            "in the state that the third rate leads to.": mean_of(weights, (0.0, 0.5, 0.5, 0.5)),
-            "You evaluate only three rates, but Runge-Kutta needs four. Two of them belong in the "
-            "middle of the step, the second in the state that the first leads to.": mean_of(
+            "You evaluate the third rate at the end of the step. Return to the start, move for "
+            "half the step at the second rate, and evaluate the third rate there.": mean_of(
+                weights, (0.0, 0.5, 1.0, 1.0)
+            ),
+            "You evaluate the fourth rate in the middle of the step. Return to the start, move for "
+            "the whole step at the third rate, and evaluate the fourth rate there.": mean_of(
+                weights, (0.0, 0.5, 0.5, 0.5)
+            ),
+            "You evaluate only three rates: at the start, in the middle and at the end of the "
+            "step. Runge-Kutta needs four, so evaluate two different rates in the middle.": mean_of(
                 (1.0, 4.0, 1.0), (0.0, 0.5, 1.0)
             ),
-            "You start each stage where the previous one ended. Go back to the start of the step "
-            "before you move at the next rate.": mean_of(weights, parts, back=False),
+            "For each rate, you move on from the state of the previous one. Return to the start of "
+            "the step first, and move from there at the previous rate.": mean_of(
+                weights, parts, back=False
+            ),
             "Before each evaluation, you move p but keep its old velocity. Also set the velocity "
             "to v + a h / 2 or v + a h, where a is the previous acceleration.": mean_of(
                 weights, parts, turns=False
             ),
             "Only your first evaluation includes the force that was added to p before the step. "
-            "Store this force, and add it again before each of the others.": mean_of(
+            "Store this force, and add it again before the other three evaluations.": mean_of(
                 weights, parts, later=acceleration - a
             ),
-            "You take four short steps of explicit Euler, one after the other. Take one step from "
-            "the start with the weighted mean of the four rates instead.": short,
+            "You take four short steps of explicit Euler. Take a single step of the whole duration "
+            "instead, with the weighted mean of four rates.": short,
             "You move p by v h, with the old velocity v. Use the weighted mean of the four "
             "velocities instead.": (x + v * h, velocity),
             "Your new velocity uses only the last of the four accelerations. Use their weighted "

@@ -25,8 +25,8 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "Your code accepted NaN. Every comparison with NaN is False, so x < 0.0 does not find it. Check "
-    "instead that the number is valid: math.isfinite(x), or 0.0 < x < math.inf."
+    "Your code accepted NaN. Every comparison with NaN is False, so x < 0.0 does not find it. "
+    "Check instead that the number is valid: math.isfinite(x), or 0.0 < x < math.inf."
 )
 UNCHANGED = (
     "The call changed a value that it should only read. Work on a copy, or on plain numbers."

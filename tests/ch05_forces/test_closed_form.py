@@ -185,8 +185,8 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
     about.read = FALL
     g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
-    about.cause = "The terminal speed u is large here, so x = g t / u is small, and computing ln "
-    about.cause += "cosh x directly loses digits. Use math.log1p(2 sinh(x / 2)^2) instead."
+    about.cause = "The terminal speed u is large here, so x = g t / u is small, and your ln cosh x "
+    about.cause += "loses digits. Compute ln cosh x as math.log1p(2 sinh(x / 2)^2)."
     for k2 in (1e-8, 1e-12, 1e-15):
         about.call = "speed, distance = "
         about.call += f"quadratic_fall(mass=2.0, gravity={g}, k2={k2}, time={time})"
@@ -243,7 +243,7 @@ def test_a_fall_of_any_length_is_accurate() -> None:
     about.cause = "Your result loses digits at this time. Use a formula for ln cosh x that is "
     about.cause += "accurate for this x = g t / u."
     early = "You use x - ln 2 in place of ln cosh x, but the two still differ at this time. Switch "
-    early += "at a larger x = g t / u, where u is the terminal speed."
+    early += "to x - ln 2 only at a larger x = g t / u, where u is the terminal speed."
     for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
         about.call = "speed, distance = "
         about.call += f"quadratic_fall(mass=2.0, gravity=8.0, k2=0.25, time={text})"

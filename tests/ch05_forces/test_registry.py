@@ -62,7 +62,7 @@ def holding(*pairs: tuple[int, int]) -> str:
     if not pairs:
         return "an empty registry; "
     shown = ", ".join(f"(p{p}, g{g})" for p, g in pairs)
-    return f"a registry with these pairs of a particle and a generator: {shown}; "
+    return f"a registry with these (particle, generator) pairs: {shown}; "
 
 
 @scoped
@@ -175,8 +175,8 @@ def test_remove_undoes_one_call_of_add() -> None:
         why = "One call to remove deleted all three pairs (p0, g0). Stop after the first pair "
         why += "that matches."
     elif got == sorted(everyone):
-        why = "remove(p0, g0) did not delete any pair. Find the first pair (p0, g0) in the list, "
-        why += "and delete this one pair."
+        why = "remove(p0, g0) did not delete any pair. Find the first pair (p0, g0) in the list "
+        why += "and delete it."
     expect_that(got == wanted, told(got), told(wanted), cause=why)
     acts = [*adds, *[("remove", 0, 0)] * 3, ("update", 0.5)]
     expect_asked(acts, [(1, 1, 0.5)], cause=about.cause)
@@ -256,8 +256,8 @@ def test_immovable_particles_are_skipped() -> None:
 @pytest.mark.exercise("B5.3")
 def test_the_registry_keeps_earlier_forces(rng: Random) -> None:
     by_hand, first, second = components(rng), components(rng), components(rng)
-    about.call = f"p.add_force(Vector3{by_hand}); a registry with the pairs (p, g0) and (p, g1), "
-    about.call += f"where g0 adds a force of {first} N, and g1 a force of {second} N; "
+    about.call = f"p.add_force(Vector3{by_hand}); a registry with the pairs (p, g0) and (p, g1); "
+    about.call += f"g0 adds a force of {first} N, and g1 a force of {second} N; "
     about.call += "registry.update_forces(0.5); p.force_accumulator"
     about(
         cause="The sum of the forces is wrong. It must contain the force from add_force and the "
@@ -334,8 +334,8 @@ def test_an_update_rejects_a_bad_duration(duration: float) -> None:
 @pytest.mark.exercise("B5.3")
 @pytest.mark.robust
 def test_an_error_of_a_generator_reaches_the_caller() -> None:
-    about.call = "a registry with one pair (p, g), whose method g.update_force raises "
-    about.call += "ArithmeticError; registry.update_forces(0.5)"
+    about.call = "a registry with one pair (p, g); g.update_force raises ArithmeticError; "
+    about.call += "registry.update_forces(0.5)"
     about.cause = "update_forces hides the error that g.update_force raises. Don't catch this "
     about.cause += "error, so that it reaches the caller."
     about.read = "the docstring of update_forces"

@@ -170,8 +170,8 @@ def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     about("range.bullet.position = Vector3(20, 1, 178); ", read=UPDATE)
     about.call += "range.bullet.velocity = Vector3(0, -2, 64); no force or gravity acts on the "
     about.call += "bullet; range.update(0.5)"
-    about.cause = "This step must move the bullet to y = 0 and z = 210, where the shot has not yet "
-    about.cause += "ended. End the shot only if y < 0 or z > 210."
+    about.cause = "This step must move the bullet to y = 0 and z = 210, where the shot is not over "
+    about.cause += "yet. End the shot only if y < 0 or z > 210."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)

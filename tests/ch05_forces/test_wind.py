@@ -126,7 +126,9 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
 def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
-    about.call = f"range = SniperRange({seed}); 400 times: range.change_wind()"
+    about.call = (
+        f"range = SniperRange({seed}), which draws a first wind; 400 times: range.change_wind()"
+    )
     about.cause = "Each call of change_wind must draw a new wind. Call self.random.uniform once "
     about.cause += "for x and once for z."
     (seen,) = winds([seed], 400)

@@ -271,8 +271,8 @@ def test_a_fall_begins_at_rest() -> None:
     expect_close(got, (0.0, 0.0))
     about.cause = "The result is wrong after a very short time t. There is almost no drag yet, so "
     about.cause += "the speed is g t and the distance g t^2 / 2."
-    about.call = "quadratic_fall(mass=2.0, gravity=10.0, k2=0.05, time=1e-6)"
+    about.call = "speed, distance = quadratic_fall(mass=2.0, gravity=10.0, k2=0.05, time=1e-6)"
     got = quadratic_fall(2.0, 10.0, 0.05, 1e-6)
     # Drag changes both by one part in 1e12.
-    expect_close(got[0], 1e-5, then=", the speed", tolerance=1e-16, unit="m/s")
-    expect_close(got[1], 5e-12, then=", the distance", tolerance=1e-22, unit="m")
+    expect_close(got[0], 1e-5, then="; speed", tolerance=1e-16, unit="m/s")
+    expect_close(got[1], 5e-12, then="; distance", tolerance=1e-22, unit="m")

@@ -82,11 +82,13 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     force = components(rng)
     opposite = (-force[0], -force[1], -force[2])
     about.read = "the docstring of force_accumulator"
-    about.cause = "No force has been added yet. The sum must then be the zero vector, not None."
+    about.cause = "No force has been added yet, so the sum must be the zero vector."
     about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
     p = Particle(acceleration=Vector3(0, -10, 0))
     total = p.force_accumulator
-    expect_that(total is not None, "the sum is None", "the sum is Vector3(0, 0, 0)")
+    none = "No force has been added yet, so the sum must be the zero vector. Return Vector3() "
+    none += "instead of None."
+    expect_that(total is not None, "None, not a vector", "Vector3(0, 0, 0)", cause=none)
     expect_close(xyz(total), ZERO, unit="N")
     about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
     about.cause = "The two forces are opposite, so their sum must be zero. Store the sum of each "
@@ -199,6 +201,7 @@ def test_clear_forces_sets_the_sum_to_zero(rng: Random) -> None:
         unit="N",
         cause="The sum must equal the only force that was added.",
     )
+    about.call = f"p.add_force(Vector3{first}); p.clear_forces()"
     expect_unmoved(p, "clear_forces has changed p.{}. It must change only the sum of the forces.")
 
 

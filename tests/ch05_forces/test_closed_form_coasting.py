@@ -34,18 +34,17 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
             "Your result is v e^-s, where s = k1 t / m. Include the quadratic drag (k2) too.": (
                 v * math.exp(-s)
             ),
-            "You apply the drag with k2 first and the drag with k1 after it. Both act at the "
-            "same time, so use (1 - e^-s) / k1 instead of t / m in the denominator.": (
-                v * math.exp(-s) / (1.0 + k2 * v * time / mass)
-            ),
+            "You apply the quadratic drag first and then the linear drag, but both act at the "
+            "same time. In the denominator, replace t / m by (1 - e^-s) / k1, where s = k1 t / "
+            "m.": (v * math.exp(-s) / (1.0 + k2 * v * time / mass)),
             "The mass is missing from the exponent s. It must be s = k1 t / m, where m is the "
             "mass.": (v * math.exp(-s * mass) / (1.0 - ratio * v * math.expm1(-s * mass))),
             "Your denominator contains the mass as an extra factor. It must be 1 + k2 v (1 - "
-            "e^-s) / k1, where v is the initial speed.": (
+            "e^-s) / k1, where v is the initial speed and s = k1 t / m.": (
                 v * math.exp(-s) / (1.0 - ratio * mass * v * math.expm1(-s))
             ),
             "A division by k1 is missing from the denominator. It must be 1 + k2 v (1 - e^-s) / "
-            "k1, where v is the initial speed.": (
+            "k1, where v is the initial speed and s = k1 t / m.": (
                 v * math.exp(-s) / (1.0 - k2 * v * math.expm1(-s))
             ),
         }

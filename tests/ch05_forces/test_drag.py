@@ -175,8 +175,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
         "multiplies it by the duration later.": [f[i] + force[i] * h for i in range(3)],
         "You swapped k1 and k2. In the drag, k1 is multiplied by the speed, and k2 by the "
         "square of the speed.": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
-        "The force that was added before the drag is lost. Add the drag with add_force, which "
-        "keeps the other forces, and clear nothing.": force,
+        "The sum is only the drag, without the force that was added before. Add the drag with "
+        "add_force, and don't clear any forces.": force,
         "Your update_force added no drag. Compute the drag from the velocity of the particle, "
         "not from its position, and add it.": f,
     }
@@ -267,16 +267,19 @@ def test_linear_drag_in_steps_near_its_limits() -> None:
     cause = "Your linear drag is wrong. A step of h seconds must multiply the velocity by "
     cause += "1 - k1 h / m, even if this factor is negative."
     about.cause = cause
-    limited = "You limit the drag so that it cannot reverse the motion. Only the Airbrake does "
-    limited += "that, so add the drag without a limit."
+    limited = "You limit the drag so that it cannot reverse the motion. Remove the limit, because "
+    limited += "only the Airbrake has one."
     # The rounding of each step, which the factor below enlarges at most 1.02^40 = 2.2 times.
     for share in (0.98, 1.02, 1.98, 2.02):
         h = share * mass / k1
-        about.call = "p = Particle(velocity=Vector3(3, 0, 0), mass=2); in every step: Drag(k1=8, "
-        about.call += f"k2=0).update_force(p, {h:g}) and p.integrate({h:g})"
         for steps in (1, 2, frames):
+            about.call = "p = Particle(velocity=Vector3(3, 0, 0), mass=2); "
+            about.call += f"{steps} times: " if steps > 1 else ""
+            about.call += f"Drag(k1=8, k2=0).update_force(p, {h:g})"
+            about.call += " and " if steps > 1 else "; "
+            about.call += f"p.integrate({h:g})"
             _, velocity = with_drag((3.0, 0.0, 0.0), k1, 0.0, mass, h, steps)
             wanted = 3.0 * (1.0 - share) ** steps
-            then = f"; p.velocity.x after {steps} step{'s' * (steps > 1)}"
             why = limited if share > 1.0 and abs(velocity[0]) < 1e-9 else cause
+            then = "; p.velocity.x"
             expect_close(velocity[0], wanted, then=then, unit="m/s", cause=why, tolerance=1e-12)

@@ -23,7 +23,7 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
     about.read = "book 3.2, Eq. 3.4"
     for mass in (round(rng.uniform(2.0, 90.0), 3), 0.125):
         about.call = "p = Particle(velocity=Vector3(5, 6, 7), acceleration=Vector3(1, 2, 3), "
-        about.call += f"{mass=}); Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator"
+        about.call += f"{mass=}); gravity = Gravity(Vector3{g}); gravity.update_force(p, 0.5)"
         about.cause = "The force is not the weight m g. Multiply all three components of g by the "
         about.cause += "mass, and by nothing else."
         vectors = {"velocity": Vector3(5, 6, 7), "acceleration": Vector3(1, 2, 3)}
@@ -53,7 +53,7 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
             if got == ZERO and xyz(getattr(p, name)) != before:
                 about.cause = f"You change p.{name} instead of adding a force. Pass the weight m g "
                 about.cause += "to particle.add_force."
-        expect_close(got, wanted, unit="N")
+        expect_close(got, wanted, then="; p.force_accumulator", unit="N")
         for name, before in state.items():
             about.cause = f"update_force changed p.{name}. It must only add a force."
             expect_unchanged(f"p.{name}", xyz(getattr(p, name)), before)
@@ -77,8 +77,8 @@ def test_gravity_keeps_earlier_forces(rng: Random) -> None:
     gravity.update_force(p, 0.5)
     wanted = tuple(f[i] + 2 * mass * g[i] for i in range(3))
     got = xyz(p.force_accumulator)
-    cleared = "The earlier forces are missing from the sum. Add the weight with add_force, which "
-    cleared += "keeps them, and clear nothing."
+    cleared = "The sum is only the last weight, without the earlier forces. Add the weight with "
+    cleared += "add_force, and don't clear any forces."
     blame(got, {cleared: [mass * g[i] for i in range(3)]})
     # Three roundings of numbers up to 200.
     expect_close(got, wanted, tolerance=1e-12, unit="N")

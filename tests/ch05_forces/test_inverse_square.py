@@ -52,8 +52,8 @@ def test_the_force_is_m_mu_over_r_squared(rng: Random) -> None:
             "Multiply m mu / r^2 by a unit vector.": [part * distance for part in wanted],
             "Your force is proportional to 1 / r^3 instead of 1 / r^2, where r is the distance. "
             "Multiply m mu / r^2 by a unit vector.": [part / distance for part in wanted],
-            "You use the position after the step. Compute the force from the current position, "
-            "without the velocity.": [-mass * mu * part / later**3 for part in moved],
+            "You compute the force from the position after the step. Use the current position of "
+            "the particle instead.": [-mass * mu * part / later**3 for part in moved],
             "Your force pushes the particle away from the center. Use the vector from the "
             "particle to the center instead.": [-part for part in wanted],
             "You add an acceleration instead of a force. Multiply it by particle.mass.": [

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import takewhile
 from random import Random
 from typing import Any
 
@@ -34,8 +35,8 @@ CHANGES = {
     ),
     "remove the second": (
         "removes the pair (p, g1)",
-        "You skip the pair that g0 removes during the update. Loop over a copy of the list, and "
-        "process every pair in it.",
+        "Your loop skips g1, because g0 removes the pair (p, g1) during the loop. Loop over a copy "
+        "of the list, and process every pair in the copy.",
     ),
     "clear": (
         "clears the registry",
@@ -53,6 +54,17 @@ def told(calls: list[tuple[int, int, float]]) -> str:
     return ", ".join(shown) or "no calls"
 
 
+def holding(*pairs: tuple[int, int]) -> str:
+    """Describe a registry that holds these pairs, each the numbers of a particle and a generator.
+
+    The words do not call add, because the student is to open the function under test.
+    """
+    if not pairs:
+        return "an empty registry; "
+    shown = ", ".join(f"(p{p}, g{g})" for p, g in pairs)
+    return f"a registry with these (particle, generator) pairs: {shown}; "
+
+
 @scoped
 def expect_asked(
     acts: list[tuple[Any, ...]],
@@ -67,10 +79,11 @@ def expect_asked(
     ``slips`` are the calls that likely mistakes make.
     """
     about.cause = cause
-    about.call = "particles p0, p1, p2 and generators g0, g1, g2; "
+    first = [*takewhile(lambda act: act[0] == "add", acts)]
+    about.call = holding(*((p, g) for _, p, g in first))
     about.call += "".join(f"p{i} is immovable; " for i in immovable)
-    for name, *numbers in acts:
-        if name == "add":  # not as a call, because the student is to open the function under test
+    for name, *numbers in acts[len(first) :]:
+        if name == "add":
             about.call += f"the pair (p{numbers[0]}, g{numbers[1]}) is added; "
         elif name == "remove":
             about.call += f"registry.remove(p{numbers[0]}, g{numbers[1]}); "
@@ -80,7 +93,7 @@ def expect_asked(
             about.call += "registry.clear(); "
         else:
             about.call += f"registry.update_forces({numbers[0]}); "
-    about.call += "the calls of update_force"
+    about.call += "the calls to update_force"
     got = [*map(tuple, asked(immovable, acts))]
     for name, calls in (slips or {}).items():
         if got == calls:
@@ -91,8 +104,8 @@ def expect_asked(
 @pytest.mark.exercise("B5.3")
 def test_every_pair_is_called_once_per_step(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
-    about.cause = "Your calls of update_force are wrong. Call it once for every pair, and pass the "
-    about.cause += "particle first and the duration second."
+    about.cause = "Your calls to update_force are wrong. Call generator.update_force(particle, "
+    about.cause += "duration) exactly once for every pair."
     about.read = "book 5.2.2"
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
@@ -105,17 +118,17 @@ def test_every_pair_is_called_once_per_step(rng: Random) -> None:
             *wanted[:2:-1],
         ],
         "You call only one generator for each particle. A particle may have several "
-        "generators, because every call of add registers another pair.": [
+        "generators, because every call to add registers another pair.": [
             one for one in wanted if one[:2] != (0, 1)
         ],
-        "g2 is missing, because you compare generators with ==. Two different generators can "
-        "be equal, so compare with `is`.": [one for one in wanted if one[:2] != (0, 2)],
-        "You always pass a duration of 1/60 s to the generators. Pass the duration that "
-        "update_forces was called with.": [
-            (p, generator, 1.0 / 60.0) for p, generator, _ in wanted
+        "Your registry leaves out the pair (p0, g2), because you compare generators with ==. Two "
+        "different generators can be equal, so use `is`.": [
+            one for one in wanted if one[:2] != (0, 2)
         ],
-        "You call no generator, although all particles can move. Skip a particle only if its "
-        "inverse mass is 0.": [],
+        "You always pass a duration of 1/60 s to the generators. Pass them the duration that "
+        "update_forces receives.": [(p, generator, 1.0 / 60.0) for p, generator, _ in wanted],
+        "Your update_forces calls none of the generators, although all particles can move. Skip "
+        "a particle only if its inverse mass is 0.": [],
     }
     expect_asked(acts, wanted, cause=about.cause, slips=slips)
 
@@ -143,28 +156,27 @@ def test_a_pair_that_is_added_twice_acts_twice() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_undoes_one_call_of_add() -> None:
     about.read = "the docstring of remove"
-    about.cause = "Your remove deleted the wrong pair. Look for the first pair with exactly this "
-    about.cause += "particle and this generator, and remove only this pair."
+    about.cause = "remove does not delete the right pair. Find the first pair whose particle and "
+    about.cause += "generator are the ones passed to remove, and delete only this pair."
     adds = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
     everyone = [(0, 0, 0.5), (1, 1, 0.5), (0, 0, 0.5), (0, 0, 0.5)]
     expect_asked(
         [*adds, ("update", 0.5)],
         everyone,
         cause="The same pair (p0, g0) was added three times, so its generator must be called "
-        "three times. Every call of add registers another pair.",
+        "three times. Every call to add registers another pair.",
     )
-    about.call = "particles p0, p1 and generators g0, g1; the pair (p0, g0) is added three times; "
-    about.call += "the pair (p1, g1) is added; registry.remove(p0, g0); "
-    about.call += "registry.update_forces(0.5); the calls of update_force, sorted"
+    about.call = f"{holding((0, 0), (1, 1), (0, 0), (0, 0))}registry.remove(p0, g0); "
+    about.call += "registry.update_forces(0.5); the calls to update_force, sorted by particle"
     got = [*map(tuple, sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)])))]
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
     why = about.cause
     if got == [(1, 1, 0.5)]:
-        why = "One call of remove deleted all three pairs (p0, g0). Stop after the first pair "
+        why = "One call to remove deleted all three pairs (p0, g0). Stop after the first pair "
         why += "that matches."
     elif got == sorted(everyone):
-        why = "Your remove deleted nothing. Find the first pair with this particle and this "
-        why += "generator, and delete it."
+        why = "remove(p0, g0) did not delete any pair. Find the first pair (p0, g0) in the list "
+        why += "and delete it."
     expect_that(got == wanted, told(got), told(wanted), cause=why)
     acts = [*adds, *[("remove", 0, 0)] * 3, ("update", 0.5)]
     expect_asked(acts, [(1, 1, 0.5)], cause=about.cause)
@@ -180,7 +192,8 @@ def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     for i, (_, particle, generator) in enumerate(pairs):
         acts = [*pairs, ("remove", particle, generator), ("update", 0.5)]
         slip = f"Your remove deleted (p{particle}, g0) instead of (p{particle}, g{generator}), "
-        slip += "because you compare generators with ==. Different ones can be equal, so use `is`."
+        slip += "because you compare generators with ==. Two different generators can be equal, "
+        slip += "so use `is`."
         slips = {slip: [one for one in everyone if one[:2] != (particle, 0)]}
         expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=about.cause, slips=slips)
 
@@ -197,14 +210,20 @@ def test_removing_an_absent_pair_changes_nothing() -> None:
 @pytest.mark.exercise("B5.3")
 def test_clear_removes_all_pairs() -> None:
     about.read = "the docstring of clear"
-    about.cause = "clear must remove all pairs from the registry, and a pair that is added later "
-    about.cause += "must act."
+    about.cause = "The calls to update_force are wrong. clear must remove all pairs from the "
+    about.cause += "registry, and a pair that is added afterward must work as usual."
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
     first = [(0, 0, 0.5), (1, 1, 0.5)]
-    still = "A pair still has an effect after clear was called. clear must remove all pairs from "
-    still += "the registry."
-    slips = {still: [*first, *first, (0, 0, 0.25), (1, 1, 0.25), (2, 1, 0.25)]}
+    slips = {
+        "g0 and g1 are still called after registry.clear(). clear must remove all pairs from the "
+        "registry.": [*first, *first, (0, 0, 0.25), (1, 1, 0.25), (2, 1, 0.25)],
+        "Your clear removed only the first pair in the registry. It must remove all pairs.": [
+            *first,
+            (1, 1, 0.5),
+            (2, 1, 0.25),
+        ],
+    }
     expect_asked(acts, [*first, (2, 1, 0.25)], cause=about.cause, slips=slips)
 
 
@@ -216,10 +235,15 @@ def test_immovable_particles_are_skipped() -> None:
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 1, 1), ("add", 2, 0), ("update", 0.5)]
     wanted = [(0, 0, 0.5), (2, 0, 0.5)]
     slips = {
-        "Your loop ends at the first pair of an immovable particle. Skip only this pair, and "
-        "continue with the next one.": wanted[:1],
-        "You call generators for the immovable particle p1, which no force can move. Skip its "
-        "pairs without removing them.": [(0, 0, 0.5), (1, 0, 0.5), (1, 1, 0.5), (2, 0, 0.5)],
+        "Your loop ends when it reaches a pair with an immovable particle. Skip only this pair, "
+        "and continue with the next one.": wanted[:1],
+        "You call g0 and g1 for p1, although no force can move an immovable particle. Skip the "
+        "pairs of p1, but keep them in the registry.": [
+            (0, 0, 0.5),
+            (1, 0, 0.5),
+            (1, 1, 0.5),
+            (2, 0, 0.5),
+        ],
     }
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,), slips=slips)
     about.cause = "You skip p1 in the second update, although it can move by then. Check the "
@@ -232,8 +256,9 @@ def test_immovable_particles_are_skipped() -> None:
 @pytest.mark.exercise("B5.3")
 def test_the_registry_keeps_earlier_forces(rng: Random) -> None:
     by_hand, first, second = components(rng), components(rng), components(rng)
-    about.call = f"p.add_force(Vector3{by_hand}); two pairs (p, g) are added, with generators of "
-    about.call += f"{first} N and {second} N; registry.update_forces(0.5); p.force_accumulator"
+    about.call = f"p.add_force(Vector3{by_hand}); a registry with the pairs (p, g0) and (p, g1); "
+    about.call += f"g0 adds a force of {first} N, and g1 a force of {second} N; "
+    about.call += "registry.update_forces(0.5); p.force_accumulator"
     about(
         cause="The sum of the forces is wrong. It must contain the force from add_force and the "
         "forces of both generators.",
@@ -241,17 +266,18 @@ def test_the_registry_keeps_earlier_forces(rng: Random) -> None:
     )
     before, after, emptied = gathered(by_hand, [first, second])
     wanted = tuple(by_hand[i] + first[i] + second[i] for i in range(3))
-    cleared = "You clear the force that was there before update_forces. Keep it, because only a "
-    cleared += "time step clears the forces."
+    cleared = "The force from p.add_force is missing from the sum. Don't clear the sum in "
+    cleared += "update_forces, because only a time step does that."
     blame(after, {cleared: [first[i] + second[i] for i in range(3)]})
     # Two roundings of numbers up to 30.
     expect_close(after, wanted, tolerance=1e-13, unit="N")
-    about.cause = "registry.add changed the sum of the forces on the particle. Change only the "
-    about.cause += "registry."
+    about.cause = "registry.add changed the sum of the forces on p. It must only add the pair to "
+    about.cause += "the registry."
     name = f"p.add_force(Vector3{by_hand}); registry.add(p, g); p.force_accumulator"
     expect_close(before, by_hand, call=name, read="the docstring of add", unit="N")
     about.read = "the docstring of clear"
-    about.cause = about.cause.replace("add", "clear")
+    about.cause = "registry.clear changed the sum of the forces on p. It must only remove the "
+    about.cause += "pairs from the registry."
     name = about.call.replace("p.force_acc", "registry.clear(); p.force_acc")
     expect_close(emptied, wanted, call=name, tolerance=1e-13, unit="N")
 
@@ -261,9 +287,9 @@ def test_a_generator_may_change_the_registry_during_an_update() -> None:
     about.read = "the docstring of update_forces"
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
         change, mistake = CHANGES[what]
-        about.call = "a registry with the pairs (p, g0), (p, g1) and (p, g2), in which "
+        about.call = "a registry with the pairs (p, g0), (p, g1) and (p, g2); every call to "
         about.call += f"g0.update_force {change}; registry.update_forces(0.5); "
-        about.call += "registry.update_forces(0.5); number of generators called"
+        about.call += "registry.update_forces(0.5); number of generators that each update calls"
         got = asked_while_it_changes(what)
         about.cause = "A change during an update must take effect only in the next update. " + COPY
         if got[0] not in (0, 3):
@@ -288,7 +314,8 @@ def test_an_update_rejects_a_bad_duration(duration: float) -> None:
     )
     for immovable in (False, True):
         got = asked_after_a_refusal(duration, immovable)
-        about.call = "a pair (p, g) of a particle and a generator is added; "
+        about.call = "a registry with one pair (p, g); "
+        about.call += "p is immovable; " if immovable else ""
         about.call += f"registry.update_forces({duration!r})"
         about.cause = f"The duration is {duration!r}, so raise {error.__name__} before the loop, "
         about.cause += "no matter which pairs are registered."
@@ -298,17 +325,19 @@ def test_an_update_rejects_a_bad_duration(duration: float) -> None:
         if got == 0:
             about.cause = "update_forces must still call the generator in a later step with a "
             about.cause += "valid duration."
-        then = " raises an error; registry.update_forces(0.5); number of calls of g.update_force"
+        then = " raises an error; "
+        then += "p.inverse_mass = 1.0; " if immovable else ""
+        then += "registry.update_forces(0.5); number of calls to g.update_force"
         expect_exactly(got, 1, then=then)
 
 
 @pytest.mark.exercise("B5.3")
 @pytest.mark.robust
 def test_an_error_of_a_generator_reaches_the_caller() -> None:
-    about.call = "a pair (p, g) of a particle and a generator is added; g.update_force raises "
-    about.call += "ArithmeticError; registry.update_forces(0.5)"
-    about.cause = "update_forces hides an error that the generator raises. Don't catch it, so that "
-    about.cause += "it reaches the caller."
+    about.call = "a registry with one pair (p, g); g.update_force raises ArithmeticError; "
+    about.call += "registry.update_forces(0.5)"
+    about.cause = "update_forces hides the error that g.update_force raises. Don't catch this "
+    about.cause += "error, so that it reaches the caller."
     about.read = "the docstring of update_forces"
     registry = failing()
     expect_error(

@@ -222,7 +222,8 @@ def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -
     first, last = Vector3(*start), Vector3(*end)
     hole = hit_on_the_way(first, last)
     for name, now, before in (("start", first, start), ("end", last, end)):
-        only_read = f"You change {name}, which you should only read. Use its numbers or a copy."
+        only_read = f"You change {name}, which hit_on_the_way must only read. Calculate with its "
+        only_read += "components instead, or work on a copy."
         expect_unchanged(name, xyz(now), before, cause=only_read)
     about.cause = "Return a Hole with the target that was hit, x, y and points."
     if hole is None:
@@ -256,7 +257,7 @@ def expect_hole(
     distance, *hole = wanted
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
-    then = "; x, y, distance and factor of the target that is hit"
+    then = "; x, y, distance and factor of the hole's target"
     expect_close(got[:4], TARGETS[distance], then=then, tolerance=1e-12)
     if wrong:
         about.cause = (
@@ -301,8 +302,8 @@ def test_a_hole_is_where_the_path_crosses_the_target(rng: Random) -> None:
                 wrong="Your target is wrong. Return the one whose plane the path crosses.",
             )
         about.cause = "You check only the nearest target. Check every target along the path."
-    about.cause = "You use the wrong point of the path. It crosses the target's plane a quarter of "
-    about.cause += "the way from start to end, so interpolate x and y for this point."
+    about.cause = "You use x and y at the wrong point. The path crosses the target's plane a "
+    about.cause += "quarter of the way from start to end, so interpolate x and y there."
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
@@ -338,8 +339,8 @@ def test_a_path_that_misses_the_target_makes_no_hole() -> None:
         (
             (-1.5, 1.5, 50.0),
             (-1.5, 1.5, 50.0),
-            "end.z - start.z is 0 here, because the path has no length. Check start.z < distance "
-            "before you divide by it.",
+            "The path has no length, so end.z - start.z is 0. Check that start.z < distance before "
+            "you divide by end.z - start.z.",
         ),
         (
             (3.5, 1.5, 49.0),
@@ -356,8 +357,8 @@ def test_a_path_that_misses_the_target_makes_no_hole() -> None:
     ):
         about.cause = cause
         expect_no_hole(start, end)
-    about.cause = "You don't count a path that ends exactly on the target's plane. It is a hit, so "
-    about.cause += "use distance <= end.z as the condition."
+    about.cause = "The path ends exactly on the target's plane, which also counts as a hit. Use "
+    about.cause += "the condition start.z < distance <= end.z."
     expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10))
 
 
@@ -365,8 +366,8 @@ def test_a_path_that_misses_the_target_makes_no_hole() -> None:
 def test_a_long_path_hits_the_first_target_on_it() -> None:
     about.cause = "The path hits two targets, but you find no hole. Return the hole in the nearer "
     about.cause += "target."
-    farther = "You return the hole in the farther of two targets. The nearer one stops the bullet, "
-    farther += "so check it first."
+    farther = "The path hits two targets, and you return the hole in the farther one. Check the "
+    farther += "nearer target first, because it stops the bullet."
     expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10), wrong=farther)
     about.cause = "You stop at the first target, which the path misses. Continue with the next "
     about.cause += "target after a miss."

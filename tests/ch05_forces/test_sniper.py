@@ -168,10 +168,11 @@ def test_a_step_takes_the_given_duration(rng: Random) -> None:
 
 @pytest.mark.exercise("P4.2b")
 def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
-    about("range.bullet at (20, 1, 178) with velocity (0, -2, 64), without forces; ", read=UPDATE)
-    about.call += "range.update(0.5), which moves the bullet to (20, 0, 210)"
-    about.cause = "You end the shot at y = 0 and z = 210, which is exactly on the edge. End it "
-    about.cause += "only if y < 0 or z > 210."
+    about("range.bullet.position = Vector3(20, 1, 178); ", read=UPDATE)
+    about.call += "range.bullet.velocity = Vector3(0, -2, 64); no force or gravity acts on the "
+    about.call += "bullet; range.update(0.5)"
+    about.cause = "This step must move the bullet to y = 0 and z = 210, where the shot is not over "
+    about.cause += "yet. End the shot only if y < 0 or z > 210."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
@@ -180,11 +181,11 @@ def test_a_bullet_exactly_at_the_edge_flies_on() -> None:
     got = xyz(bullet.position)
     moves = "The bullet must move by its velocity times the duration. Integrate it once per step."
     expect_close(got, (20, 0, 210), then="; range.bullet.position, in m", cause=moves)
-    about.call = "range.bullet at (5, 1.5, 190) with velocity (0, 0, 60), without forces; "
-    about.call += "range.update(0.5), in which it hits the target at 200 m and leaves the range; "
+    about.call = "range.bullet.position = Vector3(5, 1.5, 190); range.bullet.velocity = "
+    about.call += "Vector3(0, 0, 60); no force or gravity acts on the bullet; range.update(0.5); "
     about.call += "number of holes in range.holes"
-    about.cause = "You ignore a hit if the same step takes the bullet out of the range. Check for "
-    about.cause += "a hit before you check for the end of the range."
+    about.cause = "In this step, the bullet hits the target at 200 m and leaves the range. Check "
+    about.cause += "for a hit before you check for the end of the range."
     at = SniperRange(1)
     thrown(at, (5.0, 1.5, 190.0), (0.0, 0.0, 60.0))
     at.update(0.5)
@@ -252,8 +253,8 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
 def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about("range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; ", read=UPDATE)
     about.call += "range.update(1/60) 20 times"
-    about.cause = "self.bullet is None after the shot has landed. Return at the start of update in "
-    about.cause += "this case."
+    about.cause = "After the shot has landed, self.bullet is None. Return at the start of update "
+    about.cause += "if no bullet is in flight."
     at = SniperRange(1)
     at.shoot(0.1, -0.1)
     bullet: Any = at.bullet
@@ -298,10 +299,9 @@ def test_a_whole_round_is_ten_shots() -> None:
     near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)
     miss = (0.1, -0.1)
     aims = [near, miss, far, miss, far, miss] * 2
-    about.call = "range = SniperRange(1), without drag; 12 calls of range.shoot, of which every "
-    about.call += (
-        "second one misses; after each call, range.update(1/60) until range.bullet is None"
-    )
+    about.call = "range = SniperRange(1), without drag; range.shoot is called 12 times; every "
+    about.call += "second shot misses; after each shot, range.update(1/60) until range.bullet is "
+    about.call += "None"
     about.cause = "A round has only ten shots, so the last two of these twelve must not be fired."
     came = play(aims, FRAME)
     expect_exactly(came["shots_left"], 0, then="; range.shots_left")
@@ -310,12 +310,10 @@ def test_a_whole_round_is_ten_shots() -> None:
     wanted = [10, 30, 30, 10, 30]
     if points == wanted[::-1]:
         about.cause = "Your list starts with the newest hole. Append each new hole at the end."
-    expect_exactly(points, wanted, then="; points of the holes in range.holes")
+    expect_exactly(points, wanted, then="; points of each hole in range.holes")
     about.cause = "The score must be the sum of the points of all holes."
-    last = (
-        "You keep only the points of the last hit, because you replace the score at each hit. Add "
-    )
-    blame(came["score"], [(30, f"{last}the points to it instead.")])
+    last = "Your score is only the points of the last hit, because each hit replaces the score. "
+    blame(came["score"], [(30, f"{last}Add the points of each hit to the score instead.")])
     expect_exactly(came["score"], 110, then="; range.score")
 
 

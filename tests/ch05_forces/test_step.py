@@ -54,8 +54,8 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     unused = "kick clears the sum of the forces before using it. First move the sum to "
     unused += "self._forces[1], where last_acceleration reads it."
     if xyz(p.force_accumulator) != ZERO:
-        unused = "kick ignores the force, like the version in chapter 3. Use a + f / m, which is "
-        unused += "last_acceleration, in place of the constant acceleration a."
+        unused = "Your kick ignores the force, so the velocity does not change. Use the "
+        unused += "acceleration a + f / m, where f is the sum of the forces."
     slips = {
         unused: v,
         "Your new velocity is v + f h, without the mass. Divide the force f by the mass.": [
@@ -78,8 +78,10 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
         "before you kick.": [wanted[i] * h for i in range(3)],
         "The position moved twice, in drift and again in kick. Don't change the position in "
         "kick.": [(v[i] + wanted[i]) * h for i in range(3)],
-        "You add a h^2 / 2 to the position. The book's step leaves out this term, so move the "
-        "position only by v h.": [(v[i] + wanted[i]) / 2.0 * h for i in range(3)],
+        "Your position contains an extra term (f / m) h^2 / 2, which the book's step leaves out. "
+        "Move the position only by v h, where v is the old velocity.": [
+            (v[i] + wanted[i]) / 2.0 * h for i in range(3)
+        ],
     }
     wanted = tuple(v[i] * h for i in range(3))
     got = xyz(p.position)
@@ -135,10 +137,9 @@ def test_the_damping_also_applies_to_the_effect_of_forces(rng: Random) -> None:
     keep, gained = damping**h, [(a[i] + f[i] / mass) * h for i in range(3)]
     wanted = tuple((v[i] + gained[i]) * keep for i in range(3))
     slips = {
-        "You damp v before you add the acceleration, as in Eq. 3.6. Follow the listing of the "
-        "book instead (E-16), and multiply the whole new velocity by d^h.": [
-            v[i] * keep + gained[i] for i in range(3)
-        ],
+        "You apply the damping before you add the acceleration, as in Eq. 3.6. Follow the book's "
+        "listing instead: add the acceleration first, and then multiply the velocity by the "
+        "damping to the power of the duration.": [v[i] * keep + gained[i] for i in range(3)],
         "You apply the damping before the force. Let the force act first, and then multiply "
         "the velocity by d^h, the damping to the power of the duration.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
@@ -227,8 +228,8 @@ def test_a_new_damping_and_mass_apply_from_the_next_step(rng: Random) -> None:
 def test_dampings_of_0_and_above_1(rng: Random) -> None:
     v, f = components(rng), components(rng)
     about.read = "the docstring of kick"
-    about.cause = "You take the logarithm of the damping d, which fails for a damping of 0. "
-    about.cause += "Compute d^h as a power instead."
+    about.cause = "You take the logarithm of the damping, which fails for a damping of 0. Compute "
+    about.cause += "damping**duration instead."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
     about.call += "p.integrate(0.5); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.0)

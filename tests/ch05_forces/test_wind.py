@@ -105,8 +105,8 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
     f, v, w = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(k1=0.5, "
     about.call += f"k2=0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
-    about.cause = "The sum of the forces is wrong. Add the drag with add_force, which keeps the "
-    about.cause += "other forces, and clear nothing."
+    about.cause = "The sum of the forces is wrong. Add the drag with add_force, and don't clear "
+    about.cause += "any forces."
     p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
     p.add_force(Vector3(*f))
     wind.velocity = Vector3(*w)
@@ -126,7 +126,9 @@ def test_the_wind_keeps_earlier_forces_and_velocities(rng: Random) -> None:
 def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
-    about.call = f"range = SniperRange({seed}); range.change_wind(), called 400 times"
+    about.call = (
+        f"range = SniperRange({seed}), which draws a first wind; 400 times: range.change_wind()"
+    )
     about.cause = "Each call of change_wind must draw a new wind. Call self.random.uniform once "
     about.cause += "for x and once for z."
     (seen,) = winds([seed], 400)
@@ -137,24 +139,25 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
         call=f"{about.call}; number of winds",
         cause="Draw exactly one wind in each call of change_wind.",
     )
-    about.cause = "Your wind has a vertical component, but it must be horizontal. Set y to 0."
+    about.cause = "Your wind has a vertical component, but the wind must be horizontal. Set y to 0."
     highest = max(abs(y) for _, y, _ in seen)
-    expect_close(highest, 0.0, then="; the largest |y| of all winds", unit="m/s")
+    then = "; the largest absolute value of range.wind.velocity.y"
+    expect_close(highest, 0.0, then=then, unit="m/s")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
         draw = f"Draw {name} uniformly between -STRONGEST_WIND and STRONGEST_WIND."
-        about.cause = f"The wind along {name.upper()} has the wrong range. {draw}"
+        about.cause = f"The {name} component of your wind has the wrong range. {draw}"
         if min(blown) >= 0.0 or max(blown) <= 0.0:
-            about.cause = f"Along {name.upper()}, your wind blows in one direction only. {draw}"
+            about.cause = f"The {name} component of your wind never changes its sign. {draw}"
         if len(set(map(tuple, drawn))) == 1:
-            about.cause = "All calls give the same wind. Draw new numbers from self.random in "
-            about.cause += "every call, without creating or seeding it again."
+            about.cause = "Every call to change_wind gives the same wind. Draw new numbers from "
+            about.cause += "self.random in each call, and don't create or seed a generator there."
         elif not any(blown[1:]):
-            about.cause = f"Your wind never blows along {name.upper()}. {draw}"
+            about.cause = f"The {name} component of your wind is always 0. {draw}"
         elif max(map(abs, blown)) > 10.0 and all(
             abs(one - other) <= 10.0 for one, other in itertools.pairwise(blown)
         ):
-            about.cause = "You add the new wind to the old one, so it gets too strong. Replace the "
-            about.cause += "old wind."
+            about.cause = "You add each new wind to the previous one, so the wind becomes too "
+            about.cause += "strong. Replace the old velocity with the new one."
         # Of 401 uniform numbers in 20 none lies in the last of either side once in 10^8 runs, and
         # their mean is beyond 2 more seldom: 7 times its deviation.
         for what, got, low, high in (
@@ -162,28 +165,32 @@ def test_the_wind_is_horizontal_and_from_all_directions(rng: Random) -> None:
             ("largest", max(blown), 9.0, 10.0),
             ("mean", sum(blown) / len(blown), -2.0, 2.0),
         ):
-            expect_between(got, low, high, then=f"; the {what} {name} of all winds", unit="m/s")
+            then = f"; the {what} value of range.wind.velocity.{name}"
+            expect_between(got, low, high, then=then, unit="m/s")
     about.cause = "Weak winds are too rare or too common. Draw x and z independently of each other."
     speeds = [math.hypot(x, z) for x, _, z in drawn]
     if max(speeds) - min(speeds) < 1e-9:
-        about.cause = "Your wind always has the same speed. Draw x and z independently of each "
-        about.cause += "other."
+        about.cause = "All your winds have the same speed, because x and z depend on each other. "
+        about.cause += "Draw x and z separately, each with self.random.uniform."
     elif all(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in drawn):
-        about.cause = "You use the same random number for x and z. Draw a separate number for each."
+        about.cause = "You use the same random number for x and z. Draw a separate random number "
+        about.cause += "for each component."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
-    expect_between(weak, 27, 131, then="; number of winds below 5 m/s")
+    expect_between(weak, 27, 131, then="; number of winds slower than 5 m/s, out of 401")
     # x z > 0 for half of all: 200 of 401, and beyond these bounds once in 10^11 runs.
     about.cause = "Winds from some directions are too common. Draw x and z independently of each "
     about.cause += "other."
     same = sum(x * z > 0.0 for x, _, z in seen)
-    expect_between(same, 130, 270, then="; number of winds in which x and z have the same sign")
+    then = "; number of winds in which x and z have the same sign, out of 401"
+    expect_between(same, 130, 270, then=then)
     about.cause = "In some winds, x and z have the same absolute value. Draw a separate random "
     about.cause += "number for each of them."
     if all(x == round(x) and z == round(z) for x, _, z in drawn):
-        about.cause = "You draw whole numbers. Draw floats with self.random.uniform."
+        about.cause = "You draw whole numbers, so x and z sometimes have the same size. Draw "
+        about.cause += "floats with self.random.uniform instead."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
-    expect_exactly(same, 0, then="; number of winds with |x| = |z|")
+    expect_exactly(same, 0, then="; number of winds with |x| = |z|, out of 401")
 
 
 @pytest.mark.exercise("P4.2a")
@@ -212,20 +219,18 @@ def test_the_same_seed_gives_the_same_winds(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"a = SniperRange({seed}); b = SniperRange({seed}); c = SniperRange({seed + 1}); "
-    about.call += "a.change_wind(), b.change_wind() and c.change_wind(), each called six times"
-    about.cause = "Two ranges with the same seed have different winds. Draw with self.random, "
-    about.cause += "which was created from the seed."
+    about.call += "6 times: a.change_wind(), b.change_wind() and c.change_wind()"
+    about.cause = "Two ranges with the same seed have different winds. Draw the winds with "
+    about.cause += "self.random, which was created from the seed."
     first, second, other = winds([seed, seed, seed + 1], 6)
     same = sum(a == b for a, b in zip(first, second, strict=True))
-    expect_exactly(
-        same, 7, then="; how many of the seven winds are the same in a and b", unit="winds"
-    )
-    about.cause = "Ranges with different seeds have the same winds. Draw with self.random, which "
-    about.cause += "was created from the seed."
+    then = "; number of winds that are equal in a and b, counting the initial wind"
+    expect_exactly(same, 7, then=then, unit="of 7 winds")
+    about.cause = "Ranges with different seeds have the same winds. Draw the winds with "
+    about.cause += "self.random, which was created from the seed."
     same = sum(a == b for a, b in zip(first, other, strict=True))
-    expect_exactly(
-        same, 0, then="; how many of the seven winds are the same in a and c", unit="winds"
-    )
+    then = "; number of winds that are equal in a and c, counting the initial wind"
+    expect_exactly(same, 0, then=then, unit="of 7 winds")
     about.cause = "Some calls of change_wind repeat an earlier wind. Draw a new wind in every "
     about.cause += "call."
     kinds = len({tuple(w) for w in first})

@@ -73,8 +73,8 @@ def expect_contacts(
         why = f"Your normal points the wrong way. {about.cause}"
         why = cause_of(normal, [(back, why)], about.cause)
         expect_close(normal, right[2], then=f"; the normal of {which}", cause=why, tolerance=1e-15)
-        why = "The contact has the wrong restitution. Create it with "
-        why += "self.restitution." if right[3] else "a restitution of 0."
+        why = "The contact has the wrong restitution. Pass "
+        why += f"{'self.restitution' if right[3] else 0} to Contact instead."
         expect_close(restitution, right[3], then=f"; the restitution of {which}", cause=why)
         sign = "It must be positive, so that the resolver corrects the distance between the ends."
         if len(wanted) > 1:
@@ -296,7 +296,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     back = (-n[0], -n[1], -n[2])
     c = round(rng.uniform(0.1, 0.9), 3)
     between = "The distance is between the two limits, so the link neither pulls nor pushes. "
-    between += "Return an empty list, without a contact."
+    between += "Return an empty list."
     for low, high, wanted, cause in (
         (0.5, 1.5, [], between),
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], between),
@@ -312,8 +312,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
          "The distance is exactly min_length, so the link has reached its lower limit. Return a "
          "contact with a penetration of 0."),
         (0.0, 2.0, [],
-         "A min_length of 0 means that there is no lower limit. Return an empty list, without a "
-         "contact."),
+         "A min_length of 0 means that there is no lower limit. Return an empty list."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"{told_ends}; l = Limits(a, b, min_length={low * length}, "

@@ -82,9 +82,8 @@ def test_the_fastest_contact_is_resolved_first() -> None:
         expect_that(
             used is not None,
             "nothing (None)",
-            f"{min(limit, 3)}",
+            "1 resolution" if limit == 1 else f"{min(limit, 3)} resolutions",
             then=name,
-            unit="resolutions",
             cause=nothing,
         )
         expect_exactly(used, min(limit, 3), then=name, unit="resolutions")

@@ -170,8 +170,8 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             about.cause += "contact.particle along this contact's own normal, and add that of "
             about.cause += "contact.other."
             if q == end == -1 and p == 0:
-                about.cause = "Particle a moved, so subtract its move along this contact's normal. "
-                about.cause += "Skip contact.other if it is None, because the ground doesn't move."
+                about.cause = "Particle a moved, so subtract its move along this contact's normal "
+                about.cause += "from the penetration. Skip contact.other if it is None."
             elif wanted == -5.0:
                 about.cause = "You updated a contact whose particles haven't moved. Compare "
                 about.cause += "particles with `is`, and skip contact.other if it is None."

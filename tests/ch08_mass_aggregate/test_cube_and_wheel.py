@@ -118,8 +118,8 @@ def test_the_cube_is_rigid() -> None:
     expect_exactly(
         len(left),
         0,
-        then="; the number of independent motions that deform the cube but no rod",
-        unit="motions",
+        then="; the number of independent ways to deform the cube without changing a rod's length",
+        unit="ways",
     )
 
 
@@ -271,15 +271,15 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     blame(got, mistakes)
     expect_close(got, rate, unit="rad/s", tolerance=1e-12)
     about.call = (
-        "a hub at rest at (0, 0, 0) m; a rim of two particles: 1 kg at (1, 0, 0) m with velocity "
-        "(0, 2, 0) m/s and 3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim)"
+        "a hub at rest at (0, 0, 0) m; a rim particle of 1 kg at (1, 0, 0) m with velocity (0, 2, "
+        "0) m/s; a rim particle of 3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim)"
     )
     about.cause = "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of "
     about.cause += "inertia, the sum of m (x^2 + y^2). Here they are 14 and 13."
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
     mistakes = [
-        (1.2, "You leave out the masses. Multiply each particle's part by its mass, both in the "
+        (1.2, "You leave out the masses. Multiply each particle's term by its mass, both in the "
               "angular momentum and in the moment of inertia."),
         (1.5, "You return the mean of the particles' angular velocities. Divide the sum of m (x "
               "v_y - y v_x) by the sum of m (x^2 + y^2) instead."),
@@ -331,9 +331,9 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
         ),
         ("they are 1%, 4% and 2% too long", [(a, 1.01 * a), (b, 1.04 * b), (c, 1.02 * c)], 0.04),
     ):
-        lengths = ", ".join(f"{length}" for length, _ in rods)
-        about.call = f"rods that should have the lengths {lengths} m; at the moment, {name}; "
-        about.call += "deformation(rods)"
+        *lengths, last = (f"{length}" for length, _ in rods)
+        about.call = f"rods that should have lengths of {', '.join(lengths)} and {last} m; at the "
+        about.call += f"moment, {name}; deformation(rods)"
         about.cause = "Return the largest deformation of any rod, where the deformation of a rod "
         about.cause += "is abs(length / rod.length - 1)."
         got = deformed(rods, way)

@@ -166,7 +166,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
              "which is shorter than a step, in self.left."),
             ((left + dropped, 0.0),
              "You drop no time, although more steps are due than max_steps allows. Move the time "
-             "of these steps from self.left to self.dropped."),
+             "of the extra steps from self.left to self.dropped."),
             ((left, dropped / STEP),
              "self.dropped holds a number of steps, but it should be a time in seconds. Multiply "
              "the number by self.duration."),

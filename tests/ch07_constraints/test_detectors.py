@@ -45,14 +45,13 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
             (
                 0.125,
                 [],
-                "The particle is above the ground and doesn't touch it. Return an empty list, "
-                "without a contact.",
+                "The particle is above the ground and doesn't touch it. Return an empty list.",
             ),
             (
                 1e-6,
                 [],
                 "The particle is 1e-6 m above the ground and doesn't touch it. Return an empty "
-                "list, without a contact.",
+                "list.",
             ),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),

@@ -88,11 +88,11 @@ def test_two_balls_bounce(rng: Random) -> None:
         got = xyz(b.velocity)
         mistakes = [
             (0.0,
-             "The velocity of b didn't change. The impulse g pushes b the opposite way from a, "
+             "The velocity of b didn't change. The impulse on b is opposite to the impulse g on a, "
              "so add -n g / mb to the velocity of b."),
             (impulse / mb,
-             "You pushed b in the same direction as a. The impulse g pushes b the opposite way, "
-             "so add -n g / mb to the velocity of b."),
+             "You pushed b in the same direction as a. The impulse on b is opposite to the impulse "
+             "g on a, so add -n g / mb to the velocity of b."),
             (-impulse, f"{momentum} -n g / mb instead."),
         ]  # fmt: skip
         otherwise = "The velocity of a is right, but that of b is wrong. The impulse on b is "

@@ -114,7 +114,7 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
 def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     about.read = "E-27, and the docstring of Contact.resolve_penetration"
     p, q, n = components(rng), components(rng), direction(rng)
-    gap = "You closed a gap: a negative penetration means that the particles don't touch. Don't "
+    gap = "You closed a gap. A negative penetration means that the particles don't touch, so don't "
     gap += "move them, however small the gap is."
     for depth, mass, cause in (
         (0.0, 2.0,

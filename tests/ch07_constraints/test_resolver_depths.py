@@ -117,7 +117,7 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
          "so resolve the contact."),
         (5e-10, 0,
          "You resolved a contact that is only 5e-10 m deep. This is below DEPTH_TOLERANCE, so "
-         "the particle counts as just touching the ground: don't move it."),
+         "treat it as a rounding error and skip the contact."),
         (-1.0, 0,
          "You resolved a contact with a negative penetration, which means that there is a gap "
          "above the ground. Don't move the particle."),

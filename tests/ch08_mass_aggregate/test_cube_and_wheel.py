@@ -49,7 +49,7 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         if count == 8:
             mistakes = [
                 (24, "You return 24, which counts all degrees of freedom of the eight corners. "
-                     "Subtract the 6 of a rigid body, which no rod removes."),
+                     "Subtract the 6 of a rigid body, which no rod can remove."),
                 (13, "You return 2 n - 3, which holds for particles in a plane. In space, use 3 n "
                      "- 6."),
                 (21, "You return 3 n - 3. A rigid body can move in three directions and also "

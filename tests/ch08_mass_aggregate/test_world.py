@@ -325,9 +325,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     about.cause += "the whole duration."
     name = f"{about.call}; the duration passed to resolve_contacts"
     expect_close(calls[0][1], h, call=name, unit="s", tolerance=1e-13 * (high - 1.0))
-    about.cause = (
-        "You pass the wrong contacts to the resolver. Pass the contacts of all generators."
-    )
+    about.cause = "You pass the wrong contacts to the resolver. Pass those of all generators."
     name = f"{about.call}; the penetrations of the contacts passed to resolve_contacts"
     expect_close(calls[0][2], depths, call=name, unit="m")
     about.cause = "Call contacts() of each generator exactly once in a step."

@@ -199,8 +199,8 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
          "The particle is at rest: gravity has added its closing speed of 0.1962 m/s in this "
          "time step. Leave out this part of the speed."),
         (0.4 * G * h, 0.0,
-         "The acceleration added more speed in this time step (0.1962 m/s) than the contact "
-         "closes with. Return 0 instead of a negative velocity."),
+         "The acceleration added 0.1962 m/s in this time step, which is more than the whole "
+         "closing speed. Return 0 instead of a negative velocity."),
         (5.0, c * (5.0 - G * h),
          "The acceleration added 0.1962 m/s of the closing speed of 5 m/s. Subtract this part "
          "before you multiply by the restitution."),
@@ -217,11 +217,12 @@ def test_velocity_added_in_this_step_does_not_bounce(rng: Random) -> None:
              "You added the velocity that this time step has built up to the closing speed. "
              "Subtract it instead."),
             (c * (closing - size * h),
-             "You used the magnitude of the acceleration, |a|. Only its component along the normal "
-             "n, which is a . n, closes the contact."),
+             "You used the magnitude of the acceleration. Use only its component along the "
+             "normal, which is the scalar product of the acceleration and the normal."),
             (0.0,
              "You returned 0, but the acceleration added only 0.1962 m/s of the closing speed of 5 "
-             "m/s. Multiply the acceleration along the normal by the duration first."),
+             "m/s. Multiply the acceleration along the normal by the duration, and subtract the "
+             "result."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
         about.call = f"particle a (3 kg, damping 0.25) with velocity {v}; its acceleration is "
@@ -246,8 +247,8 @@ def test_an_acceleration_away_from_the_contact_does_not_count(rng: Random) -> No
     pull, c = positive_number(rng), round(rng.uniform(0.3, 0.9), 3)
     about.call = f"particle a with velocity (0, -2, 0) and acceleration (3, {pull}, 3); Contact(a, "
     about.call += f"None, normal=Vector3(0, 1, 0), restitution={c}).velocity_after(0.25)"
-    about.cause = "You counted an acceleration that points away from the contact. It has added "
-    about.cause += "nothing to the closing speed, so the whole 2 m/s should bounce."
+    about.cause = "You included an acceleration that points away from the contact. This "
+    about.cause += "acceleration doesn't add to the closing speed, so use all of the 2 m/s."
     a = Particle(velocity=Vector3(0.0, -2.0, 0.0), acceleration=Vector3(3.0, pull, 3.0))
     got = Contact(a, None, Vector3(*UP), c).velocity_after(0.25)
     expect_close(got, 2.0 * c, unit="m/s")
@@ -261,7 +262,7 @@ def test_accelerations_by_forces_count_too(rng: Random) -> None:
     about.call += f"{G}, 0)); a.integrate({h}); Contact(a, None, normal=Vector3(0, 1, 0), "
     about.call += f"restitution={c}).velocity_after({h})"
     about.cause = "You used only the constant acceleration of particle a and left out the force, "
-    about.cause += "like the book (E-26). Use last_acceleration, which includes all forces."
+    about.cause += "as the book does (E-26). Use last_acceleration, which includes all forces."
     a = Particle(mass=mass)
     a.add_force(Vector3(0.0, -mass * G, 0.0))
     a.integrate(h)
@@ -281,8 +282,8 @@ def test_accelerations_by_forces_count_too(rng: Random) -> None:
     about.call = f"particle a at rest; particle b of {mass} kg; b.add_force(Vector3(0, 7 * {mass}, "
     about.call += f"0)); b.integrate({h}); b.velocity.y = 1; Contact(a, b, normal=Vector3(0, 1, "
     about.call += f"0), restitution={c}).velocity_after({h})"
-    about.cause = "You left out the acceleration that the force gives b. Subtract b's "
-    about.cause += "last_acceleration, which includes forces, from that of a."
+    about.cause = "You ignored the force that accelerates b. Subtract b's last_acceleration, which "
+    about.cause += "includes forces, from a's last_acceleration."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
     b.integrate(h)
@@ -309,7 +310,7 @@ def test_the_difference_of_both_accelerations_counts(rng: Random) -> None:
     about.read = REST
     pull, other = number(rng), positive_number(rng)
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
-    immovable = "You counted the last_acceleration of an immovable particle, but it doesn't "
+    immovable = "You included the last_acceleration of the immovable particle, but it doesn't "
     immovable += "accelerate. Use 0 as its acceleration."
     for pa, pb, mass_a, mass_b, wanted, cause in (
         (pull, pull, 1.0, 2.0, c * 3.0,

@@ -45,14 +45,13 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
             (
                 0.125,
                 [],
-                "The particle is above the ground and doesn't touch it. Return an empty list, "
-                "without a contact.",
+                "The particle is above the ground and doesn't touch it. Return an empty list.",
             ),
             (
                 1e-6,
                 [],
                 "The particle is 1e-6 m above the ground and doesn't touch it. Return an empty "
-                "list, without a contact.",
+                "list.",
             ),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),
@@ -309,7 +308,7 @@ def test_every_pair_is_found_once(rng: Random) -> None:
 def test_not_every_pair_is_compared() -> None:
     about.read = PAIRS
     about.call = "400 particles in a cube with an edge of 40 m; ParticlePairs(particles, "
-    about.call += "radius=0.5).contacts(); how often it reads the x, y or z of a position"
+    about.call += "radius=0.5).contacts(); the number of times that x, y or z of a position is read"
     about.cause = "You compare far too many pairs. Put the particles in a grid, or sort them "
     about.cause += "along an axis, and compare only those that are near each other."
     asked, found, wanted = looked(400, 40.0)

@@ -67,7 +67,7 @@ def test_two_balls_bounce(rng: Random) -> None:
         got = xyz(a.velocity)
         impulse = change * ma * mb / (ma + mb)
         momentum = "You added the impulse g to the velocity, but an impulse is a change in "
-        momentum += "momentum (E-24). Divide g by the particle's mass first"
+        momentum += "momentum (E-24). Add"
         unlike = -c * closing * impulse / change  # as if it had been at rest before
         mistakes = [
             (change / ma, "You used the change in the separating velocity as the impulse. Divide "
@@ -80,7 +80,7 @@ def test_two_balls_bounce(rng: Random) -> None:
              "You computed the impulse as if the separating velocity had been 0 before the "
              "bounce. With a restitution c, it changes from v_s to -c v_s, so the change is -c "
              "v_s - v_s."),
-            (impulse, f"{momentum}, and add n g / ma."),
+            (impulse, f"{momentum} n g / ma instead."),
         ]  # fmt: skip
         seen = cause_of(got, along(v, n, mistakes), about.cause)
         # A few roundings of numbers up to 40.
@@ -88,12 +88,12 @@ def test_two_balls_bounce(rng: Random) -> None:
         got = xyz(b.velocity)
         mistakes = [
             (0.0,
-             "The velocity of b didn't change. The impulse g pushes b the opposite way from a, "
+             "The velocity of b didn't change. The impulse on b is opposite to the impulse g on a, "
              "so add -n g / mb to the velocity of b."),
             (impulse / mb,
-             "You pushed b in the same direction as a. The impulse g pushes b the opposite way, "
-             "so add -n g / mb to the velocity of b."),
-            (-impulse, f"{momentum}, and add -n g / mb."),
+             "You pushed b in the same direction as a. The impulse on b is opposite to the impulse "
+             "g on a, so add -n g / mb to the velocity of b."),
+            (-impulse, f"{momentum} -n g / mb instead."),
         ]  # fmt: skip
         otherwise = "The velocity of a is right, but that of b is wrong. The impulse on b is "
         otherwise += "opposite to the impulse g on a, so add -n g / mb to the velocity of b."
@@ -228,8 +228,8 @@ def test_resolve_velocity_rejects_invalid_durations() -> None:
             about.call = f"particle a ({of_mass(mass)}) with velocity (0, {velocity:g}, 0); "
             about.call += f"Contact(a, None, normal=Vector3(0, 1, 0)).resolve_velocity({duration})"
             about.cause = f"The duration is {duration}, but it must be finite and 0 or more, even "
-            about.cause += "if no impulse is needed. Call velocity_after before you return, "
-            about.cause += "because it checks this."
+            about.cause += "if no impulse is needed. Call velocity_after, which checks the "
+            about.cause += "duration, before you return."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0), mass=mass)
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

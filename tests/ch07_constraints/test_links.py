@@ -73,17 +73,20 @@ def expect_contacts(
         why = f"Your normal points the wrong way. {about.cause}"
         why = cause_of(normal, [(back, why)], about.cause)
         expect_close(normal, right[2], then=f"; the normal of {which}", cause=why, tolerance=1e-15)
-        why = "The contact has the wrong restitution. Create it with "
-        why += "the restitution of the link." if right[3] else "a restitution of 0."
+        why = "The contact has the wrong restitution. Pass "
+        why += f"{'self.restitution' if right[3] else 0} to Contact instead."
         expect_close(restitution, right[3], then=f"; the restitution of {which}", cause=why)
+        sign = "It must be positive, so that the resolver corrects the distance between the ends."
+        if len(wanted) > 1:
+            sign = "Use distance - length for the first contact, and length - distance for the "
+            sign += "second one."
         depths = [
-            (-right[4], "Your penetration has the wrong sign. It must be "
-                        + ("positive, because the distance is beyond the limit." if right[4] > 0.0
-                           else "negative, because the distance is within this limit.")),
-            (far, "You used the whole distance between the ends as the penetration. Use only its "
-                  "difference from the limit."),
+            (-right[4] or math.nan, f"Your penetration has the wrong sign. {sign}"),
+            (far, "You used the whole distance between the ends as the penetration. Use the "
+                  "difference between this distance and the allowed length."),
         ]  # fmt: skip
-        why = "The penetration is wrong. Use the difference between the distance and the limit."
+        why = "The penetration is wrong. Use the difference between the distance of the ends and "
+        why += "the allowed length."
         why = cause_of(depth, depths, about.cause if math.isnan(far) else why)
         # Lengths of up to 20 m, rounded a few times.
         name = f"; the penetration of {which}"
@@ -98,8 +101,8 @@ def places(pair: list[Any]) -> Components:
 
 @scoped
 def expect_ends(pair: list[Any], before: Components) -> None:
-    about.cause = "contacts() has moved an end of the link in place, as -= does. Subtract the "
-    about.cause += "positions with -, which creates a new vector."
+    about.cause = "contacts() has changed a position, perhaps with -=, which changes a vector in "
+    about.cause += "place. Subtract with -, which creates a new vector."
     now, end = places(pair), "b.position" if hasattr(pair[1], "position") else "anchor"
     expect_unchanged("a.position", now[:3], before[:3])
     expect_unchanged(end, now[3:], before[3:])
@@ -117,8 +120,8 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
         pair[0].mass = math.inf
         told_ends = told_ends.replace("a at", "a (immovable) at")
     end = "the anchor" if anchored else "b"
-    to_the_end = f"The cable is taut and pulls a toward {end}. Use the normalized offset from a "
-    to_the_end += f"to {end} as the normal."
+    to_the_end = f"The cable is taut and pulls a toward {end}. Divide the vector from a to {end} "
+    to_the_end += "by its length to get the normal."
     before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),
@@ -145,8 +148,8 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, "
     about.call += f"max_length={1.25 * length}); c.contacts()"
-    about.cause = "This is a slack cable: the distance between its ends is less than max_length. "
-    about.cause += "Return an empty list, without a contact."
+    about.cause = "The cable is slack, because the distance between its ends is less than "
+    about.cause += "max_length. Return an empty list."
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):
@@ -293,7 +296,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     back = (-n[0], -n[1], -n[2])
     c = round(rng.uniform(0.1, 0.9), 3)
     between = "The distance is between the two limits, so the link neither pulls nor pushes. "
-    between += "Return an empty list, without a contact."
+    between += "Return an empty list."
     for low, high, wanted, cause in (
         (0.5, 1.5, [], between),
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], between),
@@ -309,8 +312,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
          "The distance is exactly min_length, so the link has reached its lower limit. Return a "
          "contact with a penetration of 0."),
         (0.0, 2.0, [],
-         "A min_length of 0 means that there is no lower limit. Return an empty list, without a "
-         "contact."),
+         "A min_length of 0 means that there is no lower limit. Return an empty list."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"{told_ends}; l = Limits(a, b, min_length={low * length}, "
@@ -367,8 +369,8 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         depth = (1.0 - share) * length
         about.call = f"{told_ends}; r = TwoSidedRod(a, b, length={share * length}); r.contacts()"
-        about.cause = "The first contact pulls and the second one pushes, so their normals and "
-        about.cause += "penetrations have opposite signs."
+        about.cause = "The first contact pulls and the second one pushes. Their normals point in "
+        about.cause += "opposite directions, and their penetrations have opposite signs."
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
         rod = TwoSidedRod(*pair, share * length)
         one = [(1, "You returned only one contact. Return two contacts in every case: one that "

@@ -96,16 +96,16 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
         why = "You moved b toward a. The normal points from b to a, so move b against the normal."
         there = [*map(sum, zip(q, back, strict=True))]
         if b is not None and math.dist(xyz(b.position), there) < 1e-9:
-            why = "You moved b correctly but returned the opposite of its move. Return the vector "
-            why += "that you added to the position of b."
+            why = "You moved b correctly, but the vector that you returned for b points the "
+            why += "opposite way. Return the vector that you added to the position of b."
         seen = cause_of(got, [(turned, why)], about.cause)
         expect_close(got, back, then="; moves[1]", cause=seen, tolerance=1e-15, unit="m")
         if b is not None:
             wanted = tuple(x + m for x, m in zip(q, back, strict=True))
             got = xyz(b.position)
             expect_close(got, wanted, then="; b.position", tolerance=1e-14 * 8, unit="m")
-        about.cause = "You left the penetration as it was, although the particles just touch now. "
-        about.cause += "Set it to 0, which the book's listing omits (E-8)."
+        about.cause = "After this move there is no overlap left. Set the contact's penetration to "
+        about.cause += "0, although the book's listing doesn't (E-8)."
         got = contact.penetration
         expect_close(got, 0.0, then="; c.penetration", unit="m")
 
@@ -114,7 +114,7 @@ def test_the_lighter_particle_moves_farther(rng: Random) -> None:
 def test_particles_that_do_not_overlap_are_not_moved(rng: Random) -> None:
     about.read = "E-27, and the docstring of Contact.resolve_penetration"
     p, q, n = components(rng), components(rng), direction(rng)
-    gap = "You closed a gap: a negative penetration means that the particles don't touch. Don't "
+    gap = "You closed a gap. A negative penetration means that the particles don't touch, so don't "
     gap += "move them, however small the gap is."
     for depth, mass, cause in (
         (0.0, 2.0,

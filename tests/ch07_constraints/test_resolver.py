@@ -76,11 +76,17 @@ def test_the_fastest_contact_is_resolved_first() -> None:
         expect_close(got, wanted, then=name, unit="m/s")
         about.cause = "You returned the wrong number. Count how many times you resolve a contact, "
         about.cause += "and return that count."
-        nothing = "The method returned nothing when it reached the limit. Return the number of "
-        nothing += "resolutions there too."
-        name = "; the returned number"
-        expect_that(used is not None, "nothing", f"{min(limit, 3)}", then=name, cause=nothing)
-        expect_exactly(used, min(limit, 3), then=name)
+        nothing = "The method returned nothing after the last resolution. Return the number of "
+        nothing += "resolutions, even if the limit was reached."
+        name = "; the return value"
+        expect_that(
+            used is not None,
+            "nothing (None)",
+            "1 resolution" if limit == 1 else f"{min(limit, 3)} resolutions",
+            then=name,
+            cause=nothing,
+        )
+        expect_exactly(used, min(limit, 3), then=name, unit="resolutions")
 
 
 @pytest.mark.exercise("B7.5")
@@ -94,10 +100,11 @@ def test_only_the_closing_velocity_decides(rng: Random) -> None:
         (ZERO, (0.0, 3.0, 0.0), math.inf),
     ]
     contacts = [(0, -1, UP, 1.0, 0.5), (1, -1, UP, 1.0, 0.75), (2, 3, UP, 0.0, -0.25)]
-    about.call = f"particles a and b (100 kg) hit the ground at (0, -2, 0) and ({side}, -1, "
-    about.call += f"{side}) m/s with a restitution of 1; particle c (1 kg) is at rest, and an "
-    about.call += "immovable particle hits it from below at (0, 3, 0) m/s; "
-    about.call += "resolver.resolve_velocities(contacts, 1, 0.5) for these three contacts"
+    about.call = "particle a (100 kg) hits the ground with velocity (0, -2, 0) and a restitution "
+    about.call += f"of 1; particle b (100 kg) hits the ground with velocity ({side}, -1, {side}) "
+    about.call += "and a restitution of 1; particle c (1 kg) is at rest; an immovable particle "
+    about.call += "hits c from below with velocity (0, 3, 0) and a restitution of 0; "
+    about.call += "resolver.resolve_velocities(contacts, 1, 0.5) with these three contacts"
     about.cause = "The contact of c closes fastest, at 3 m/s. Include the velocity of "
     about.cause += "contact.other in the closing speed, even if it is immovable."
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
@@ -113,7 +120,7 @@ def test_only_the_closing_velocity_decides(rng: Random) -> None:
     blame(got, mistakes)
     expect_close(got, (-2.0, -1.0, 3.0), then="; the velocities of a, b and c along y", unit="m/s")
     why = "You resolved one contact, so return 1. Count the resolutions and return their number."
-    expect_exactly(used, 1, then="; the returned number", cause=why)
+    expect_exactly(used, 1, then="; the return value", cause=why)
     about.cause = "You changed the order of the contacts in the list. The list belongs to the "
     about.cause += "caller, so don't sort it."
     name = "; the penetrations of the contacts, in list order"
@@ -144,7 +151,7 @@ def test_the_first_of_two_equally_fast_contacts_is_resolved() -> None:
         expect_close(got, wanted, then="; the velocities of the three balls", unit="m/s")
         why = "You resolved one contact, so return 1. Count the resolutions and return their "
         why += "number."
-        expect_exactly(used, 1, then="; the returned number", cause=why)
+        expect_exactly(used, 1, then="; the return value", cause=why)
 
 
 @pytest.mark.exercise("B7.5")
@@ -183,7 +190,7 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
         wanted = tuple(speed * (i == leaves) for i in range(5))
         name = "; the velocities of the five balls"
         expect_close(got, wanted, then=name, tolerance=1e-13, unit="m/s")
-        expect_exactly(used, min(limit, 4), then="; the returned number of resolutions")
+        expect_exactly(used, min(limit, 4), then="; the return value", unit="resolutions")
 
 
 @pytest.mark.exercise("B7.5")
@@ -220,9 +227,10 @@ def test_only_closing_contacts_are_resolved(rng: Random) -> None:
         bodies = [(ZERO, v, 2.0)]
         used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
         if used == 9 and depth == 0.0:
-            about.cause = "You didn't measure the closing speed along the contact's normal. Use "
-            about.cause += "the contact's separating velocity."
-        expect_exactly(used, wanted, then="; the returned number", unit="resolutions")
+            about.cause = "You reached the limit of nine resolutions, perhaps because you don't "
+            about.cause += "measure the speed along the contact's normal. Use the contact's "
+            about.cause += "separating velocity."
+        expect_exactly(used, wanted, then="; the return value", unit="resolutions")
         got = -dot(after[0][1], n)
         left = 0.0 if wanted else closing
         # Some roundings of numbers up to 20.
@@ -257,7 +265,7 @@ def test_many_contacts_are_resolved(rng: Random) -> None:
     # One resolution changes two bodies, and no two bodies take part in all of the contacts.
     about.cause = "You returned the wrong number. Count how many times you resolve a contact, and "
     about.cause += "return that count, which is above 1 and below the limit here."
-    expect_between(used, 2, 1998, then="; the returned number", unit="resolutions")
+    expect_between(used, 2, 1998, then="; the return value", unit="resolutions")
     before, now = (
         sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:8], velocities, strict=False))
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
@@ -271,16 +279,18 @@ def test_many_contacts_are_resolved(rng: Random) -> None:
 @pytest.mark.exercise("B7.5")
 def test_each_resolution_gets_the_duration() -> None:
     about.read = FASTEST
-    about.call = "particles a and b, both with velocity (0, -4, 0) and acceleration (0, -4, 0); "
-    about.call += "their contacts with the ground, with a restitution of 0.75; "
-    about.call += "resolver.resolve_velocities(contacts, 9, duration) with a duration of"
-    about.cause = "Your bounces include the velocity that gravity has added in the time step. "
-    about.cause += "Pass the duration to Contact.resolve_velocity, which leaves this velocity out."
+    setup = "particles a and b, both with velocity (0, -4, 0) and acceleration (0, -4, 0); both "
+    setup += "touch the ground, with a restitution of 0.75; "
+    setup += "resolver.resolve_velocities(contacts, 9, "
+    about.cause = "Your bounces include the velocity that the acceleration has added in this time "
+    about.cause += "step. Pass the duration to Contact.resolve_velocity, which leaves this "
+    about.cause += "velocity out."
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
+        about.call = f"{setup}{duration})"
         contacts = [(0, -1, UP, 0.75, 0.0), (1, -1, UP, 0.75, 0.0)]
         bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]
         pull = (0.0, -4.0, 0.0)
         _, after, _ = resolved(bodies, contacts, "resolve_velocities", 9, duration, pull)
-        name = f"{about.call} {duration}; the velocities of a and b along y"
+        name = "; the velocities of a and b along y"
         got = (after[0][1][1], after[1][1][1])
-        expect_close(got, (wanted, wanted), call=name, unit="m/s")
+        expect_close(got, (wanted, wanted), then=name, unit="m/s")

@@ -61,8 +61,9 @@ def test_the_deepest_contact_is_resolved_first() -> None:
         about.cause += " When the middle ball moves, update the depth of its other contact (E-8)."
         mistakes = [
             ((0.5, 0.0),
-             "You didn't update the depth of the left contact, although the middle ball moved. "
-             "After each move, update the other contacts, which the book's listing omits (E-8)."),
+             "When the middle ball moved, you didn't update the depth of the left contact. "
+             "Update the other contacts after each move, although the book's listing doesn't "
+             "(E-8)."),
             ((0.125, 0.0),
              "You made the left contact shallower, but it should get deeper, because the middle "
              "ball moved toward the left ball. Reverse the sign of the change in its depth."),
@@ -70,8 +71,9 @@ def test_the_deepest_contact_is_resolved_first() -> None:
              "You updated the resolved contact twice. resolve_penetration has already set its "
              "depth to 0, so skip this contact in your loop."),
             ((0.0, 0.0),
-             "You didn't update the depth of the right contact when its contact.other, the "
-             "middle ball, moved. Update a contact if either of its two particles has moved."),
+             "The middle ball is contact.other of the right contact, but you didn't update that "
+             "contact when the ball moved. Update a contact if either of its two particles has "
+             "moved."),
             ((0.0, -0.4375),
              "Your update for contact.other has the wrong sign. When contact.other moves along "
              "the normal, it comes closer to contact.particle, so add this distance to the "
@@ -83,20 +85,22 @@ def test_the_deepest_contact_is_resolved_first() -> None:
         )
         about.cause = "You returned the wrong number. Count how many times you resolve a contact, "
         about.cause += "and return that count."
-        expect_exactly(used, limit, then="; the returned number", unit="resolutions")
+        expect_exactly(used, limit, then="; the return value", unit="resolutions")
         got = tuple(velocity[0] for _, velocity in after)
         about.cause = "resolve_penetrations has changed velocities. It should change only "
         about.cause += "positions, and leave velocities to resolve_velocities."
         name = "; the velocities of the balls"
         expect_close(got, (1.0, 0.0, -1.0), then=name, unit="m/s")
-    about.call = "three balls of 1 kg in a row; the middle ball overlaps both others by 0.5 m; "
-    about.call += "resolver.resolve_penetrations(contacts, 1) with the contact of the"
     for order in ((0, 1), (1, 0)):
         equal = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5)]
+        first, second = ("right", "left") if order[0] else ("left", "right")
+        about.call = "three balls of 1 kg in a row, where the middle ball overlaps each of its "
+        about.call += f"neighbors by 0.5 m; contacts = [the {first} pair's contact, the {second} "
+        about.call += "pair's contact]; resolver.resolve_penetrations(contacts, 1)"
         about.cause = "You resolved the second contact in the list, but both are 0.5 m deep, so "
         about.cause += "the first one has priority. Compare with > instead of >=."
         _, _, got = resolved(bodies, [equal[i] for i in order], "resolve_penetrations", 1)
-        name = f" {'right' if order[0] else 'left'} pair first; the depths in list order"
+        name = "; the penetrations of contacts[0] and contacts[1]"
         expect_close(got, (0.0, 0.75), then=name, unit="m")
 
 
@@ -113,7 +117,7 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
          "so resolve the contact."),
         (5e-10, 0,
          "You resolved a contact that is only 5e-10 m deep. This is below DEPTH_TOLERANCE, so "
-         "the particle counts as just touching the ground: don't move it."),
+         "treat it as a rounding error and skip the contact."),
         (-1.0, 0,
          "You resolved a contact with a negative penetration, which means that there is a gap "
          "above the ground. Don't move the particle."),
@@ -125,7 +129,7 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         used, after, depths = resolved(
             [(ZERO, ZERO, mass)], [(0, -1, n, 0.0, deep)], "resolve_penetrations", 9
         )
-        expect_exactly(used, wanted, then="; the returned number", unit="resolutions")
+        expect_exactly(used, wanted, then="; the return value", unit="resolutions")
         moved = tuple(wanted * deep * part for part in n)
         got = after[0][0]
         expect_close(got, moved, then="; a.position", tolerance=1e-15, unit="m")
@@ -152,9 +156,9 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
     names = {-1: "the ground", 0: "a", 1: "b", 2: "c", 3: "d", 4: "e", 5: "f"}
     between_two = {0: 0.5 * mb / (ma + mb), 1: -0.5 * ma / (ma + mb)}
     for end, moves in ((1, between_two), (-1, {0: 0.5})):
-        about.call = f"particle a of {ma} kg overlaps {names[end]} by 0.5 m, with the normal {n}; "
-        about.call += f"particle b has {mb} kg; a and b take part in other contacts too; "
-        about.call += "resolver.resolve_penetrations(contacts, 1)"
+        about.call = f"particle a ({ma} kg) and particle b ({mb} kg); a overlaps {names[end]} by "
+        about.call += f"0.5 m, with the normal {n}; ten other contacts have a penetration of -5 "
+        about.call += "m; resolver.resolve_penetrations(contacts, 1)"
         contacts = [others[0], (0, end, n, 0.0, 0.5), *others[1:]]
         about.cause = "You updated the contact that you resolved. resolve_penetration has already "
         about.cause += "set its penetration to 0, so skip it when you update the others."
@@ -166,16 +170,16 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             about.cause += "contact.particle along this contact's own normal, and add that of "
             about.cause += "contact.other."
             if q == end == -1 and p == 0:
-                about.cause = "You updated this contact for contact.other, which is None, but the "
-                about.cause += "ground hasn't moved. Skip contact.other if it is None."
+                about.cause = "Particle a moved, so subtract its move along this contact's normal "
+                about.cause += "from the penetration. Skip contact.other if it is None."
             elif wanted == -5.0:
                 about.cause = "You updated a contact whose particles haven't moved. Compare "
                 about.cause += "particles with `is`, and skip contact.other if it is None."
             elif got == -5.0:
                 about.cause = "You didn't update this contact, although a particle of it has "
                 about.cause += "moved. Check both contact.particle and contact.other."
-            name = f"; the penetration of another contact, between {names[p]} and {names[q]}, "
-            name += "which was -5 m before"
+            name = "; the penetration of one of the ten contacts, which is between "
+            name += f"{names[p]} and {names[q]}"
             expect_close(got, wanted, then=name, tolerance=1e-14, unit="m")
 
 

@@ -45,14 +45,14 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     about.read = LINKS
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
-    about.call = "links_of(make_rows()), where ends 0 and 1 belong to row 0, ends 2 and 3 to row "
-    about.call += "1, and so on; all ends are moved apart, so that every link is too long"
+    about.call = "links_of(make_rows()); row 0 has ends 0 and 1, row 1 has ends 2 and 3, and so "
+    about.call += "on; all ends are then moved apart, so that every link is too long"
     about.cause = {
         "rod": "Join the two ends of each row with one Rod of length WIDTH.",
         "cable": "Join each end to the end of the next row on the same side, with a Cable of "
         "length CABLE_LENGTH.",
-        "anchored cable": "Hang each end of each row from its anchor_of(end), with an "
-        "AnchoredCable of length support_length(row number).",
+        "anchored cable": "Hang each end of each row from anchor_of(end). Use an AnchoredCable of "
+        "length support_length(row number).",
     }[which]
 
     def picked(links: Any) -> list[Any]:
@@ -86,19 +86,19 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
         if extra[0] not in right:
             why = f"You join ends {i} and {j}, which are in different rows and on different sides. "
             why += f"Join ends on the same side, such as {i} and {i + 2}."
-    name = {"rod": "between ends i and i + 1", "cable": "between ends i and i + 2"}
-    name = f"; all links {name.get(which, 'to anchors, as (end, -1)')}"
+    name = {"rod": "the pairs of ends (i, i + 1)", "cable": "the pairs of ends (i, i + 2)"}
+    name = f"; {name.get(which, 'the pairs (end, -1), where -1 is an anchor,')} that a link joins"
     expect_exactly(ends, right, then=name, cause=why)
     length = {"rod": "WIDTH", "cable": "CABLE_LENGTH"}.get(which, "support_length(row number)")
     about.cause = f"The length of your {which} is wrong. It should be {length}."
     if "anchor" in which:
         about.cause = "The length or the anchor of your anchored cable is wrong. They should be "
         about.cause += f"{length} and anchor_of(end)."
-    first = "You use the length of row 0 for all anchored cables. Use support_length(row number)."
+    first = "This cable has the length for row 0. Pass its own row number to support_length."
     for (i, j, depth), (_, _, deeper) in zip(got, wanted, strict=True):
         x, _, z = START[i]
         apart = math.dist(places[i], places[j] if j >= 0 else (1.1 * x, 6.0, 0.8 * z))
-        name = f"; the length of the {which} of end {i}"
+        name = f"; the length of the {which} at end {i}"
         # Lengths of some meters, rounded a few times.
         size, right = apart - depth, apart - deeper
         seen = cause_of(size, [(SUPPORTS[0], first)], about.cause)

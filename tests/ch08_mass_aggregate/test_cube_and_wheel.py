@@ -49,7 +49,7 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         if count == 8:
             mistakes = [
                 (24, "You return 24, which counts all degrees of freedom of the eight corners. "
-                     "Subtract the 6 of a rigid body, which no rod removes."),
+                     "Subtract the 6 of a rigid body, which no rod can remove."),
                 (13, "You return 2 n - 3, which holds for particles in a plane. In space, use 3 n "
                      "- 6."),
                 (21, "You return 3 n - 3. A rigid body can move in three directions and also "
@@ -74,8 +74,8 @@ def test_rejects_an_invalid_number_of_particles() -> None:
             error,
             call=f"fewest_rods({bad!r})",
             allowed=lambda: fewest_rods(8),
-            cause=f"The number of particles is {bad!r}. It must be a whole number, at least 1, so "
-            f"raise {error.__name__}.",
+            cause=f"The number of particles is {bad!r}, but it must be an int of 1 or more. "
+            f"Raise {error.__name__}.",
         )
 
 
@@ -107,18 +107,19 @@ def test_the_cube_is_rigid() -> None:
         about.cause = f"You list a rod twice, so you have only {different} different rods. Replace "
         about.cause += "the duplicate with a rod that is missing."
     elif different < 18:
-        about.cause = f"You have only {different} rods, but a rigid cube needs at least 18. These "
-        about.cause += f"corners can still move together: {told(left[0], 'corner')}."
+        about.cause = f"You have only {different} rods, but a rigid cube needs at least 18. Add "
+        about.cause += f"rods to stop motions such as this one: {told(left[0], 'corner')}."
     elif left:
         about.cause = "One of your rods is redundant. Move it"
         if len(set(faces)) < len(faces):
-            about.cause = "Two of your diagonals are in the same face. Move one to another face,"
-        about.cause += f" so that it stops this motion: {told(left[0], 'corner')}."
+            about.cause = "Two of your diagonals are in the same face. Move one of them to another "
+            about.cause += "face"
+        about.cause += f" to stop this motion: {told(left[0], 'corner')}."
     expect_exactly(
         len(left),
         0,
-        then="; the number of motions that the rods allow besides those of a rigid body",
-        unit="motions",
+        then="; the number of independent ways to deform the cube without changing a rod's length",
+        unit="ways",
     )
 
 
@@ -138,10 +139,8 @@ def draw_rim(rng: Random, count: int) -> tuple[tuple[float, float, float], list]
 @pytest.mark.parametrize("count", [3, 8])
 def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     hub, rim = draw_rim(rng, count)
-    about(
-        f"rods_of(hub, rim) with hub 0 and rim particles 1 to {count}; the two ends of each rod",
-        read=WHEEL,
-    )
+    setup = f"a wheel whose hub is particle 0, with particles 1 to {count} around it as the rim; "
+    about(f"{setup}rods_of(hub, rim); the two ends of each rod", read=WHEEL)
     about.cause = "Join the hub to each particle of the rim, each particle of the rim to the next "
     about.cause += "one, and the last one to the first."
     rods = sorted(wheel_rods(hub, rim))
@@ -150,12 +149,12 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     got = [(i, j) for i, j, _ in rods]
     missing = [pair for pair in wanted if pair not in got]
     if missing == [(1, count)]:
-        about.cause = "You don't close the rim. Join its last particle to its first one too."
+        about.cause = "Your rim is not closed. Also join its last particle to its first one."
     elif missing and missing == wanted[:count]:
         about.cause = "You create no spokes. Join the hub to each particle of the rim."
     elif missing and missing == wanted[count:]:
-        about.cause = "You join only the hub to the rim. Also join each particle of the rim to the "
-        about.cause += "next one, and the last one to the first."
+        about.cause = "You create only the spokes. Also join each particle of the rim to the next "
+        about.cause += "one, and the last one to the first."
     expect_exactly(got, wanted)
     about.cause = "Your rod has the wrong length. Make it as long as the current distance between "
     about.cause += "its two ends."
@@ -164,8 +163,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         about.cause += "distance between its two ends."
     places = [hub, *rim]
     for i, j, length in rods:
-        about.call = f"rods_of(hub, rim) with hub 0 and rim particles 1 to {count}; the length of "
-        about.call += f"the rod from particle {i} to particle {j}"
+        about.call = f"{setup}rods_of(hub, rim); the length of the rod from particle {i} to "
+        about.call += f"particle {j}"
         wanted = math.dist(places[i], places[j])
         expect_close(length, wanted, unit="m", tolerance=1e-12)
 
@@ -272,17 +271,18 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     blame(got, mistakes)
     expect_close(got, rate, unit="rad/s", tolerance=1e-12)
     about.call = (
-        "a hub at rest at (0, 0, 0); a rim of 1 kg at (1, 0, 0) m with velocity (0, 2, 0) m/s, and "
-        "3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim)"
+        "a hub at rest at (0, 0, 0) m; a rim particle of 1 kg at (1, 0, 0) m with velocity (0, 2, "
+        "0) m/s; a rim particle of 3 kg at (0, 2, 0) m with velocity (-2, 0, 0) m/s; spin(hub, rim)"
     )
     about.cause = "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of "
     about.cause += "inertia, the sum of m (x^2 + y^2). Here they are 14 and 13."
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
     mistakes = [
-        (1.2, "You leave the masses out of both sums. Multiply each term by the particle's mass."),
-        (1.5, "You return the mean of the particles' rates of rotation. Divide the sum of m (x v_y "
-              "- y v_x) by the sum of m (x^2 + y^2) instead."),
+        (1.2, "You leave out the masses. Multiply each particle's term by its mass, both in the "
+              "angular momentum and in the moment of inertia."),
+        (1.5, "You return the mean of the particles' angular velocities. Divide the sum of m (x "
+              "v_y - y v_x) by the sum of m (x^2 + y^2) instead."),
         (2.0, "You didn't square the distance from the hub in the moment of inertia. It is the sum "
               "of m (x^2 + y^2), which is 13 here."),
         (14.0, "You return the angular momentum of the rim. Divide it by the moment of inertia, "
@@ -319,14 +319,21 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
     way = direction(rng)
     a, b, c = (positive_number(rng, 1.0, 3.0) for _ in range(3))
     for name, rods, wanted in (
-        ("5% too long and exactly right", [(a, 1.05 * a), (b, b)], 0.05),
-        ("7% too short and 2% too long", [(a, 0.93 * a), (b, 1.02 * b)], 0.07),
-        ("1%, 4% and 2% too long", [(a, 1.01 * a), (b, 1.04 * b), (c, 1.02 * c)], 0.04),
+        (
+            "the first is 5% too long, and the second has the right length",
+            [(a, 1.05 * a), (b, b)],
+            0.05,
+        ),
+        (
+            "the first is 7% too short, and the second is 2% too long",
+            [(a, 0.93 * a), (b, 1.02 * b)],
+            0.07,
+        ),
+        ("they are 1%, 4% and 2% too long", [(a, 1.01 * a), (b, 1.04 * b), (c, 1.02 * c)], 0.04),
     ):
-        about.call = (
-            f"rods with the lengths {[length for length, _ in rods]} m, which now are {name}; "
-            "deformation(rods)"
-        )
+        *lengths, last = (f"{length}" for length, _ in rods)
+        about.call = f"rods that should have lengths of {', '.join(lengths)} and {last} m; at the "
+        about.call += f"moment, {name}; deformation(rods)"
         about.cause = "Return the largest deformation of any rod, where the deformation of a rod "
         about.cause += "is abs(length / rod.length - 1)."
         got = deformed(rods, way)
@@ -338,8 +345,8 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
             (math.fsum(map(abs, shares)) / len(shares),
              "You return the mean of the errors, which hides a single rod that is far off. Return "
              "the largest error instead."),
-            (max(shares), "You ignore a rod that is too short, because its error is negative. Take "
-                          "abs() of each error before you look for the largest."),
+            (max(shares), "You overlook the rods that are too short, because their errors are "
+                          "negative. Take abs() of each error before you look for the largest."),
             (1.0 + max(shares), "You return the ratio length / rod.length, which is 1 for a rod of "
                                 "the right length. Subtract 1 to get the error."),
         ]  # fmt: skip

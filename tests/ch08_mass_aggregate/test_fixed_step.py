@@ -37,8 +37,8 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         )
         if any(type(time) is float and time > STEP for time in done["made"]):
             one = (
-                "You take one long step over all of the elapsed time. Take as many steps of "
-                "self.duration as the time allows."
+                "You take a single step for all of the elapsed time. Take steps of self.duration "
+                "instead, as long as self.left is enough for another one."
             )
         early = (
             f"You take a step although only {0.25 * left:g} of its duration is left. Wait until "
@@ -49,12 +49,10 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
             row[0] is not None,
             "nothing (None)",
             f"{steps} steps",
-            then="; the number of steps that it returns",
+            then="; the return value",
             cause="advance returns nothing. Return the number of steps that it took.",
         )
-        expect_exactly(
-            row[0], steps, then="; the number of steps that it returns", unit="steps", cause=seen
-        )
+        expect_exactly(row[0], steps, then="; the return value", unit="steps", cause=seen)
         other = "self.left is wrong. Add elapsed to it, and subtract the duration of each step."
         lost = "You lose the leftover time, which is shorter than a step. Keep it in self.left for "
         lost += "the next call."
@@ -80,8 +78,8 @@ def test_rounding_does_not_delay_a_step(rate: int) -> None:
         f"a FixedStep clock with steps of 1/{rate} s; clock.advance(1/{rate}) a hundred times: "
         "the number of steps in each call"
     )
-    about.cause = "You skip a step that is due, because rounding made self.left slightly too "
-    about.cause += "small. Take the step if at most SHARE of its duration is missing."
+    about.cause = "Rounding made self.left slightly too small, so you skip a step that is due. "
+    about.cause += "Take a step as soon as self.left >= self.duration * (1.0 - SHARE)."
     done = advanced(1.0 / rate, [1.0 / rate] * 100)
     got = [row[0] for row in done["rows"]]
     expect_exactly(got, [1] * 100)
@@ -167,8 +165,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
              "You drop all of the remaining time. Drop only whole steps, and keep the rest, "
              "which is shorter than a step, in self.left."),
             ((left + dropped, 0.0),
-             "You drop no time, although whole steps are still due after max_steps. Move their "
-             "time from self.left to self.dropped."),
+             "You drop no time, although more steps are due than max_steps allows. Move the time "
+             "of the extra steps from self.left to self.dropped."),
             ((left, dropped / STEP),
              "self.dropped holds a number of steps, but it should be a time in seconds. Multiply "
              "the number by self.duration."),
@@ -253,7 +251,8 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
             "You take too few steps. Keep taking steps as long as self.left is enough for another "
             "one."
         )
-    expect_that(got == -1, f"no error; the call returned {got}", "the error of the step")
+    wanted = f"the error that step number {good + 1} raised"
+    expect_that(got == -1, f"no error; the call returned {got}", wanted)
     about.cause = (
         "You subtract the time of a step before you take it, so the time of a failed step is "
         "lost. Subtract it only after self.step has returned."

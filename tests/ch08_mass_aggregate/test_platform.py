@@ -347,17 +347,18 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
     for name in ("rods", "in world"):
         where = "platform.rods" if name == "rods" else "world.contact_generators"
         about.call = (
-            f"platform.free_pivot(); the number of motions that the rods in {where} allow besides "
-            "those of a rigid body"
+            "platform.free_pivot(); the number of independent ways to deform the platform without "
+            f"changing the length of a rod in {where}"
         )
         joined = [(i, j) for i, j, _ in done[name]]
         # Six motions of a rigid body go where 0 is held, 2 moves along its way there, and 1 in a
         # plane: 0, 1 and 2 are no line.
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
-        about.cause = f"{where} has lost some of its rods. Keep them all, and append the new one."
+        about.cause = f"Some rods are missing from {where}. Keep all of the old rods, and "
+        about.cause += "append the new one."
         if (0, 1) not in joined:
             about.cause = f"{where} has no rod between the pivot's two particles. Add it there too."
-        expect_exactly(len(left), 0, unit="motions")
+        expect_exactly(len(left), 0, unit="ways")
     for i, j, length in done["rods"]:
         about.cause = "Your rod has the wrong length. Make it as long as the distance between its "
         about.cause += "ends."

@@ -120,15 +120,16 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
         about.cause += "for every particle."
         if kept == [1]:
             about.cause = "You skip the immovable particle. Call clear_forces() for it too."
-    only = "Your start_frame also changes other attributes of a particle. It should only call "
-    only += "clear_forces() for each particle."
-    for i, body in enumerate(bodies):
+    only = "Your start_frame changes the position or the velocity of a particle. It should only "
+    only += "call clear_forces() for each particle."
+    for i, (place, velocity, *_) in enumerate(bodies):
         name = f"{about.call}; particles[{i}].force_accumulator"
-        expect_close(done["after"][i], ZERO, call=name, tolerance=0.0)
+        expect_close(done["after"][i], ZERO, call=name, unit="N", tolerance=0.0)
         name = f"{about.call}; particles[{i}].position"
-        expect_close(done["states"][i][0], body[0], call=name, cause=only, tolerance=0.0)
+        got = done["states"][i]
+        expect_close(got[0], place, call=name, cause=only, unit="m", tolerance=0.0)
         name = f"{about.call}; particles[{i}].velocity"
-        expect_close(done["states"][i][1], body[1], call=name, cause=only, tolerance=0.0)
+        expect_close(got[1], velocity, call=name, cause=only, unit="m/s", tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.2")
@@ -156,8 +157,8 @@ def test_contacts_of_every_generator_are_returned(rng: Random) -> None:
     order = "Your contacts are in the wrong order. Go through contact_generators from first to "
     order += "last, and append the contacts of each."
     runs = [round(depth, 9) for depth in got[::count]]
-    name = "; the penetrations at the three floors that touch particles, in m"
-    expect_exactly(runs, [0.0, low - 1.0, high - 1.0], then=name, cause=order)
+    name = "; the penetrations at the floors that touch particles, in list order"
+    expect_exactly(runs, [0.0, low - 1.0, high - 1.0], then=name, unit="m", cause=order)
     expect_close(got, wanted)
     about.call = "a world without contact generators; world.contacts()"
     about.cause = "Without generators there are no contacts, so return an empty list."
@@ -191,10 +192,10 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                 why,
             )
             for c, d, why in (
-                (1.0, 0.0, "The forces of the registry have no effect. Pass "
-                 "self.registry.update_forces to the integrator, which calls it."),
-                (1.0, 2.0, "You call update_forces yourself, so the forces of the registry count "
-                           "twice. Only pass it to the integrator, which calls it for you."),
+                (1.0, 0.0, "The registry's forces have no effect. Pass "
+                 "self.registry.update_forces to the integrator."),
+                (1.0, 2.0, "You call update_forces yourself, so the registry's forces act twice. "
+                           "Pass update_forces to the integrator, but don't call it."),
                 (0.0, 1.0, "run_physics clears the force that was added after start_frame. Only "
                            "start_frame should clear forces."),
                 (0.0, 0.0, "Only the acceleration has an effect, and all forces are lost. Pass "
@@ -206,7 +207,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
         # A few roundings of numbers of some hundreds.
         expect_close(got[1], velocity, call=f"{name}.velocity", unit="m/s", tolerance=1e-11)
         other = [p[j] + v[j] * h for j in range(3)]
-        seen = "Your world takes a step of explicit Euler, as particle.integrate does. Call "
+        seen = "Your world takes an explicit Euler step, as particle.integrate does. Call "
         seen += f"self.integrator instead, which is {integrator} here."
         blame(got[0], [(other, seen)])
         expect_close(got[0], place, call=f"{name}.position", unit="m", tolerance=1e-11)
@@ -312,32 +313,32 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     bodies: list[Body] = [((float(i), 1.0, 0.0), ZERO, ZERO, 1.0) for i in range(3)]
     about.call = f"three particles at a height of 1 m; floors at heights of {low:g} and {high:g} "
     about.call += f"m; world.run_physics({h})"
-    about.cause = "You call the resolver several times. Collect all contacts in one list, and pass "
-    about.cause += "them to it in a single call."
+    about.cause = "You call resolve_contacts several times. Collect all contacts in one list, and "
+    about.cause += "pass this list in a single call."
     done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
     if not calls:
         about.cause = "You don't call self.resolver.resolve_contacts. Pass it all contacts."
-    expect_exactly(len(calls), 1, then="; the number of calls of the resolver", unit="calls")
+    expect_exactly(len(calls), 1, then="; the number of calls to resolve_contacts", unit="calls")
     depths = [low - 1.0] * 3 + [high - 1.0] * 3
     about.cause = f"You pass {calls[0][1]} s to resolve_contacts, but the step takes {h} s. Pass "
     about.cause += "the whole duration."
-    name = f"{about.call}: the duration that resolve_contacts gets"
+    name = f"{about.call}; the duration passed to resolve_contacts"
     expect_close(calls[0][1], h, call=name, unit="s", tolerance=1e-13 * (high - 1.0))
-    about.cause = "You pass the wrong contacts to the resolver. Pass it those of all generators."
-    name = f"{about.call}: the penetrations of the contacts that resolve_contacts gets"
+    about.cause = "You pass the wrong contacts to the resolver. Pass those of all generators."
+    name = f"{about.call}; the penetrations of the contacts passed to resolve_contacts"
     expect_close(calls[0][2], depths, call=name, unit="m")
     about.cause = "Call contacts() of each generator exactly once in a step."
     asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
-    name = ": the heights of the floors whose contacts() was called"
+    name = "; the heights of the floors whose contacts() was called"
     expect_exactly(asked, [low, high], then=name)
     about.call = "three particles at a height of 1 m, above a floor at 0.5 m; "
     about.call += f"world.run_physics({h})"
-    about.cause = "You call the resolver although there are no contacts. Call it only if the list "
-    about.cause += "of contacts is not empty."
+    about.cause = "You call the resolver although there are no contacts. Call resolve_contacts "
+    about.cause += "only if the list of contacts is not empty."
     done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
-    expect_exactly(count, 0, then="; the number of calls of the resolver", unit="calls")
+    expect_exactly(count, 0, then="; the number of calls to resolve_contacts", unit="calls")
 
 
 @pytest.mark.exercise("B8.2")
@@ -390,8 +391,8 @@ def test_rejects_an_invalid_duration(method: str) -> None:
         done = refused(method, duration)
         expect_that(done["error"] == error, done["error"], error)
         for i, name in enumerate(("position", "velocity", "force_accumulator")):
-            about.cause = f"{method} changes the particle's {name} before it raises the error. "
-            about.cause += "Check the duration first."
+            about.cause = f"The duration {duration!r} is invalid, but {method} changes the "
+            about.cause += f"particle's {name} before it raises {error}. Check the duration first."
             wanted = (3.0 * i + 1.0, 3.0 * i + 2.0, 3.0 * i + 3.0)
             expect_close(done["left"][i], wanted, then=f"; the particle's {name}", tolerance=0.0)
     done = frame([(ZERO, ZERO, (1.0, 0.0, 0.0), 1.0)], method, 0.5)

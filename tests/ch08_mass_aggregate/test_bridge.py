@@ -247,7 +247,7 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         about.cause += "which is 1 m, beyond them."
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         right = f"row {i} at a height of {heights[i]:g} m"
-        expect_that(got is not None, "None, which means no deck", right)
+        expect_that(got is not None, "None, which means that there is no deck", right)
         about.cause = f"Beyond row {i} the deck is level, so return that row and its height."
         slope = heights[i] - heights[1]
         mistakes = [((float(i), heights[i] + 0.5 * slope),
@@ -363,7 +363,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                 (depth - radius, "You left out the radius of the ball. Its lowest point is one "
                                  "radius below its center."),
             ]  # fmt: skip
-            name = f"{about.call}: the penetration of a contact"
+            name = f"{about.call}; the penetration of a contact"
             why = "The penetration is how far the lowest point of the ball is below the deck."
             why = cause_of(penetration, mistakes, why)
             expect_close(penetration, depth, call=name, cause=why, unit="m", tolerance=1e-12)

@@ -154,7 +154,7 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         got = lets_go(design, [how])[0]
         seen = words[got] if type(got) is bool else repr(got)
         side = f"{abs(how[0]):g} m {'below' if how[0] < 0.0 else 'above'}"
-        side = side if how[0] else "exactly as high as"
+        side = side if how[0] else "level with"
         name = (
             f"{about.call}{side} the pivot; its velocity is ({vx:.6g}, {vy:.6g}, 0) m/s, {what}; "
         )

@@ -138,8 +138,10 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
         force = f"({4.0 + 2.0 * change[0]:g}, {2.0 * change[1]:g}, 0)"
         about.call += f"; the second force changes from (4, 0, 0) to {force} N; 10 more steps"
         about.cause = "Your particle stays asleep although the forces on it have changed by more "
-        about.cause += "than SAME (1 %). Wake it in wake_pushed, which run_physics must call in "
-        about.cause += "every LOOK_EVERY-th step."
+        about.cause += (
+            "than SAME, which is 1%. Wake it in wake_pushed, which run_physics must call "
+        )
+        about.cause += "every LOOK_EVERY steps."
         woken = done["velocity"] is not None
         expect_that(woken, "it stays asleep", "it wakes", then="; whether particle 0 wakes")
         got = done["velocity"] or (math.nan,) * 3
@@ -174,7 +176,7 @@ def test_a_changed_force_wakes_a_particle(old: float, new: float, late: bool) ->
     seen = woken_by_force(old, new, 10, late)
     expect_sleepers(seen[0], [0], then="; which particles are asleep before that")
     about.cause = "Your particle stays asleep although the force on it has changed. Wake it in "
-    about.cause += "wake_pushed, which run_physics must call in every LOOK_EVERY-th step."
+    about.cause += "wake_pushed, which run_physics must call every LOOK_EVERY steps."
     expect_sleepers(seen[-1], [], then="; which particles are asleep after 10 steps")
 
 
@@ -186,8 +188,8 @@ def test_an_unchanged_force_wakes_no_particle(rng: Random) -> None:
         read=f"{WAKE}wake_pushed",
     )
     for new in (push, 1.009 * push, 0.991 * push):
-        about.cause = "Your particle wakes although the force has changed by less than SAME (1 %). "
-        about.cause += "Wake it only if the change of its acceleration is larger than that."
+        about.cause = "Your particle wakes although the force has changed by less than SAME, which "
+        about.cause += "is 1%. Wake it only if its acceleration changes by more than that."
         if new == push:
             about.cause = "Your particle wakes although its force is unchanged. Set inverse_mass "
             about.cause += "back to 0 after you have called the generators in wake_pushed."
@@ -267,8 +269,7 @@ def test_a_woken_particle_stays_on_the_ground(rng: Random) -> None:
 def test_a_group_wakes_together() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
     about.call = "particle 1 sleeps on top of particle 0; particle 0 is moved away; 6 steps"
-    about.cause = "Both particles are at rest, but not both have fallen asleep. Check fall_asleep "
-    about.cause += "first."
+    about.cause = "Both particles are at rest, but they are not both asleep. Check fall_asleep."
     before, after, speed = support_gone(6)
     expect_sleepers(before, [0, 1], then="; which particles are asleep before that")
     about.cause = "Particle 1 stays asleep although its neighbor, particle 0, wakes. In "
@@ -327,16 +328,16 @@ def test_a_hanging_particle_stays_asleep() -> None:
     if len(awake) == 36:
         about.cause = NEVER
     expect_asleep(awake, then=steps)
-    about.call += "; from step 20 on, an extra force of 0.15 N/kg pushes it"
-    about.cause = "Your particle wakes although 0.15 N/kg is less than SAME times |a| + |f / m|, "
+    about.call += "; from step 20 on, an extra force of 0.15 N pushes the particle of 1 kg"
+    about.cause = "Your particle wakes although 0.15 m/s^2 is less than SAME times |a| + |f / m|, "
     about.cause += "which is 0.2 m/s^2 here. Wake it only at a larger change."
     expect_asleep(awake_in(hung(40, 20, 0.15)), then=steps)
     about.call = "particle 0 hangs from a spring and is almost at rest; from step 20 on, an extra "
-    about.call += "force of 0.5 N/kg pushes it; 10 steps that call wake_pushed()"
-    about.cause = "Your particle stays asleep although 0.5 N/kg is more than SAME times |a| + |f "
+    about.call += "force of 0.5 N pushes the particle of 1 kg; 10 steps"
+    about.cause = "Your particle stays asleep although 0.5 m/s^2 is more than SAME times |a| + |f "
     about.cause += "/ m|, which is 0.2 m/s^2 here. Wake it at such a change."
     wakes = [] in hung(31, 20, 0.5)[20:]
-    expect_that(wakes, "the particle sleeps for 10 steps", "it wakes within 10 steps")
+    expect_that(wakes, "it stays asleep", "it wakes", then="; whether particle 0 wakes")
 
 
 @pytest.mark.exercise("G8.1")

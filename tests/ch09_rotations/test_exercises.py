@@ -259,8 +259,7 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         slips = {
             "You rotate about the object's own X axis. To rotate about the world's X axis, put the "
             "new rotation on the left.": hamilton(q, turn),
-            "You return the new rotation alone. Return the product of this rotation and the old "
-            "orientation, in this order.": turn,
+            "You return only the new rotation. Multiply it by the orientation, on its right.": turn,
             "You rotate by half the angle.": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
             "You rotate by the rate alone.": hamilton(quad(X_AXIS, rate), q),
             "You rotate in the opposite direction.": hamilton(quad(X_AXIS, -rate * duration), q),

@@ -268,8 +268,9 @@ def test_a_woken_particle_stays_on_the_ground(rng: Random) -> None:
 @pytest.mark.exercise("G8.1")
 def test_a_group_wakes_together() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
-    about.call = "particle 1 sleeps on top of particle 0; particle 0 is moved away; 6 steps"
-    about.cause = "Both particles are at rest, but they are not both asleep. Check fall_asleep."
+    about.call = "particle 1 sleeps on top of particle 0; particle 0 is moved away; 6 steps, the "
+    about.call += "first of which calls wake()"
+    about.cause = "Both particles are at rest, but not both are asleep. Check fall_asleep first."
     before, after, speed = support_gone(6)
     expect_sleepers(before, [0, 1], then="; which particles are asleep before that")
     about.cause = "Particle 1 stays asleep although its neighbor, particle 0, wakes. In "
@@ -280,8 +281,7 @@ def test_a_group_wakes_together() -> None:
     expect_that(1 not in after, "it is asleep", "it is awake", then="; whether particle 1 is awake")
     about.cause = "Particle 1 should start to fall in the step in which particle 0 wakes. Wake "
     about.cause += "both in the same step, before you call the integrator."
-    then = "; the vertical velocity of particle 1"
-    expect_close(speed, -1.0, then=then, unit="m/s", tolerance=0.01)
+    expect_close(speed, -1.0, then="; particle 1's velocity along Y", unit="m/s", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
             about.call = f"particles 0 to 4 sleep; earlier, these pairs were in contact: {pairs}; "
@@ -333,7 +333,7 @@ def test_a_hanging_particle_stays_asleep() -> None:
     about.cause += "which is 0.2 m/s^2 here. Wake it only at a larger change."
     expect_asleep(awake_in(hung(40, 20, 0.15)), then=steps)
     about.call = "particle 0 hangs from a spring and is almost at rest; from step 20 on, an extra "
-    about.call += "force of 0.5 N pushes the particle of 1 kg; 10 steps"
+    about.call += f"force of 0.5 N pushes the particle of 1 kg; 10 steps{TENTH}"
     about.cause = "Your particle stays asleep although 0.5 m/s^2 is more than SAME times |a| + |f "
     about.cause += "/ m|, which is 0.2 m/s^2 here. Wake it at such a change."
     wakes = [] in hung(31, 20, 0.5)[20:]

@@ -62,8 +62,8 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
     about(f"rules = Rules({rows}); {called(events[: rows + falls])}", read=RULES)
     about.cause = (
-        f"You reject a row that exists. The rows are numbered from 0 to {rows - 1}, so both of "
-        "these are valid."
+        f"You reject a row that exists. The rows are numbered from 0 to {rows - 1}, so accept each "
+        "of these numbers."
     )
     seen = ruled(rows, events)
     about.cause = "Each new row scores POINTS. The last one also wins the game, so add BONUS, "
@@ -79,11 +79,12 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     elif not won[3] and list(won[2]) == [*range(rows)]:
         missing = "All rows are visited, but won is False, so there is no bonus. Compare "
         missing += "len(self.visited) with self.rows."
-    low = "You leave out the POINTS of the last row. Add them as well as the bonus."
+    low = "You leave out the POINTS for the last row. Add both these POINTS and the bonus."
     if seen[1][0] < seen[0][0]:
         low = "You take points away for a fall. A fall costs a life, but no points."
     elif before[0] > points - 10:
-        low = "Your game is won one row too early. It is won only when every row is in visited."
+        low = "Your game counts as won before the last row is visited. It is won only when every "
+        low += "row is in visited."
     mistakes = [
         (points, missing),
         (points + 50, "You add the bonus only once. Multiply BONUS, which is 50, by the number of "
@@ -124,8 +125,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     wanted = [False, False, False, True, True, True]
     if type(got[-1]) is int and got[-1] < 0:
         seen = "No lives are left, but over is False. It should be True if the game is won and "
-        seen += "also "
-        seen += "if no lives are left."
+        seen += "also if no lives are left."
         expect_that(
             overs[3], f"{overs}", f"{wanted}", then="; rules.over after each call", cause=seen
         )
@@ -203,7 +203,7 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
         expect_that(first == hit, f"landings.row is {first}", f"landings.row is {hit}")
         about.call += "; the ball is moved far above the deck; landings.contacts()"
         about.cause = "You keep the row of the earlier landing. Set row to None at the start of "
-        about.cause += "every call of contacts()."
+        about.cause += "every call to contacts()."
         if later is not None and landing(4.5 + depth, -speed, before)[1] == row:
             about.cause = "You set row although the ball doesn't touch the deck. Set it only if "
             about.cause += "there is a contact."
@@ -219,7 +219,7 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     damped = 0.6**frame
     about.call = (
         f"a game with game.direction = {direction}; its ball of {mass} kg is at ({x}, 9, 0) m and "
-        f"moves at ({speed}, 0, 0) m/s; three calls of game.step({frame}); the velocity of the "
+        f"moves at ({speed}, 0, 0) m/s; three calls to game.step({frame}); the velocity of the "
         "ball"
     )
     about.cause = "The push is wrong. Add a force of direction * PUSH * mass along X between "
@@ -277,15 +277,13 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             )
         name = "; the ball's velocity along Y"
         expect_close(seen["velocity"][1], 6.0, then=name, unit="m/s", tolerance=1e-12)
-        about.cause = (
-            "The ball jumps, but the landing doesn't score. Call self.rules.landed(row) when "
-            "landings.row is not None."
-        )
+        about.cause = "The ball jumps, but the landing doesn't score. Call self.rules.landed(row) "
+        about.cause += "when landings.row is not None."
         expect_close(seen["score"], 10, then="; the score", unit="points", tolerance=1e-12)
         about.cause = "You pass the wrong row. Pass self.landings.row to self.rules.landed."
         expect_exactly(seen["visited"], [row], then="; the visited rows")
     about.call = (
-        f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; 20 calls of "
+        f"a game in which the ball is 0.05 m above row {row} and falls at 6 m/s; 20 calls to "
         "game.step(1/60); the score and the lives"
     )
     about.cause = (
@@ -313,8 +311,8 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     about.read = STEP
     x = round(rng.uniform(8.0, 9.0), 3)
     about.call = (
-        f"a game; the ball is beside the bridge, at ({x}, 0.6, 0) m, and falls at 9 m/s; "
-        "game.step(1/60)"
+        f"a game in which the ball is beside the bridge, at ({x}, 0.6, 0) m, and moves at (3, -9, "
+        "0) m/s; game.step(1/60)"
     )
     about.cause = (
         "The ball has reached the ground, but you don't take a life. Call self.rules.fell() in "
@@ -351,8 +349,8 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         seen = played(1, FRAME, 0, (x, 0.5 + above, 0.0), (0.0, 9.81 * FRAME, 0.0))[-1]
         expect_exactly(seen["lives"], lives)
     about.call = (
-        f"a game with one life left; the ball is at ({x}, 0.6, 0) m and falls at 9 m/s; "
-        "three calls of game.step(1/60)"
+        f"a game with one life left, in which the ball is beside the bridge, at ({x}, 0.6, 0) m, "
+        "and moves at (3, -9, 0) m/s; three calls to game.step(1/60)"
     )
     about.cause = "The ball keeps moving after the game is over. Return from step at once if "
     about.cause += "self.rules.over is true."
@@ -366,11 +364,10 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         tolerance=0.0,
     )
     x = seen[-1]["place"][0]
-    about.cause = (
-        "You put the ball back although no lives are left. Put it back only if the game is not "
-        "over."
-    )
-    expect_that(x > 7.0, f"the ball is at x = {x:.3g} m", "the ball is still beside the bridge")
+    about.cause = "You put the ball back although no lives are left. Put it back only if the game "
+    about.cause += "is not over."
+    name = "; the final position of the ball along X"
+    expect_that(x > 7.0, f"{x:.3g} m", "more than 7 m, which is beside the bridge", then=name)
 
 
 @pytest.mark.exercise("P8.1b")
@@ -381,7 +378,7 @@ def test_the_last_row_ends_the_game(rng: Random) -> None:
     x = FIRST + 2.0 * row
     about.call = (
         f"a game in which all rows but {row} are visited, and the ball falls on row {row} at 6 m/s "
-        "from 0.05 m above; three calls of game.step(1/60)"
+        "from 0.05 m above; three calls to game.step(1/60)"
     )
     about.cause = (
         "The first step wins the game and adds POINTS and the bonus. After that the game is over, "

@@ -23,8 +23,8 @@ BOND = "the docstring of Bond, and of Bond.update_force"
 SPREAD = "the docstring of spread"
 ZERO = (0.0, 0.0, 0.0)
 CALLS = (
-    "the ends a and b are moved to distances of {} m; at each distance, bond.update_force({}, 0.1) "
-    "and then bond.update_force({}, 0.1)"
+    "the distance between a and b is set to {} m; at each distance, bond.update_force({}, 0.1) and "
+    "then bond.update_force({}, 0.1) are called"
 )
 
 
@@ -125,8 +125,8 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         "break_length.",
     }
     late = {
-        "breaks": "Your bond still pulls in the call in which it breaks. Update holds at the start "
-        "of every call of update_force, for a and for b, before you add a force.",
+        "breaks": "Your bond still pulls in the call in which it breaks. In every call to "
+        "update_force, for a and for b, update holds before you add a force.",
         "broken": "Your broken bond still pulls. Add a force only if the bond holds.",
         "heals": "Your bond heals, but it adds no force in the same call. Update holds before you "
         "add the force.",
@@ -154,7 +154,8 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         name = f"{about.call}; {CALLS.format(in_words(lengths[: i + 1]), *'ba' if swap else 'ab')}"
         about.cause = causes[what]
         words = {True: "the bond holds", False: "the bond is broken"}
-        expect_that(seen[i][2] is holds, words[not holds], words[holds], call=name)
+        then = "; whether the bond holds at the last distance"
+        expect_that(seen[i][2] is holds, words[not holds], words[holds], call=name, then=then)
         about.cause = late[what]
         force = pull(length, k, rest, limit, share) if holds else 0.0
         expect_forces(name, seen[i], force, way, " at the last distance", swapped=not any(pulls))
@@ -236,8 +237,8 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
          "You take the square root of a sum, not of a mean. Divide the sum by the total mass "
          "before you take the root."),
         (math.sqrt(2.0 + math.hypot(x + 1.0, y + 1.0, z) ** 2),
-         "You measure the distances from the origin, so the result depends on where the blob is. "
-         "Measure them from the center of mass."),
+         "You measure the distances from the origin, so the result changes if all particles move "
+         "together. Measure the distances from the center of mass."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, math.sqrt(2.0), unit="m", tolerance=1e-12)

@@ -45,8 +45,8 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
     about.read = LINKS
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
-    about.call = "links_of(make_rows()); row 0 has ends 0 and 1, row 1 has ends 2 and 3, and so "
-    about.call += "on; all ends are then moved apart, so that every link is too long"
+    about.call = "links_of(make_rows()), where ends 0 and 1 belong to row 0, ends 2 and 3 to row "
+    about.call += "1, and so on; the ends are moved so far apart that every link is stretched"
     about.cause = {
         "rod": "Join the two ends of each row with one Rod of length WIDTH.",
         "cable": "Join each end to the end of the next row on the same side, with a Cable of "
@@ -86,8 +86,8 @@ def test_links_join_the_right_ends(rng: Random, which: str) -> None:
         if extra[0] not in right:
             why = f"You join ends {i} and {j}, which are in different rows and on different sides. "
             why += f"Join ends on the same side, such as {i} and {i + 2}."
-    name = {"rod": "the pairs of ends (i, i + 1)", "cable": "the pairs of ends (i, i + 2)"}
-    name = f"; {name.get(which, 'the pairs (end, -1), where -1 is an anchor,')} that a link joins"
+    name = {"rod": "pairs (i, i + 1) of ends", "cable": "pairs (i, i + 2) of ends"}
+    name = f"; the {name.get(which, 'ends and anchors, as (end, -1),')} that links join"
     expect_exactly(ends, right, then=name, cause=why)
     length = {"rod": "WIDTH", "cable": "CABLE_LENGTH"}.get(which, "support_length(row number)")
     about.cause = f"The length of your {which} is wrong. It should be {length}."
@@ -174,10 +174,16 @@ def middles(rows: list[tuple[Components, Components]]) -> list[tuple[float, floa
     return [(round(0.5 * (a[0] + b[0]), 9), round(0.5 * (a[1] + b[1]), 9)) for a, b in rows]
 
 
+def deck_of(points: list[tuple[float, float]]) -> str:
+    """Return what a deck through these midpoints is called."""
+    return f"a deck; the midpoints of its rows are at (x, y) = {', '.join(map(str, points))} m"
+
+
 def nearest_of(points: list[tuple[float, float]], x: float) -> str:
     """Return what is called: nearest() of a deck through these midpoints, with the ball at x."""
-    deck_and_ball = f"a deck; the midpoints (x, y) of its rows: {points} m; a ball at x = {x:.6g} m"
-    return f"{deck_and_ball}; deck.nearest(), which returns (row, height)"
+    return (
+        f"{deck_of(points)}; a ball at x = {x:.6g} m; deck.nearest(), which returns (row, height)"
+    )
 
 
 @pytest.mark.exercise("B8.5")
@@ -240,8 +246,8 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         about.cause = "Your deck ends at its outermost rows. It should extend half a SPACING, "
         about.cause += "which is 1 m, beyond them."
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
-        right = f"row {i} at the height {heights[i]:g} m"
-        expect_that(got is not None, "None, so there is no deck here", right)
+        right = f"row {i} at a height of {heights[i]:g} m"
+        expect_that(got is not None, "None, which means that there is no deck", right)
         about.cause = f"Beyond row {i} the deck is level, so return that row and its height."
         slope = heights[i] - heights[1]
         mistakes = [((float(i), heights[i] + 0.5 * slope),
@@ -282,8 +288,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
     for at in (first - 1.001, last + 1.001):
         about.cause = "Your deck extends too far. It ends half a SPACING, which is 1 m, beyond "
         about.cause += "its outermost rows, so return None here."
-        about.call = f"a deck; the midpoints (x, y) of its rows: {points} m; a ball at "
-        about.call += f"({at:.6g}, 1, 0) m"
+        about.call = f"{deck_of(points)}; a ball at ({at:.6g}, 1, 0) m"
         got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
         nearest = got["nearest"]
         name = f"{about.call}; deck.nearest(), which returns (row, height)"
@@ -305,14 +310,13 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     for depth in (0.3, 0.01, 0.0):
         center = height + radius - depth
         about.call = (
-            f"a deck with restitution {c}; the midpoints (x, y) of its rows: {middles(rows)} m; "
-            f"a ball of radius {radius} m at ({at:g}, {center:.6g}, 0); "
-            "particle 0 is the ball, and 3 and 4 are the ends of the nearest row; deck.contacts()"
+            f"{deck_of(middles(rows))}; the restitution of the deck is {c}; "
+            f"a ball of radius {radius} m at ({at:g}, {center:.6g}, 0) m; "
+            "particle 0 is the ball, and particles 3 and 4 are the ends of the nearest row; "
+            "deck.contacts()"
         )
-        about.cause = (
-            "The ball rests on the nearest row, so return one contact for each end of that row. In "
-            "both, the ball is the particle and the end is the other."
-        )
+        about.cause = "The ball rests on the nearest row, so return one contact for each end of "
+        about.cause += "that row. In both, the ball is the particle and the end is the other."
         if not depth:
             center = height + radius - 1e-13  # rounding must not lift it off
         got = sorted(deck((at, center, 0.0), rows, radius, c)["contacts"])
@@ -320,12 +324,12 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         if ends == []:
             about.cause = (
                 "You return no contacts although the ball touches the deck, probably because you "
-                "left out its radius. Its lowest point is at y - radius."
+                "left out the ball's radius. The ball's lowest point is at y - radius."
             )
             if not depth:
                 about.cause = (
-                    "You return no contacts for a ball that just touches the deck. Return them "
-                    "too, with a penetration of 0."
+                    "You return no contacts for a ball that just touches the deck. Return two "
+                    "contacts with a penetration of 0."
                 )
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = (
@@ -359,16 +363,16 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                 (depth - radius, "You left out the radius of the ball. Its lowest point is one "
                                  "radius below its center."),
             ]  # fmt: skip
-            name = f"{about.call}: the penetration of a contact"
+            name = f"{about.call}; the penetration of a contact"
             why = "The penetration is how far the lowest point of the ball is below the deck."
             why = cause_of(penetration, mistakes, why)
             expect_close(penetration, depth, call=name, cause=why, unit="m", tolerance=1e-12)
     level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
     for y, cause in (
-        (4.5, "You return no contacts if the ball just touches the deck. Return them for a "
-              "penetration of 0 too."),
-        (3.5, "You return no contacts if the penetration is exactly the diameter. The ball has "
-              "fallen through only if it is deeper than that."),
+        (4.5, "You return no contacts if the ball just touches the deck. Return two contacts even "
+              "if their penetration is 0."),
+        (3.5, "You return no contacts if the penetration equals the ball's diameter. The ball has "
+              "fallen through only if the penetration is greater than its diameter."),
     ):  # fmt: skip
         about(
             f"a level deck at a height of 4 m; a ball of radius 0.5 m at (2, {y}, 0)", cause=cause
@@ -383,13 +387,12 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ("whose top is just above", 1e-6 - radius, 2, "The top of the ball is still above the "
                                                          "deck, so the ball has not fallen through "
                                                          "yet and is still in contact."),
-        ("whose top is just below", -1e-6 - radius, 0, "You return contacts for a ball that has "
-                                                       "fallen through the deck, so they lift it "
-                                                       "up again. Return none here."),
+        ("whose top is just below", -1e-6 - radius, 0, "Your contacts lift up a ball that has "
+                                                       "fallen through the deck. Return none if "
+                                                       "the top of the ball is below the deck."),
     ):  # fmt: skip
         about(
-            f"a deck; the midpoints (x, y) of its rows: {middles(rows)} m; a ball of radius "
-            f"{radius} m {where} the deck; ",
+            f"{deck_of(middles(rows))}; a ball of radius {radius} m {where} the deck; ",
             cause=cause,
         )
         about.call += "deck.contacts()"

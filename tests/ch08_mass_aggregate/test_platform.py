@@ -51,12 +51,12 @@ def test_a_platform_can_only_tilt() -> None:
             about.cause = f"The distance between particles {i} and {j} can still change, so the "
             about.cause += "platform can bend. Join these two particles with a rod."
             pairs = ", ".join(f"{i}-{j}" for i, j in sorted(joined))
-            about.call = f"rods_of(six particles at PLACES), which joins the particles {pairs}; "
-            about.call += "the number of motions that these rods allow besides the tilt"
-            expect_exactly(len(left) - 1, 0, unit="motions")
+            about.call = f"rods_of(six particles at PLACES), which joins the pairs {pairs}; the "
+            about.call += "platform's degrees of freedom, not counting the tilt"
+            expect_exactly(len(left) - 1, 0)
     about.cause = "Your rods lock the platform. Remove those that keep it from tilting about its "
     about.cause += "pivot."
-    expect_exactly(len(left), 1, then="; the number of motions that the rods allow", unit="motions")
+    expect_exactly(len(left), 1, then="; the platform's degrees of freedom, including the tilt")
 
 
 @pytest.mark.exercise("B8.6")

@@ -106,22 +106,22 @@ def test_old_contacts_are_forgotten(rng: Random) -> None:
     last = rng.randint(1, 2)
     fast = last + rng.randint(1, 4)
     steps = f"steps 1 to {last}" if last > 1 else "step 1"
-    about.call = f"particle 0 touches fast particle 1 only in {steps}; particle 0 itself is fast "
-    about.call += f"only in step {fast}; a SleepingWorld with sleep_frames=5; which particles are "
-    about.call += "asleep after each step"
+    about.call = f"particle 0 touches the fast particle 1 only in {steps}; particle 0 is slow, "
+    about.call += f"except in step {fast}; a SleepingWorld with sleep_frames=5; which particles "
+    about.call += "are asleep after each step"
     wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
     if not any(seen):
-        about.cause = "Particle 0 never falls asleep, because you compare the age of its last "
-        about.cause += "contact with == sleep_frames. Use >= instead."
+        about.cause = "Particle 0 never falls asleep, probably because you forget a contact only "
+        about.cause += "when its age is exactly sleep_frames. Forget older contacts too."
     elif any(seen[: fast + 4]):
         about.cause = f"Particle 0 falls asleep too early. It was fast itself in step {fast}, so "
         about.cause += "count its slow steps only from the step after that."
     expect_sleepers_of_steps(seen, wanted)
-    about.call = "particles 0 and 1 are slow and touch all the time, but particle 1 becomes "
-    about.call += "immovable after 4 steps; a SleepingWorld with sleep_frames=5; which particles "
-    about.call += "are asleep after 12 steps"
+    about.call = "a SleepingWorld with sleep_frames=5; particles 0 and 1 are slow and stay in "
+    about.call += "contact; after 4 steps, particle 1 becomes immovable; which particles are "
+    about.call += "asleep after 12 steps"
     about.cause = "Your fall_asleep still uses the contacts of particle 1, which has become "
-    about.cause += "immovable. Skip every contact with a particle that is immovable now."
+    about.cause += "immovable. Skip every contact of an immovable particle."
     seen = made_immovable(4, 12)
     if [0] in seen and seen[-1] == []:
         about.cause = "Particle 0 falls asleep, but its contact with the immovable particle 1 "
@@ -144,8 +144,8 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
                                                         "0, so it keeps particle 0 awake too. "
                                                         "Neither of them should fall asleep."),
         ("0 and 1, 1 and 2, 2 and 3", [0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4],
-         "Fast particle 3 keeps only particle 2 awake, which it touches directly. Particles 0 and "
-         "1 belong to the same group, so keep them awake too."),
+         "Particle 3 is fast, so its whole group must stay awake. Particles 0 and 1 belong to the "
+         "same group, because contacts connect them to particle 3."),
         ("3 and 2, 2 and 1, 1 and 0", [2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [],
          "Particle 0 is fast, and through the chain of contacts it keeps all the others awake. The "
          "order of the contacts should make no difference."),
@@ -162,10 +162,11 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
          "a particle awake, so skip such contacts."),
     ):  # fmt: skip
         about.cause = cause
-        about.call = "particles, numbered from 0, with speeds of "
-        about.call += f"{', '.join(f'{one:g}' for one in speeds)} m/s; contacts between {what}; a "
-        about.call += "SleepingWorld with sleep_frames=5; which particles are asleep after each of "
-        about.call += "8 steps"
+        resting = "particle 0 is" if len(speeds) == 1 else f"particles 0 to {len(speeds) - 1} are"
+        about.call = f"a SleepingWorld with sleep_frames=5; {resting} at rest"
+        for i, one in enumerate(speeds):
+            about.call += f", except particle {i}, which moves at {one:g} m/s" * bool(one)
+        about.call += f"; contacts between {what}; which particles are asleep after each of 8 steps"
         seen = left_alone(speeds, 8, pairs, masses)
         expect_sleepers_of_steps(seen, [[]] * 4 + [wanted] * 4)
 
@@ -174,8 +175,9 @@ def test_a_fast_particle_keeps_its_group_awake() -> None:
 def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     about.read = f"{WAKE}wake, and the class"
     mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)
-    about.call = f"a particle of {mass} kg with a speed of {speed} m/s, which counts as slow; a "
-    about.call += "SleepingWorld with sleep_frames=3; 3 steps"
+    start = f"a SleepingWorld with sleep_frames=3; a particle of {mass} kg moves at {speed} m/s, "
+    start += "which counts as slow"
+    about.call = f"{start}; the world takes three steps"
     about.cause = "When a particle falls asleep, set its inverse_mass to 0 and clear its velocity, "
     about.cause += "so that nothing can move it."
     done = slept(mass, speed)
@@ -186,7 +188,7 @@ def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)
     for name, shown in (("place asleep", "position"), ("place later", "position, 20 steps later")):
         expect_close(done[name], place, then=f"; particle.{shown}", tolerance=1e-12)
-    about.call = f"{about.call}; world.wake(particle)"
+    about.call = f"{start}; the particle falls asleep; world.wake(particle)"
     about.cause = "Your particle stays immovable when it wakes. In wake, restore its old "
     about.cause += "inverse mass."
     got = done["inverse mass awake"]
@@ -204,10 +206,12 @@ def test_a_particle_stops_and_gets_its_mass_back(rng: Random) -> None:
     if got > 3:
         about.cause = "Your particle falls asleep again too late, or not at all. In wake, reset "
         about.cause += "its count of slow steps to 0."
-    expect_exactly(got, 3, then="; how many more steps it takes to fall asleep again", unit="steps")
-    about.call = "a particle that is awake and has been slow for 2 steps; a SleepingWorld with "
-    about.call += "sleep_frames=3; world.wake(particle)"
+    then = "; the number of steps until the particle falls asleep again"
+    expect_exactly(got, 3, then=then, unit="steps")
+    about.call = "a SleepingWorld with sleep_frames=3; a particle is awake and has been slow for "
+    about.call += "two steps; world.wake(particle)"
     about.cause = "wake should reset the count of slow steps to 0, even if the particle is already "
     about.cause += "awake."
     got = done["frames from then on"]
-    expect_exactly(got, 3, then="; how many more steps it takes to fall asleep", unit="steps")
+    then = "; the number of steps until the particle falls asleep"
+    expect_exactly(got, 3, then=then, unit="steps")

@@ -63,19 +63,18 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     for i, j in ((0, 1), (0, 2), (1, 2)):
         if (i, j) not in joined:
             about.cause = (
-                f"No rod joins the {parts[i]} and the {parts[j]}, so the beam can bend. Join them "
-                "too, so that three rods form a triangle."
+                f"No rod joins the {parts[i]} and the {parts[j]}, so the beam can bend. Join each "
+                "pair of the three particles with a rod, so that the rods form a triangle."
             )
-    expect_exactly(
-        len(left), 0, then="; the number of ways in which the beam can bend", unit="ways"
-    )
+    name = "; whether these rods make the beam rigid"
+    expect_that(len(left) == 0, "the beam can bend", "the beam is rigid", then=name)
     for i, j, length in rods:
         about.call = f"{called(design)}.beam(); the length of the rod from the {parts[i]} to the "
         about.call += f"{parts[j]}"
         about.cause = "Your rod has the wrong length. Make it as long as the current distance "
         about.cause += "between its two ends."
         straight = (
-            "You make the rod short_arm + long_arm long, but this beam is bent at the pivot. Use "
+            "Your rod has the length short_arm + long_arm, but this beam is bent at the pivot. Use "
             "the current distance between the rod's two ends."
         )
         blame(length, [(design[1] + design[2], straight)])
@@ -126,14 +125,17 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         )
     forward = "Your sling lets go of a projectile that doesn't fly forward. Let go only if v.x > 0."
     high = (
-        "Your sling lets go of a projectile that is not above the pivot. Let go only if its y is "
-        "greater than that of the pivot."
+        "Your sling lets go of a projectile that is not above the pivot. Let go only if the "
+        "projectile's y is greater than the pivot's y."
     )
     words = {True: "the sling lets go", False: "the sling does not let go"}
+    over, under, lowest = (
+        f"at {angle + more:g} degrees above the horizontal" for more in (0.1, -0.1, -1.0)
+    )
     for what, how, wanted, cause in (
-        ("slightly above the release angle", flight(angle + 0.1), False, steep),
-        ("slightly below the release angle", flight(angle - 0.1), True, lower),
-        ("below the release angle", flight(angle - 1.0, 0.01), True,
+        (over, flight(angle + 0.1), False, steep),
+        (under, flight(angle - 0.1), True, lower),
+        (lowest, flight(angle - 1.0, 0.01), True,
          "The projectile is above the pivot, so the sling should let go. It doesn't matter how far "
          "above."),
         ("forward and down", flight(-50.0), True, "A projectile that flies downward is below the "
@@ -141,19 +143,22 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         ("steeply backward", flight(180.0 - angle), False, forward),
         ("backward and down", flight(-150.0), False, forward),
         ("straight down", (height, (0.0, -speed, 0.0)), False, forward),
-        ("slowly forward", (height, (0.25, -speed, 0.0)), True,
+        ("slightly forward and down", (height, (0.25, -speed, 0.0)), True,
          "The projectile flies forward, so the sling should let go. Count any v.x above 0 as "
          "forward."),
-        ("below the release angle", flight(angle - 1.0, 0.0), False, high),
-        ("below the release angle", flight(angle - 1.0, -height), False, high),
+        (lowest, flight(angle - 1.0, 0.0), False, high),
+        (lowest, flight(angle - 1.0, -height), False, high),
     ):  # fmt: skip
         about.cause = cause
         vx, vy, _ = how[1]
         got = lets_go(design, [how])[0]
         seen = words[got] if type(got) is bool else repr(got)
-        side = "below" if how[0] < 0.0 else "above"
-        name = f"{about.call}{abs(how[0]):g} m {side} the pivot; its velocity is ({vx:.6g}, "
-        name += f"{vy:.6g}, 0) m/s ({what}); trebuchet.lets_go()"
+        side = f"{abs(how[0]):g} m {'below' if how[0] < 0.0 else 'above'}"
+        side = side if how[0] else "level with"
+        name = (
+            f"{about.call}{side} the pivot; its velocity is ({vx:.6g}, {vy:.6g}, 0) m/s, {what}; "
+        )
+        name += "trebuchet.lets_go()"
         expect_that(got is wanted, seen, words[wanted], call=name)
     about.call = (
         f"a trebuchet with a release angle of 0; the projectile is {height} m above the pivot and "
@@ -171,9 +176,9 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     weight = positive_number(rng, 100.0, 300.0)
     design = (weight, 1.5, 3.0, 1.0, 30.0)
     about.call = (
-        f"design = {named_design(design)}; the sling lets go in the first step, when the "
-        "projectile is at (2, 8, 0) m with velocity (30, 10, 0) m/s; the counterweight has sunk by "
-        "4 m by then; Trebuchet(design).throw()"
+        f"design = {named_design(design)}; in the first step, the counterweight sinks by 4 m, and "
+        "the projectile reaches (2, 8, 0) m with a velocity of (30, 10, 0) m/s; the sling lets go "
+        "at the end of this step; Trebuchet(design).throw()"
     )
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
     about.cause = "A projectile that starts at height y with a vertical velocity of v_y flies for "
@@ -188,13 +193,13 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
         [
             (
                 4,
-                "Your throw takes steps of 1/60 s, which is too long for a trebuchet. Call "
-                "self.step(STEP), which takes 1/250 s.",
+                "Your throw takes steps of 1/60 s, which are too long for a trebuchet. Call "
+                "self.step(STEP), where STEP is 1/250 s.",
             )
         ],
         seen,
     )
-    name = "; the time simulated by calls of self.step"
+    name = "; the total duration of all calls to self.step"
     expect_exactly(frames / 250.0, 0.004, then=name, unit="s", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
@@ -202,7 +207,7 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
                        "= 0. Add the projectile's x at the release."),
         (2.0 + 30.0 * 20.0 / G,
          "You compute the range as if the throw started on the ground, but the projectile is "
-         "released 8 m above it. Use the formula with y."),
+         "released 8 m above it. Use the formula that contains the height y."),
         (600.0 / G,
          "You leave out the point of release, which is (2, 8). Add its x to the range, and use "
          "its y in the flight time."),
@@ -216,22 +221,20 @@ def test_a_throw_has_a_range_and_a_share(rng: Random) -> None:
     lost = 4.0 * weight * G
     wanted = gained / lost
     mistakes = [
-        (2500.0 / lost, "You leave out the projectile's potential energy. Add m g times its rise "
-                        "to the energy gained."),
+        (2500.0 / lost, "You leave out the projectile's potential energy. Add m g h to its kinetic "
+                        "energy, where h is the height by which it rises."),
         ((gained - 2500.0) / lost, "You leave out the projectile's kinetic energy. Add m v^2 / 2 "
-                                   "to the energy gained."),
-        (gained / (4.0 * 5.0 * G), "You compute the lost energy with the projectile's mass. Use "
-                                   "the mass of the counterweight, because the counterweight "
-                                   "falls."),
+                                   "to its potential energy."),
+        (gained / (4.0 * 5.0 * G), "You use the projectile's mass to compute the lost energy. Use "
+                                   "the counterweight's mass, because the counterweight falls."),
         (1.0 / wanted, "Your fraction is upside down. Divide the energy that the projectile gained "
                        "by the energy that the counterweight lost."),
         (100.0 * wanted, "Your share is a percentage. Return a fraction, where 1 means that the "
                          "projectile gets all of the energy."),
     ]  # fmt: skip
     blame(share, mistakes)
-    expect_close(
-        share, wanted, then="; the share of the energy that the projectile gets", tolerance=1e-9
-    )
+    name = "; the share (energy gained by the projectile / energy lost by the counterweight)"
+    expect_close(share, wanted, then=name, tolerance=1e-9)
     about.call = (
         f"{called(design)}.throw(); the sling lets go of the projectile at (2, 8, 0) m with "
         "velocity (30, -10, 0) m/s; the range"
@@ -278,9 +281,12 @@ def test_a_throw_agrees_with_lagrange(
 def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     about.read = THROW
     design = (100.0, 1.5, 3.0, 3.75, 30.0)  # the projectile starts 0.22 m up
-    about.call = f"{called(design)}.throw() in a world where nothing moves; the range and the share"
-    about.cause = "You compute a range although the sling never lets go. Return Throw(0.0, 0.0) "
-    about.cause += "after TIME_LIMIT."
+    about.call = (
+        f"{called(design)}.throw() in a world where nothing moves; the range in m, and the "
+    )
+    about.call += "share of the energy that the projectile gets"
+    about.cause = "You compute a throw although the sling never lets go. If self.flies is still "
+    about.cause += "False after TIME_LIMIT, return Throw(0.0, 0.0)."
     got = throw(design, "nothing")
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     about.cause = (
@@ -290,21 +296,23 @@ def test_a_sling_that_never_lets_go_throws_nothing() -> None:
     # One more or less if the time is added up with rounding.
     expect_close(got[2], 1000.0, then="; the number of steps", unit="steps", tolerance=1.0)
     heavy = (1.0, 1.5, 3.0, 3.9, 30.0)  # the projectile starts 0.07 m up
-    about.call = f"{called(heavy)}.throw(), in which the projectile sinks to the ground, because "
-    about.call += "the counterweight is too light"
+    about.call = (
+        f"{called(heavy)}.throw(), where the counterweight is so light that the projectile "
+    )
+    about.call += "sinks to the ground"
     about.cause = (
-        "Your throw continues after the projectile hits the ground in the sling. Stop when its "
+        "The projectile hits the ground while it is still in the sling. Stop when the projectile's "
         "height is 0 or less, and return Throw(0.0, 0.0)."
     )
     got = throw(heavy)
     expect_close(got[:2], (0.0, 0.0), then="; the range and the share", tolerance=0.0)
     if got[2] >= 100 and throw(design, "ground")[2] == 1:
         about.cause = (
-            "You stop only at a height of exactly 0, which the projectile skips. Stop when its "
-            "height is 0 or less."
+            "You stop only if the height is exactly 0, but a step takes the projectile from above "
+            "the ground to below it. Stop when the projectile's height is 0 or less."
         )
     # It is there after 0.13 s.
-    name = "; the number of steps"
+    name = "; the number of steps that throw() takes"
     expect_that(got[2] < 100, f"{got[2]} steps", "fewer than 100 steps", then=name)
     about.call = (
         f"{called(design)}.throw(); the projectile is on the ground after one step; the range, the "
@@ -353,7 +361,8 @@ def test_your_own_trebuchet(meters: int, percent: int) -> None:
     about.cause = "Your counterweight is too heavy. Choose one of at most 400 kg."
     expect_between(design[0], 0.0, 400.0, then="; the counterweight", unit="kg")
     arms = design[1] + design[2]
-    about.cause = "Your arms are too long. Together, they must be at most 5 m long."
+    about.cause = "The arms of your trebuchet are too long. Together, they must be at most 5 m "
+    about.cause += "long."
     expect_between(arms, 0.0, 5.0, then="; the total length of the arms", unit="m", tolerance=1e-9)
     distance, share = thrown(*design)
     more = ""

@@ -27,7 +27,9 @@ from sleepers import awake_in, expect_asleep, expect_sleepers, expect_sleepers_o
 
 WAKE = "the docstring of SleepingWorld."
 RUN = "the docstring of SleepingWorld.run_physics"
+TENTH = ", every tenth of which calls wake_pushed()"
 NEVER = "The particle is at rest, but it has not fallen asleep. Check fall_asleep first."
+UNITS = {"velocity": "m/s", "force": "N", "place": "m"}
 SIGNS = {
     "velocity": "its velocity is no longer 0",
     "force": "its force_accumulator is no longer 0",
@@ -89,17 +91,18 @@ def test_a_slightly_changed_particle_wakes(how: str) -> None:
     about.read = f"{WAKE}wake_moved"
     for axis, by in product("xyz", (1e-3, -1e-3)):
         new = how.replace("place", "position")
-        about.call = f"particles 0, 1 and 2 sleep on the ground; the {new} of particles 1 and 2 "
-        about.call += f"changes by {by} along {axis}; one step of 1/60 s, which calls wake_moved()"
+        about.call = f"particles 0, 1 and 2 sleep on the ground; the {axis} component of the {new} "
+        about.call += f"of particles 1 and 2 changes by {by} {UNITS[how]}; one step of 1/60 s, "
+        about.call += "which calls wake_moved()"
         about.cause = "All three particles are at rest, but they have not all fallen asleep. Check "
         about.cause += "fall_asleep first."
         before, after = woken_by_little(how, axis, by)
         expect_sleepers(before, [0, 1, 2], then="; which particles are asleep before that")
-        about.cause = f"You don't detect a change of the {new} along {axis}. Compare all three "
-        about.cause += "components."
+        about.cause = f"You don't detect a change of the {axis} component of the {new}. Compare "
+        about.cause += "all three components."
         if by < 0.0:
-            about.cause = f"You detect a new {new} only if a component increases. Test whether it "
-            about.cause += "is different, because a change can be negative."
+            about.cause = f"You detect a new {new} only if a component increases. A component can "
+            about.cause += "also decrease, so test whether it has changed at all."
         if after in ([0, 1], [0, 2]):
             about.cause = f"You wake only one of the two particles with a new {new}. Check every "
             about.cause += "sleeping particle."
@@ -118,36 +121,39 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
         ((0.1, 0.0), (0.0, 0.0, 0.0)),
         ((-0.1, 0.0), (0.0, 0.0, 0.0)),
     ):
-        about.call = "particle 0, of 2 kg, sleeps while two forces of 3 and 2 N/kg push it against "
-        about.call += "a wall; steps of 1/60 s, of which every tenth calls wake_pushed()"
+        about.call = "two forces of 6 N and 4 N along X push particle 0, of 2 kg, against a wall; "
+        about.call += f"40 steps of 1/60 s{TENTH}"
         about.cause = "You call the force generators while the particle's mass is infinite. "
-        about.cause += "Restore its own mass during these calls."
+        about.cause += "Restore its own mass during these calls, because a generator may use it."
         done = pushed(*change)
-        about.cause = "Your particle is awake although it is at rest and the forces on it are "
-        about.cause += "still the same. Compare the total acceleration a + f / m with the one "
+        about.cause = "Particle 0 is awake although it is at rest and the forces on it are still "
+        about.cause += "the same. Wake it only if its acceleration a + f / m differs from the one "
         about.cause += "stored in self.asleep."
         expect_sleepers(done["before"], [0], then="; which particles are asleep")
         about.cause = "The forces that you evaluated for the comparison are still in the "
         about.cause += "accumulator. If the particle stays asleep, clear the accumulator and set "
         about.cause += "inverse_mass back to 0."
-        name = "; all values of particle.force_accumulator while it slept"
+        name = "; all values of particle.force_accumulator while the particle was asleep"
         expect_exactly(done["sums"], [(0.0, 0.0, 0.0)], then=name)
-        about.call += f"; the second force changes by {change} N/kg along X and Y; 10 more steps"
+        force = f"({4.0 + 2.0 * change[0]:g}, {2.0 * change[1]:g}, 0)"
+        about.call += f"; the second force changes from (4, 0, 0) to {force} N; 10 more steps"
         about.cause = "Your particle stays asleep although the forces on it have changed by more "
-        about.cause += "than SAME (1 %). Wake it in wake_pushed, which run_physics must call in "
-        about.cause += "every LOOK_EVERY-th step."
+        about.cause += (
+            "than SAME, which is 1%. Wake it in wake_pushed, which run_physics must call "
+        )
+        about.cause += "every LOOK_EVERY steps."
         woken = done["velocity"] is not None
-        expect_that(woken, "the particle sleeps for 10 steps", "it wakes within 10 steps")
+        expect_that(woken, "it stays asleep", "it wakes", then="; whether particle 0 wakes")
         got = done["velocity"] or (math.nan,) * 3
         about.cause = "The particle wakes too late to move in this step. Call wake_pushed before "
         about.cause += "the integrator."
         twice = tuple(2.0 * part for part in velocity)
         if any(velocity):
-            seen = "The forces act twice: after your comparison they are still in the accumulator, "
-            seen += "and the integrator adds them again. Clear the accumulator after comparing."
+            seen = "The forces act twice, because they are still in the accumulator when the "
+            seen += "integrator adds them again. Clear the accumulator after your comparison."
             blame(got, [(twice, seen)])
-        name = "; particle.velocity after the step in which it wakes, in m/s"
-        expect_close(got, velocity, then=name, tolerance=1e-12)
+        name = "; the velocity of particle 0 after the step in which it wakes"
+        expect_close(got, velocity, then=name, unit="m/s", tolerance=1e-12)
         about.cause = "You call the force generators with the wrong duration. Pass the duration of "
         about.cause += "the step on to them."
         name = "; the durations that the generators got"
@@ -162,15 +168,15 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
 )
 def test_a_changed_force_wakes_a_particle(old: float, new: float, late: bool) -> None:
     about.read = f"{WAKE}wake_pushed"
-    how = "a generator that is added pushes it" if late else "it is pushed"
-    about.call = f"particle 0, of 2 kg, sleeps while it is pushed against a wall by {old} N/kg; "
-    about.call += f"then {how} by {new} N/kg; steps, of which every tenth calls wake_pushed()"
+    how = "a new generator adds a force of" if late else "the force changes to"
+    about.call = f"particle 0, of 2 kg, sleeps while a force of {2.0 * old:g} N along X pushes it "
+    about.call += f"against a wall; then {how} {2.0 * new:g} N along X; steps{TENTH}"
     about.cause = "The wall holds the particle, so it is at rest. Let it fall asleep before the "
     about.cause += "force changes."
     seen = woken_by_force(old, new, 10, late)
     expect_sleepers(seen[0], [0], then="; which particles are asleep before that")
     about.cause = "Your particle stays asleep although the force on it has changed. Wake it in "
-    about.cause += "wake_pushed, which run_physics must call in every LOOK_EVERY-th step."
+    about.cause += "wake_pushed, which run_physics must call every LOOK_EVERY steps."
     expect_sleepers(seen[-1], [], then="; which particles are asleep after 10 steps")
 
 
@@ -178,19 +184,20 @@ def test_a_changed_force_wakes_a_particle(old: float, new: float, late: bool) ->
 def test_an_unchanged_force_wakes_no_particle(rng: Random) -> None:
     push = positive_number(rng, 2.0, 9.0)
     about(
-        f"particle 0 sleeps while a force of {push} N/kg pushes it against a wall",
+        f"particle 0, of 2 kg, sleeps while a force of {2.0 * push:g} N pushes it against a wall",
         read=f"{WAKE}wake_pushed",
     )
     for new in (push, 1.009 * push, 0.991 * push):
-        about.cause = "Your particle wakes although the force has changed by less than SAME (1 %). "
-        about.cause += "Wake it only if the change of its acceleration is larger than that."
+        about.cause = "Your particle wakes although the force has changed by less than SAME, which "
+        about.cause += "is 1%. Wake it only if its acceleration changes by more than that."
         if new == push:
             about.cause = "Your particle wakes although its force is unchanged. Set inverse_mass "
             about.cause += "back to 0 after you have called the generators in wake_pushed."
         seen = woken_by_force(push, new, 25)
         if seen[0] != [0]:
             about.cause = NEVER
-        then = f"; then by {new:.6g} N/kg for 25 steps, which call wake_pushed(); whether it sleeps"
+        then = f"; the force {'stays at' if new == push else 'changes to'} {2.0 * new:.6g} N; 25 "
+        then += f"steps{TENTH}; whether particle 0 is asleep after each step"
         expect_asleep([i for i, one in enumerate(seen) if one != [0]], then=then)
 
 
@@ -246,23 +253,24 @@ def test_a_resting_particle_wakes_a_sleeper() -> None:
 def test_a_woken_particle_stays_on_the_ground(rng: Random) -> None:
     about.read = RUN
     speed = positive_number(rng, 4.0, 9.0)
-    about.call = f"particle 0 sleeps on the ground; another one falls on it at {speed} m/s; "
-    about.call += "run_physics(), in which particle 0 wakes"
-    about.cause = "Particle 0 is pushed into the ground. It has no contact with the ground while "
-    about.cause += "it sleeps, so find the contacts again after it has woken."
+    about.call = f"particle 0 sleeps on the ground; particle 1 falls on particle 0 at {speed} m/s; "
+    about.call += "run_physics(), which wakes particle 0"
+    about.cause = "Particle 0 is pushed into the ground, because a sleeping particle has no "
+    about.cause += "contact with the ground. Find the contacts again after particle 0 has woken."
     before, *got = dropped_on(speed)
     expect_sleepers(before, [0], then="; which particles are asleep before that", cause=NEVER)
     # Two hundred iterations leave some 1e-9 m/s.
-    expect_close(got[0], 0.0, then="; its vertical velocity", unit="m/s", tolerance=1e-6)
-    expect_close(got[1], 0.5, then="; its height", unit="m", tolerance=1e-6)
+    then = "; the vertical velocity of particle 0"
+    expect_close(got[0], 0.0, then=then, unit="m/s", tolerance=1e-6)
+    expect_close(got[1], 0.5, then="; the height of particle 0", unit="m", tolerance=1e-6)
 
 
 @pytest.mark.exercise("G8.1")
 def test_a_group_wakes_together() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
-    about.call = "particle 1 sleeps on particle 0, which is moved away; 6 steps, which call wake()"
-    about.cause = "Both particles are at rest, but not both have fallen asleep. Check fall_asleep "
-    about.cause += "first."
+    about.call = "particle 1 sleeps on top of particle 0; particle 0 is moved away; 6 steps, the "
+    about.call += "first of which calls wake()"
+    about.cause = "Both particles are at rest, but not both are asleep. Check fall_asleep first."
     before, after, speed = support_gone(6)
     expect_sleepers(before, [0, 1], then="; which particles are asleep before that")
     about.cause = "Particle 1 stays asleep although its neighbor, particle 0, wakes. In "
@@ -270,14 +278,14 @@ def test_a_group_wakes_together() -> None:
     about.cause += "with them."
     if 0 in support_gone(1)[1]:  # later it sleeps again
         about.cause = "Particle 0 stays asleep although it was moved. Check wake_moved first."
-    expect_that(1 not in after, "particle 1 still sleeps", "particle 1 is awake")
+    expect_that(1 not in after, "it is asleep", "it is awake", then="; whether particle 1 is awake")
     about.cause = "Particle 1 should start to fall in the step in which particle 0 wakes. Wake "
     about.cause += "both in the same step, before you call the integrator."
-    expect_close(speed, -1.0, then="; its vertical velocity", unit="m/s", tolerance=0.01)
+    expect_close(speed, -1.0, then="; particle 1's velocity along Y", unit="m/s", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
-            about.call = f"particles 0 to 4 sleep; the pairs {pairs} touched before they fell "
-            about.call += f"asleep; particle {first} gets a velocity; one step, which calls wake()"
+            about.call = f"particles 0 to 4 sleep; earlier, these pairs were in contact: {pairs}; "
+            about.call += f"particle {first} is set in motion; one step, which calls wake()"
             was, now = group_woken(pairs, first)
             about.cause = "Not all five particles fall asleep, although all are at rest. Check "
             about.cause += "fall_asleep before you work on wake."
@@ -287,14 +295,14 @@ def test_a_group_wakes_together() -> None:
                 about.cause = "You wake only part of the group. Wake the neighbors of every "
                 about.cause += "particle that wakes."
             expect_sleepers(now, [4], then="; which particles are asleep afterward")
-    about.call = "particles 0, 1 and 2 sleep in a row, joined by two springs; particle 2 gets a "
-    about.call += "velocity of 6 m/s; steps of 1/60 s, the first of which calls wake()"
+    about.call = "particles 0, 1 and 2 sleep in a row, joined by two springs; particle 2 is set "
+    about.call += "in motion at 6 m/s; steps of 1/60 s, the first of which calls wake()"
     about.cause = "All three particles are at rest, but they have not all fallen asleep. Check "
     about.cause += "fall_asleep first."
     seen, places = on_a_spring(20)
     expect_sleepers(seen[0], [0, 1, 2], then="; which particles are asleep before that")
-    about.cause = "Particles stay asleep although springs join them to particle 2. In fall_asleep, "
-    about.cause += "count the pairs of joined(self.registry) as neighbors too."
+    about.cause = "Some particles stay asleep although springs connect them to particle 2. In "
+    about.cause += "fall_asleep, also treat the pairs in joined(self.registry) as neighbors."
     expect_sleepers(seen[1], [], then="; which particles are asleep after one step")
     about.cause = "Your center of mass doesn't move at 2 m/s, probably because one particle is "
     about.cause += "still asleep while the others move. Wake all three in the same step."
@@ -312,56 +320,48 @@ def test_a_group_wakes_together() -> None:
 @pytest.mark.exercise("G8.1")
 def test_a_hanging_particle_stays_asleep() -> None:
     about.read = f"{WAKE}wake_pushed"
-    about.call = "particle 0 hangs from a spring and is almost at rest; 40 steps, of which every "
-    about.call += "tenth calls wake_pushed()"
+    about.call = f"particle 0 hangs from a spring and is almost at rest; 40 steps{TENTH}"
     about.cause = "You compare the change with |a + f / m|, which is almost 0 because gravity and "
     about.cause += "the spring force cancel. Compare it with |a| + |f / m| instead."
-    steps = "; whether particle 0 sleeps from step 5 on"
+    steps = "; whether particle 0 is asleep after each step from step 5 on"
     awake = awake_in(hung(40, 40, 0.0))
     if len(awake) == 36:
         about.cause = NEVER
     expect_asleep(awake, then=steps)
-    about.call += "; from step 20 on, an extra force of 0.15 N/kg pushes it"
-    about.cause = "Your particle wakes although 0.15 N/kg is less than SAME times |a| + |f / m|, "
+    about.call += "; from step 20 on, an extra force of 0.15 N pushes the particle of 1 kg"
+    about.cause = "Your particle wakes although 0.15 m/s^2 is less than SAME times |a| + |f / m|, "
     about.cause += "which is 0.2 m/s^2 here. Wake it only at a larger change."
     expect_asleep(awake_in(hung(40, 20, 0.15)), then=steps)
     about.call = "particle 0 hangs from a spring and is almost at rest; from step 20 on, an extra "
-    about.call += "force of 0.5 N/kg pushes it; 10 steps that call wake_pushed()"
-    about.cause = "Your particle stays asleep although 0.5 N/kg is more than SAME times |a| + |f "
+    about.call += f"force of 0.5 N pushes the particle of 1 kg; 10 steps{TENTH}"
+    about.cause = "Your particle stays asleep although 0.5 m/s^2 is more than SAME times |a| + |f "
     about.cause += "/ m|, which is 0.2 m/s^2 here. Wake it at such a change."
     wakes = [] in hung(31, 20, 0.5)[20:]
-    expect_that(wakes, "the particle sleeps for 10 steps", "it wakes within 10 steps")
+    expect_that(wakes, "it stays asleep", "it wakes", then="; whether particle 0 wakes")
 
 
 @pytest.mark.exercise("G8.1")
 def test_sleeping_particles_cost_no_work(rng: Random) -> None:
     count, awake = rng.randint(20, 30), rng.randint(2, 4)
-    about.call = f"{count} particles with one force generator each; all but the first {awake} are "
-    about.call += "at rest and should sleep; 20 calls of world.run_physics()"
-    about(
-        cause="Some of the particles that are at rest are still awake. Check that fall_asleep puts "
-        "all of them to sleep.",
-        read=RUN,
-    )
+    about.call = f"{count} particles, each with one force generator; the first {awake} move, and "
+    about.call += "the others are at rest and should be asleep; 20 calls to world.run_physics()"
+    about.cause = "Some of the particles that are at rest are still awake. Check that fall_asleep "
+    about.cause += "puts all of them to sleep."
+    about.read = RUN
     asked, given, sleepers = work_asleep(count, awake, 20)
     wanted = [*range(awake, count)]
     expect_sleepers(sleepers, wanted, then="; which particles are asleep")
     about.cause = "You pass sleeping particles to the integrator, which takes time and has no "
     about.cause += "effect. Pass only those that are awake."
-    expect_exactly(
-        given, 20 * awake, then="; the number of particles passed to the integrator in all steps"
-    )
+    then = "; the total number of particles passed to the integrator"
+    expect_exactly(given, 20 * awake, then=then, unit="particles")
     about.cause = "You call update_force too often for sleeping particles. Call wake_pushed only "
-    about.cause += "in every tenth step."
-    if asked < 20 * awake + 2 * (count - awake):
+    about.cause += "every tenth step."
+    right = 20 * awake + 2 * (count - awake)
+    if asked < right:
         about.cause = "You call update_force too rarely. Call it in every step for a particle that "
-        about.cause += "is awake, and in every tenth step for a sleeping one."
-    expect_exactly(
-        asked,
-        20 * awake + 2 * (count - awake),
-        then="; the number of calls of update_force",
-        unit="calls",
-    )
+        about.cause += "is awake, and every tenth step for a sleeping one."
+    expect_exactly(asked, right, then="; the number of calls to update_force", unit="calls")
 
 
 @pytest.mark.exercise("G8.1")

@@ -64,9 +64,9 @@ def test_two_turns_end_where_two_others_do() -> None:
     about.cause = "Try it with a book: the axes X and Z stay fixed in space, and rotations are "
     about.cause += "right-handed."
     slips = {
-        "You return the two angles in the wrong order. Return a first.": (90.0, -90.0),
-        "Only the sign of a is wrong. Rotations are right-handed.": (90.0, 90.0),
-        "Only the sign of b is wrong. Rotations are right-handed.": (-90.0, -90.0),
+        "You return the two angles in the wrong order. Return (a, b).": (90.0, -90.0),
+        "Only the sign of your angle a is wrong. Change this sign.": (90.0, 90.0),
+        "Only the sign of your angle b is wrong. Change this sign.": (-90.0, -90.0),
         "You return radians. Return degrees.": (-0.5 * math.pi, 0.5 * math.pi),
     }
     about.cause = named((a, b), about.cause, slips)
@@ -159,7 +159,7 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
 @pytest.mark.robust
 def test_rejects_what_is_not_an_orientation() -> None:
     about.cause = "The length of this quaternion is not 1, so it is not an orientation. Raise "
-    about.cause += "ValueError, as to_axis_angle does if you don't normalize the quaternion first."
+    about.cause += "ValueError if its is_unit() returns False."
     for numbers in ((1.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)):
         expect_error(
             lambda numbers=numbers: back_to_reference(Quaternion(*numbers)),
@@ -250,7 +250,7 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         duration = positive_number(rng, 0.5, 3.0)
         orientation = Quaternion(*q)
         about.call = f"turned_by_sense(Quaternion{short(q)}, rate={rate}, duration={duration})"
-        about.cause = "Rotate once, by rate * duration about the world's X axis."
+        about.cause = "Rotate by the angle rate * duration about the world's X axis."
         if rate == 0.0:
             about.cause = "Your axis depends on the rate, which is 0 here. Use a fixed X axis."
         turn = quad(X_AXIS, rate * duration)
@@ -259,7 +259,7 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         slips = {
             "You rotate about the object's own X axis. To rotate about the world's X axis, put the "
             "new rotation on the left.": hamilton(q, turn),
-            "You return the new rotation alone. Multiply it by the old orientation.": turn,
+            "You return only the new rotation. Multiply it by the orientation, on its right.": turn,
             "You rotate by half the angle.": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
             "You rotate by the rate alone.": hamilton(quad(X_AXIS, rate), q),
             "You rotate in the opposite direction.": hamilton(quad(X_AXIS, -rate * duration), q),
@@ -314,8 +314,8 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
             "steps.": stepped(q, rate, duration * steps, steps),
             f"You take a single step. Take {steps} steps instead.": stepped(q, rate, duration, 1),
             "You don't normalize the result. Normalize it at the end.": [size * c for c in wanted],
-            "You rotate exactly instead of taking steps of Eq. 9.5. Call add_scaled in each "
-            "step.": hamilton(quad(X_AXIS, rate * duration), q),
+            "You compute the exact rotation instead of taking steps of Eq. 9.5. Call add_scaled in "
+            "each step.": hamilton(quad(X_AXIS, rate * duration), q),
             "the old orientation": q,
         }
         slips = {label: same_sign(slip, wanted) for label, slip in slips.items()}
@@ -324,7 +324,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         turn = abs(rate * duration)
         missing = turn - 2.0 * steps * math.atan(0.5 * turn / steps)
         about.cause = "The error is the angle to the exact rotation, in radians and at least 0."
-        name = f"{about.call}; the error in radians"
+        name = f"{about.call}; the error (an angle)"
         slips = {
             "You return half of the angle. Double it.": 0.5 * missing,
             "You return a negative angle.": -missing,
@@ -333,7 +333,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         why = named(error, about.cause, slips)
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
             why = "You use acos, which loses half of the digits of a small angle. Use atan2."
-        expect_close(error, missing, call=name, cause=why, tolerance=1e-11)
+        expect_close(error, missing, call=name, cause=why, unit="rad", tolerance=1e-11)
         expect_kept("the orientation", rijk(orientation), q)
 
 
@@ -341,13 +341,13 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
 def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)
-    about.call = f"turned_by_steps(Quaternion{short(q)}, rate=3, duration=2); the error in radians"
-    about.cause = "The angle must not be greater than pi. If yours is, return the smaller angle of "
-    about.cause += "the same rotation in the opposite direction."
+    about.call = f"turned_by_steps(Quaternion{short(q)}, rate=3, duration=2); the error (an angle)"
+    about.cause = "The error is an angle from 0 to pi. If your angle is greater than pi, return 2 "
+    about.cause += "pi minus this angle."
     # Of 6 rad it rotates by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 the other way round.
     wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
     got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]
-    expect_close(got, wanted, tolerance=1e-11)
+    expect_close(got, wanted, unit="rad", tolerance=1e-11)
 
 
 @pytest.mark.exercise("9.4")

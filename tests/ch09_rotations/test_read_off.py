@@ -83,12 +83,12 @@ def test_read_off_rejects_all_but_rotations_and_translations(rng: Random) -> Non
     m, p = draw_slight_turn(rng), components(rng)
     good = joined(m, p)
     near = tuple(n * (1.0 + 4e-6) for n in m)
-    about.call = f"m = {written(joined(near, p))}; len(read_off(m))"
+    about.call = f"m = {written(joined(near, p))}; read_off(m)"
     about.cause = (
-        "You reject this matrix, but is_rotation() accepts it, because its rows have a length of "
-        "1 + 4e-6. Use is_rotation() for your test."
+        "You reject this matrix, although is_rotation() accepts its first three columns. Raise "
+        "ValueError only if is_rotation() returns False."
     )
-    expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
+    expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2, then="; the number of results")
     about.cause = (
         "The first three columns are not a rotation. Call is_rotation() on them, and raise "
         "ValueError if it returns False."
@@ -136,8 +136,8 @@ def test_the_easy_inverse(rng: Random) -> None:
     slips = {
         "Your last column is -p.": joined(t, subtracted((0.0, 0.0, 0.0), p)),
         "Your last column is p.": joined(t, p),
-        "Your last column is T p, without the minus.": joined(t, (x, y, z)),
-        "Your last column is -p rotated forward instead of back.": joined(
+        "Your last column is T p, without the minus sign.": joined(t, (x, y, z)),
+        "Your last column is -R p, where R is the rotation of m.": joined(
             t, subtracted((0.0, 0.0, 0.0), turned_on)
         ),
         "You don't transpose the rotation. Swap its rows and columns.": joined(m, (-x, -y, -z)),
@@ -174,10 +174,13 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
     m, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), components(rng)
     for linear in (m, (0.0,) * 9):
         twelve = joined(linear, p)
-        about.call = f"m = {written(twelve)}, which is not a rotation; easy_inverse(m), row by row"
+        about.call = (
+            f"m = {written(twelve)}, whose 3x3 part is not a rotation; easy_inverse(m), row "
+        )
+        about.call += "by row"
         about.cause = (
-            "You probably use a general inverse, which divides by the determinant. Always "
-            "transpose the nine numbers, even if they are not a rotation."
+            "You probably use a general inverse, which divides by the determinant. Transpose the "
+            "3x3 part instead, even if it is not a rotation."
         )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)

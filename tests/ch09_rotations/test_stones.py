@@ -18,7 +18,7 @@ from turning import TIGHT, named
 CENTER = "the docstring of center_of_stones"
 OFFSET = "the docstring of balance_offset"
 BESIDE = "the docstring of masses_beside, and E-32"
-SIDES = "masses_beside(stones, angle={}), the masses on the left and the right"
+SIDES = "masses_beside(stones, angle={}), the masses to the left and right of the edge"
 DATA = "exercise 9.7, and the docstring at the top of stones.py"
 
 Stones = list[tuple[str, float, float, float]]
@@ -56,7 +56,7 @@ def listed(stones: Stones) -> str:
 
 def with_stones(stones: Stones, call: str) -> str:
     """Return what is called: a function of these stones."""
-    return f"stones = {listed(stones)}, each with name, mass, x and y; {call}"
+    return f"stones = {listed(stones)}, where each stone is (name, mass, x, y); {call}"
 
 
 def middle(stones: Stones) -> complex:
@@ -165,11 +165,13 @@ def test_it_balances_though_the_masses_differ() -> None:
     )
     got = masses_beside(stones, 0.0)
     slips = {
-        "You return half of the mass for each side, as the book does (E-32). Add the masses of the "
-        "stones on each side.": (2.0, 2.0),
-        "You swap left and right. On the left of this edge, y is larger.": (3.0, 1.0),
+        "You give each side half of the total mass, as the book does (E-32). Add up the masses of "
+        "the stones on each side instead.": (2.0, 2.0),
+        "You swap the two masses. This edge points along +X, so its left side is the side with the "
+        "larger y.": (3.0, 1.0),
         "You count the stones on each side. Add their masses instead.": (1.0, 1.0),
-        "Your edge goes through the corner. Move it left by the balance offset.": (4.0, 0.0),
+        "You use an edge through the corner of the box. Move the edge to the left by the result of "
+        "balance_offset.": (4.0, 0.0),
     }
     why = named(got, about.cause, slips)
     expect_close(got, (1.0, 3.0), cause=why, unit="kg", tolerance=TIGHT)
@@ -221,10 +223,8 @@ def test_a_stone_on_the_edge_is_on_neither_side(rng: Random) -> None:
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
         about.cause = f"Each stone is only {off:.0e} m from the edge. Add it to neither side."
         if off > 1e-9:
-            about.cause = (
-                f"You treat a stone {off:.0e} m from the edge as on the edge. Only stones "
-            )
-            about.cause += "within 1e-9 m of the edge are on it."
+            about.cause = f"Each stone is {off:.0e} m from the edge, so add it to its side. Only "
+            about.cause += "stones within 1e-9 m of the edge belong to neither side."
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
         about.call = with_stones(stones, SIDES.format(0))
         got = tuple(masses_beside(stones, 0.0))

@@ -148,7 +148,7 @@ def expect_unchanged(
     __tracebackhide__ = True
     if tuple(now) != tuple(before):
         after, kept = _told(now, before)
-        _complain(f"{name} is {after} after the call", f"{name} unchanged at {kept}", words)
+        _complain(f"{name} is {after} after the call", f"{name} is still {kept}", words)
 
 
 @scoped

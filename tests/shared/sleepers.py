@@ -28,9 +28,7 @@ def expect_asleep(awake: Sequence[int], then: str) -> None:
     """Expect no steps after which particle 0 is awake."""
     __tracebackhide__ = True
     steps = ", ".join(map(str, awake))
-    expect_that(
-        not awake, f"awake after these steps: {steps}", "asleep after every step", then=then
-    )
+    expect_that(not awake, f"awake after these steps: {steps}", "asleep after each step", then=then)
 
 
 def awake_in(seen: Sequence[Sequence[int]]) -> list[int]:

@@ -47,4 +47,4 @@ def test_words_can_stand_for_numbers() -> None:
     assert (message.got, message.wanted) == ("no error", "an error")
     message = said(lambda: expect_unchanged("v", (1.0, 2.0), (1.0, 3.0)))
     assert message.got == "v is (1, 2) after the call"
-    assert message.wanted == "v unchanged at (1, 3)"
+    assert message.wanted == "v is still (1, 3)"

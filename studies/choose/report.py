@@ -51,7 +51,7 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
         ("cheapest", chosen, f"no model is accurate enough with runs of up to {runs.SLOWEST:g} s"),
         ("next cheaper", cheaper, "no model is cheaper"),
     ):
-        told = _told(found, point) if point else none
+        told = _told(found, point, scene.frames) if point else none
         if point and point is cheaper:
             fails = point.error > tolerance
             told += ": not accurate enough" if fails else ": accurate only by chance"
@@ -63,10 +63,16 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
     return 0 if chosen else 1
 
 
-def _told(found: list[Tried], point: Point) -> str:
+def _told(found: list[Tried], point: Point, frames: int) -> str:
     model = next(tried.model for tried in found if tried.model.name == point.model)
     choice = model.chosen(point.steps)
-    return f"{point.model}, {choice}: {1e3 * point.time:.3g} ms, error about {point.error:.1g}"
+    return f"{point.model}, {choice}: {took(point, frames)}, error about {point.error:.1g}"
+
+
+def took(point: Point, frames: int) -> str:
+    """Describe how long a run of a scene took, in total and for each frame on average."""
+    milliseconds = 1e3 * point.time
+    return f"{milliseconds:.3g} ms ({milliseconds / frames:.2g} ms per frame)"
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:

@@ -129,7 +129,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
     for entry in file.infolist():
         name = path_in_zip(entry)
         parts = name.split("/")
-        if is_unsafe(name) or ".." in parts or not name.isprintable():
+        if is_unsafe(name) or not name.isprintable():
             notes.append(f"{printable(name)} was left out: its path is not that of an upload")
         elif any(part.startswith(".") or part in SILENT for part in parts):
             continue

@@ -137,7 +137,8 @@ def is_unsafe(name: str) -> bool:
 
     This is assumed if the path is absolute, or if a part of the path is empty or consists of dots.
     """
-    return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
+    parts = name.removesuffix("/").split("/")
+    return name[1:2] == ":" or any(part in ("", ".", "..") for part in parts)
 
 
 def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:

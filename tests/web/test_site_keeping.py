@@ -37,9 +37,18 @@ STORED = """(path) => new Promise(resolve => {
 })"""
 
 
-def lesson(visitor: Any, site: Served, name: str = "ch02_vectors") -> Any:
+# A worker that never starts Python. Starting it would take longer than the whole test.
+NO_PYTHON = """globalThis.Worker = class extends EventTarget {
+  postMessage() {}
+  terminate() {}
+}"""
+
+
+def lesson(visitor: Any, site: Served) -> Any:
+    """Open the lesson of chapter 2, for a test that does not check anything."""
     page = visitor.new_page()
-    page.goto(f"{site.address}{name}.html")
+    page.add_init_script(NO_PYTHON)
+    page.goto(f"{site.address}ch02_vectors.html")
     return page
 
 

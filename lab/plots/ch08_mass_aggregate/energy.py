@@ -33,11 +33,10 @@ from studies.runs.mass_aggregate import (
 
 SETTLED = 10.0  # s, after which scenes should be at rest
 STEADY = 0.1  # %, by which the energy of a scene at rest may vary
-# The color and the duration in s for each rate. At 120 Hz, a run takes the longest and its energy
-# varies the least, so a shorter run is enough.
-RATES = {30: (RED, 30.0), 60: (BLUE, 30.0), 120: (GREEN, 15.0)}
+SECONDS = 15.0  # s, the length of each run; the energies vary no more in longer runs
+COLORS = {30: RED, 60: BLUE, 120: GREEN}  # by frame rate in Hz
 
-Way = tuple[Callable[[], MassAggregate], int, float, str]  # with rate, time, color
+Way = tuple[Callable[[], MassAggregate], int, str]  # with the frame rate and the color
 
 
 def energy_of_bridge() -> Picture:
@@ -45,18 +44,15 @@ def energy_of_bridge() -> Picture:
 
     A fourth curve shows a run at 30 Hz with the default number of iterations.
     """
-    ways: dict[str, Way] = {
-        f"{rate} Hz": (Bridge, rate, seconds, color) for rate, (color, seconds) in RATES.items()
-    }
-    ways["30 Hz, default iterations"] = (default_bridge, 30, 30.0, ORANGE)
+    ways: dict[str, Way] = {f"{rate} Hz": (Bridge, rate, color) for rate, color in COLORS.items()}
+    ways["30 Hz, default iterations"] = (default_bridge, 30, ORANGE)
     return _energies("The bridge with its ball", ways)
 
 
 def energy_of_platform() -> Picture:
     """Plot the energy of the loaded, tilting platform at three frame rates, as it comes to rest."""
     ways: dict[str, Way] = {
-        f"{rate} Hz": (loaded_platform, rate, seconds, color)
-        for rate, (color, seconds) in RATES.items()
+        f"{rate} Hz": (loaded_platform, rate, color) for rate, color in COLORS.items()
     }
     return _energies("The platform with 5 kg at 3 m", ways)
 
@@ -121,9 +117,7 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
     the middle of its range, in percent.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
-    found = written(
-        {name: _energy_of(make, rate, time) for name, (make, rate, time, _) in ways.items()},
-    )
+    found = written({name: _energy_of(make, rate) for name, (make, rate, _) in ways.items()})
     varies = {name: 100.0 * variation(run, SETTLED) for name, run in found.items()}
     bad = [name for name, percent in varies.items() if not percent <= STEADY]
     rows: list[Sequence[object]] = []
@@ -137,7 +131,7 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
         middle = 0.5 * (max(energies, default=0.0) + min(energies, default=0.0))
         off = [100.0 * (e / middle - 1.0) if middle else math.nan for e in energies]
         reach = max([reach, *map(abs, off)])
-        label = f"{name}, until {run.times[-1]:.0f} s: varies by {varies[name]:.2g} %{fails}"
+        label = f"{name}: varies by {varies[name]:.2g} %{fails}"
         right.plot([time for time, _ in late], off, color=color, lw=1.0, label=label)
         rows += [(name, *row) for row in run.points]
     half = 0.5 * STEADY
@@ -152,7 +146,9 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
     if 0.0 < reach < math.inf:
         right.set_ylim(-1.3 * reach, 2.2 * reach)
     steady = "all energies vary" if not bad else f"all energies but {', '.join(bad)} vary"
-    right.set_title(f"From {SETTLED:g} s on, {steady} by less than {STEADY:g} %", fontsize=10)
+    right.set_title(
+        f"From {SETTLED:g} to {SECONDS:g} s, {steady} by less than {STEADY:g} %", fontsize=10
+    )
     left.set(xlabel="time, s", ylabel="mechanical energy relative to the ground, J")
     right.set(xlabel="time, s", ylabel="deviation from the middle of the range, %")
     for axes in (left, right):
@@ -162,8 +158,8 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
     return Picture(figure, ("run", "time, s", "energy, J"), rows)
 
 
-def _energy_of(make: Callable[[], MassAggregate], rate: int, seconds: float) -> Callable[[], Track]:
-    return lambda: energy(make(), rate, seconds)
+def _energy_of(make: Callable[[], MassAggregate], rate: int) -> Callable[[], Track]:
+    return lambda: energy(make(), rate, SECONDS)
 
 
 def _framed(

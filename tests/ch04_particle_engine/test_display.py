@@ -352,7 +352,10 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         a_game = game(*lit)
         a_game.misses = misses
         got = display.is_over(a_game)
-        if misses == 6 and got is False and display.is_over(game()) is False:
+        empty = game()
+        empty.misses = 6
+        goes_on = misses == 6 and got is False and display.is_over(game()) is False
+        if goes_on and display.is_over(empty) is True:
             about.cause = (
                 "You end the game only if no rocket is left and more than five clicks have missed "
                 "(MISSES_ALLOWED). Either condition alone must end the game."

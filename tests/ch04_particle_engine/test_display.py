@@ -353,16 +353,15 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         a_game.misses = misses
         got = display.is_over(a_game)
         empty = game()
+        goes_on = misses == 6 and got is False and display.is_over(empty) is False
         empty.misses = 6
-        goes_on = misses == 6 and got is False and display.is_over(game()) is False
         if goes_on and display.is_over(empty) is True:
             about.cause = (
                 "You end the game only if no rocket is left and more than five clicks have missed "
                 "(MISSES_ALLOWED). Either condition alone must end the game."
             )
         expect_exactly(got, over)
-    about.call = "burning fireworks: a rocket that was hit and now has an age of 0; "
-    about.call += "is_over(display)"
+    about.call = "a burning rocket that was hit and now has an age of 0; is_over(display)"
     about.cause = (
         "The game is not over yet, because a rocket that was hit keeps burning until the next "
         "update. Also count rockets with an age of 0."

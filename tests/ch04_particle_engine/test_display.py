@@ -327,8 +327,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             (rocket, spark),
             6,
             True,
-            "You ignore the misses. The sixth one ends the game (MISSES_ALLOWED is 5), even if a "
-            "rocket still burns.",
+            "You let the game continue after the sixth miss, which must end it (MISSES_ALLOWED is "
+            "5). Return True, even if a rocket still burns.",
         ),
         (
             (spark, spark),

@@ -69,7 +69,8 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
                 ),
             ]
             got = dot(basis[i], basis[j])
-            blame(got, mistakes)
+            # A second vector that is too short may have the same length as such a third one.
+            blame(got, mistakes if i == 2 else mistakes[:1])
             wanted = 1.0 if i == j else 0.0
             expect_close(got, wanted, call=name, tolerance=1e-12)
 

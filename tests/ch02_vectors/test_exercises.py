@@ -263,8 +263,8 @@ def test_a_vector_that_is_not_a_unit_vector_is_refused() -> None:
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
     about.cause = (
-        "You accept a vector whose length is not 1, but the formula is right only for unit "
-        "vectors. Check the lengths of a and b first, and raise ValueError."
+        "You accept a vector whose length is not 1, but a and b must be unit vectors. Check the "
+        "lengths of both first, and raise ValueError."
     )
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"

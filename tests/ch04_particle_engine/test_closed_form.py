@@ -147,8 +147,8 @@ def test_the_factors_hold_for_a_damping_near_1(away: float, rng: Random) -> None
         )
     )
     undamped = (
-        "You treat this damping as 1 because it is close to 1, but its drag still changes the "
-        "factors. Use the first terms of the power series for fallen instead."
+        "You treat this damping as 1 because it is close to 1. Compute kept as d^t, gone with "
+        "math.expm1, and fallen from the first terms of its power series, where d is the damping."
     )
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):

@@ -327,8 +327,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             (rocket, spark),
             6,
             True,
-            "You ignore the misses. The sixth one ends the game (MISSES_ALLOWED is 5), even if a "
-            "rocket still burns.",
+            "You let the game continue after the sixth miss, which must end it (MISSES_ALLOWED is "
+            "5). Return True, even if a rocket still burns.",
         ),
         (
             (spark, spark),
@@ -352,14 +352,16 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         a_game = game(*lit)
         a_game.misses = misses
         got = display.is_over(a_game)
-        if misses == 6 and got is False and display.is_over(game()) is False:
+        empty = game()
+        goes_on = misses == 6 and got is False and display.is_over(empty) is False
+        empty.misses = 6
+        if goes_on and display.is_over(empty) is True:
             about.cause = (
                 "You end the game only if no rocket is left and more than five clicks have missed "
                 "(MISSES_ALLOWED). Either condition alone must end the game."
             )
         expect_exactly(got, over)
-    about.call = "burning fireworks: a rocket that was hit and now has an age of 0; "
-    about.call += "is_over(display)"
+    about.call = "a burning rocket that was hit and now has an age of 0; is_over(display)"
     about.cause = (
         "The game is not over yet, because a rocket that was hit keeps burning until the next "
         "update. Also count rockets with an age of 0."

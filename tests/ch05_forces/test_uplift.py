@@ -141,8 +141,8 @@ def test_the_uplift_keeps_earlier_forces(rng: Random) -> None:
     uplift.update_force(p, 0.5)
     wanted = tuple(first[i] + force[i] for i in range(3))
     got = xyz(p.force_accumulator)
-    cleared = "The earlier force is missing from the sum. Add self.force with add_force, which "
-    cleared += "keeps the other forces."
+    cleared = "The earlier force is missing from the sum. Add self.force with add_force, and don't "
+    cleared += "clear any forces."
     about.cause = named(got, about.cause, {cleared: force})
     # One rounding of numbers up to 20.
     expect_close(got, wanted, then="; p.force_accumulator", unit="N", tolerance=1e-13)

@@ -125,7 +125,7 @@ def test_every_movable_particle_on_the_ground_has_a_contact(rng: Random) -> None
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
     expect_exactly(first, wanted, then=INDICES)
-    about.call += "; for p in particles: p.position.y = -1; particles[1].mass = math.inf; "
+    about.call += "; p.position.y = -1 for every p in particles; particles[1].mass = math.inf; "
     about.call += "particles.append(Particle(Vector3(0, -1, 0))); ground.contacts()"
     about.cause = "The particles and the list have changed since the first call. Read the list "
     about.cause += "and the heights again on every call."

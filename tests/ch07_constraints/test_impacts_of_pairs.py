@@ -224,8 +224,8 @@ def test_accelerations_may_differ_by_rounding(rng: Random) -> None:
     about.read = PAIRS
     for ma, mb in ((1.1, 1.3), (3.3, 4.9), (positive_number(rng), positive_number(rng))):
         about.call = f"particle a of {ma} kg at (5, 0, 0) with velocity (-3, 0, 0); particle b of "
-        about.call += f"{mb} kg at rest at (0, 0, 0); for p in (a, b): p.add_force(Vector3(0, "
-        about.call += "-9.81 * p.mass, 0)); for p in (a, b): p.integrate(1e-9); "
+        about.call += f"{mb} kg at rest at (0, 0, 0); p.add_force(Vector3(0, -9.81 * p.mass, 0)) "
+        about.call += "and p.integrate(1e-9) for both particles p; "
         about.call += "ParticlePairs([a, b], radius=1.0).next_impact(10)"
         about.cause = "You rejected accelerations of 9.81 m/s^2 that differ only by rounding "
         about.cause += "errors. Allow a difference of up to 1e-12 times their magnitudes."

@@ -94,8 +94,8 @@ def test_a_ball_bounces_at_the_right_times(rng: Random) -> None:
             about.cause = "You pass the whole duration to next_impact again after each impact, so "
             about.cause += "the step never ends. Pass only the time that is left in the step."
         elif len(found) > 1000:
-            about.cause = "Your ball stops bouncing, because resolve_velocity ignores velocity "
-            about.cause += "gained during the duration that you pass. Pass a duration of 0."
+            about.cause = "Your ball stops bouncing. Call resolve_velocity at each impact with a "
+            about.cause += "duration of 0, because it ignores velocity gained during the duration."
         expect_exactly(len(found), len(times), then="the number of impacts", unit="impacts")
         last, bounces = times[-1], len(times)
         left = 3.0 - last

@@ -169,8 +169,8 @@ def test_a_pushed_particle_moves_in_the_same_step(rng: Random) -> None:
 def test_a_changed_force_wakes_a_particle(old: float, new: float, late: bool) -> None:
     about.read = f"{WAKE}wake_pushed"
     how = "a new generator adds a force of" if late else "the force changes to"
-    about.call = f"particle 0, of 2 kg, sleeps while a force of {2.0 * old:g} N along X pushes it "
-    about.call += f"against a wall; then {how} {2.0 * new:g} N along X; steps{TENTH}"
+    about.call = "particle 0, of 2 kg, sleeps next to a wall, under a force of "
+    about.call += f"{2.0 * old:g} N along X; then {how} {2.0 * new:g} N along X; steps{TENTH}"
     about.cause = "The wall holds the particle, so it is at rest. Let it fall asleep before the "
     about.cause += "force changes."
     seen = woken_by_force(old, new, 10, late)

@@ -39,12 +39,18 @@ def test_full_turns_are_removed_from_an_angle(rng: Random) -> None:
                     "pi.": angle % math.tau,
                     "You return the angle unchanged. Subtract its full turns of 2 pi, or add "
                     "them.": angle + turns * math.tau,
-                    "You subtract only one full turn of 2 pi. Subtract as many as you need, until "
-                    "the angle is at most pi.": angle + (turns - 1) * math.tau,
-                    "You add only one full turn of 2 pi. Add as many as you need, until the angle "
-                    "is above -pi.": angle + (turns + 1) * math.tau,
                     "You return the angle in degrees. Return it in radians.": math.degrees(angle),
                 }
+                if turns > 1:
+                    slips[
+                        "You subtract only one full turn of 2 pi. Subtract as many as you need, "
+                        "until the angle is at most pi."
+                    ] = angle + (turns - 1) * math.tau
+                if turns < -1:
+                    slips[
+                        "You add only one full turn of 2 pi. Add as many as you need, until the "
+                        "angle is above -pi."
+                    ] = angle + (turns + 1) * math.tau
                 why = named(got, about.cause, slips)
                 expect_close(got, angle, cause=why, tolerance=TIGHT)
 

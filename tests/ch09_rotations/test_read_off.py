@@ -88,7 +88,10 @@ def test_read_off_rejects_all_but_rotations_and_translations(rng: Random) -> Non
         "You reject this matrix, although is_rotation() accepts its first three columns. Raise "
         "ValueError only if is_rotation() returns False."
     )
-    expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2, then="; the number of results")
+    got = read_off(Matrix4(*joined(near, p)))
+    count = len(got) if isinstance(got, (tuple, list)) else 1
+    both = "Return two results in a tuple, the rotation and the position."
+    expect_exactly(count, 2, then="; the number of results", cause=both)
     about.cause = (
         "The first three columns are not a rotation. Call is_rotation() on them, and raise "
         "ValueError if it returns False."

@@ -109,9 +109,9 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 
 
 def returning(runs: Sequence[Run]) -> list[Returning]:
-    """Find the mistakes that students of the class made in more than one assignment.
+    """Find the mistakes that a class made in more than one assignment.
 
-    The mistakes that most students repeated come first.
+    The mistakes that the most students have repeated come first.
     """
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}

@@ -1,6 +1,6 @@
-"""Read stubs.lock, which stores a hash of every file that students start from.
+"""Read stubs.lock, which contains a hash of each source file that students receive.
 
-A stub whose hash still matches has not been edited.
+As long as the hash of a file still matches, nobody has edited the file.
 """
 
 from __future__ import annotations

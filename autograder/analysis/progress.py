@@ -40,10 +40,10 @@ class Run:
 
     @property
     def five(self) -> list[float]:
-        """The five numbers that are needed for a box plot of the students' percentages.
+        """The five numbers for a box plot of the students' percentages.
 
-        They are the minimum, the three quartiles and the maximum. The list is empty if there are no
-        percentages.
+        These are the minimum, the three quartiles and the maximum. If there are no percentages, the
+        list is empty.
         """
         values = self.known
         if len(values) < 2:

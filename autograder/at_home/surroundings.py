@@ -61,7 +61,7 @@ class Depth:
         self.limit = sys.getrecursionlimit()
 
     def adapt(self, more: int) -> None:
-        """Adjust the recursion limit to the stack, just before a check calls the student's code.
+        """Adjust the recursion limit to the stack's depth before a check calls the student's code.
 
         ``more`` is the number of calls that will be added to the stack before the student's code
         starts. If the student's code has changed the limit, this method does nothing.

@@ -58,7 +58,7 @@ class About:
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
-        """Clear all parts of the failure message, so that the next check starts with none."""
+        """Clear all parts of the failure message before the next check stores its own."""
         self("", cause="", read="")
 
 
@@ -66,7 +66,7 @@ about = About()
 
 
 def short_numbers(text: str) -> str:
-    """Shorten the computed numbers in a string, for example 0.30000000000000004 to 0.3.
+    """Shorten the computed numbers in a string, for example from 0.30000000000000004 to 0.3.
 
     Numbers with ten or more decimal places are rounded to six significant digits. All others stay
     as they are.

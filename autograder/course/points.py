@@ -34,8 +34,8 @@ def scaled_alike(value: float, out_of: float, total: float) -> float:
 
 
 def _plain(value: Fraction) -> float:
-    """Convert a number of points from a fraction to an int if it is whole, or else to a float.
+    """Convert a fraction to an int if it is a whole number, and to a float otherwise.
 
-    Whole numbers are therefore printed as 3 instead of 3.0.
+    A whole number of points is therefore printed as 3 instead of 3.0.
     """
     return int(value) if value.denominator == 1 else float(value)

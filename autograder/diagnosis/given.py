@@ -119,7 +119,7 @@ def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Ve
 def suspects(
     verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
-    """List the earlier chapters that may be to blame, because they fail some of their own checks.
+    """List earlier chapters that may have caused a failure, because they fail checks themselves.
 
     A handout contains no solutions, so the checks cannot be repeated with correct earlier chapters.
     Instead, this list is used to warn the student about earlier chapters. The list is empty if all
@@ -152,7 +152,7 @@ def _is_unwritten(verdict: Verdict) -> bool:
 
 
 def _number(exercise: str) -> str:
-    """Return the chapter number in an exercise id: "4" for B4.2."""
+    """Return the chapter number in an exercise id, such as "4" for B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 

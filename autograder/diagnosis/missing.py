@@ -50,7 +50,7 @@ def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
 
 
 def file_of(module: str) -> str:
-    """Turn a module's name into the path that students know, such as ch02_vectors/vector.py."""
+    """Convert a module's name to the path of its file, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
@@ -90,7 +90,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a class that stands for a missing name, and raises MissingNameError if called."""
+    """Create a placeholder class for a missing name. Calling it raises MissingNameError."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -88,7 +88,7 @@ class ClassOptions:
 
 
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
-    """Grade every submission in ``folder``, and write the reports on the class into ``out``.
+    """Grade every submission in ``folder``, and write the reports to the folder ``out``.
 
     A complete report from an earlier run is kept if it is still valid. That means that the
     submission, the checks, the grader and the seed have not changed.

@@ -83,7 +83,7 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
     """Compute a digest of a submission's files, which is used later to detect changes.
 
-    Only the files that the grader reads count. As long as the digest stays the same, the report
+    The digest covers only the files that the grader reads. As long as it stays the same, the report
     from an earlier run can be reused.
     """
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:

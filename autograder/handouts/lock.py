@@ -20,7 +20,7 @@ def stub_hash(text: str) -> str:
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return the hashes in stubs.lock, as a dictionary that maps each file's path to its hash.
+    """Return a dictionary that maps the path of each file in stubs.lock to its hash.
 
     If there is no stubs.lock, the result is empty.
     """

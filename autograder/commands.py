@@ -1,4 +1,4 @@
-"""Helpers that the autograder's commands share, such as one that suggests what to type next."""
+"""Helper functions for the autograder's commands, such as one that suggests the next command."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 
 
 def prepare() -> bool:
-    """Set up the text encoding, and return True if the required packages are installed.
+    """Prepare Python to run a command, and return False if a required package is missing.
 
-    If a package is missing, this also prints how to install it.
+    In that case, a message explains how to install the packages.
 
     If Python does not encode file names in UTF-8, the program restarts itself in UTF-8 mode. This
     happens, for example, with LC_ALL=C and PYTHONUTF8=0. Characters that the console cannot encode
@@ -62,9 +62,9 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """Suggest how to solve a problem with writing a file, such as a full disk.
+    """Return advice on an error that occurred while writing a file, such as a full disk.
 
-    Return an empty string if the error has some other cause.
+    For any other error, return an empty string.
     """
     number = error.errno if isinstance(error, OSError) else None
     return next((words for numbers, words in ADVICE.items() if number in numbers), "")

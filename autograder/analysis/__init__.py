@@ -1,1 +1,1 @@
-"""Study the results of a class: which exercises were hard, and which mistakes were common."""
+"""Analyze the results of a class to find hard exercises and common mistakes."""

@@ -1,4 +1,4 @@
-"""Define the command `progress`, which compares the graded assignments of a class."""
+"""Define the `progress` command, which compares the graded assignments of a class."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Register the command `progress` and its options with the argument parser."""
+    """Add the `progress` command and its options to the argument parser."""
     command = commands.add_parser("progress", help="compare several graded assignments of a class")
     command.add_argument("runs", nargs="+", type=Path, help="folders with the results of grade")
     command.add_argument("--out", type=Path, required=True, help="folder for the page")

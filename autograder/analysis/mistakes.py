@@ -44,10 +44,10 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Mistakes:
-    """All the mistakes that the students of a class made, with the most common first.
+    """The mistakes that the students of a class made, with the most common ones first.
 
     ``unexplained`` is the number of failed checks whose messages do not suggest a likely mistake.
-    It includes all hidden checks, because their messages must not reveal what they test.
+    This includes all hidden checks, because their messages must not reveal what they test.
     """
 
     found: list[Mistake]
@@ -55,9 +55,9 @@ class Mistakes:
 
     @property
     def misconceptions(self) -> list[Mistake]:
-        """The most common physics mistakes, for a short review in a lecture.
+        """The most common physics mistakes in the class, which are worth reviewing in a lecture.
 
-        There are at most five, and each was made by at least two students.
+        The list contains at most five mistakes. Each of them was made by at least two students.
         """
         physics = [one for one in self.found if one.in_values and not one.robust]
         return [one for one in physics if len(one.students) >= SHARED_BY][:MOST]

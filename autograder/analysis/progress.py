@@ -40,10 +40,10 @@ class Run:
 
     @property
     def five(self) -> list[float]:
-        """The five numbers that are needed for a box plot of the students' percentages.
+        """The five numbers for a box plot of the students' percentages.
 
-        They are the minimum, the three quartiles and the maximum. The list is empty if there are no
-        percentages.
+        These are the minimum, the three quartiles and the maximum. If there are no percentages, the
+        list is empty.
         """
         values = self.known
         if len(values) < 2:
@@ -109,9 +109,9 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 
 
 def returning(runs: Sequence[Run]) -> list[Returning]:
-    """Find the mistakes that students of the class made in more than one assignment.
+    """Find the mistakes that a class made in more than one assignment.
 
-    The mistakes that most students repeated come first.
+    The mistakes that the most students have repeated come first.
     """
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}

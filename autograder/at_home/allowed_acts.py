@@ -44,8 +44,8 @@ WITHOUT = (
 def limit_acts(code: StudentsCode) -> None:
     """Block every operation of the student's code that the grader's sandbox would not allow.
 
-    For example, the code cannot write files or start threads. The restrictions cannot be removed
-    again.
+    For example, the code cannot write files or start threads. The operations stay blocked until the
+    process ends.
     """
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),

@@ -23,7 +23,7 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """Make imports in the student's code fail at home if they would fail in the grader.
+    """Block imports in the student's code that would fail in the grader.
 
     Our own code can still import any package.
     """

@@ -1,6 +1,7 @@
 """Find out whether a call comes from the student's code or from ours.
 
-On a student's machine, some imports and operations are blocked, but only for the student's code.
+On a student's machine, some imports and operations are blocked for the student's code but allowed
+for ours. To tell them apart, this module inspects the functions on the stack.
 """
 
 from __future__ import annotations
@@ -30,9 +31,9 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 class StudentsCode:
     """Recognizes a student's code by the folder that contains it.
 
-    ``graded`` maps the name of each chapter's folder to the files that are also available in the
-    grader. If a folder is not in ``graded``, the grader has all of its files. ``ours`` lists the
-    files in ``folders`` that the student did not write, such as ch06_springs/cloth.py.
+    ``graded`` maps each chapter's folder to the files in it that the grader will have too. If a
+    folder is not in ``graded``, the grader will have all of its files. ``ours`` lists the files in
+    ``folders`` that the student did not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -49,11 +50,10 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """Replace the folders whose code counts as the student's.
+        """Change which folders contain the student's code.
 
-        In the browser, a single process runs the checks many times, but it can set up the
-        restrictions on imports and operations only once. It calls this method to adapt them to the
-        next run.
+        In the browser, one process runs the checks many times, but the restrictions on imports and
+        operations can be set up only once. This method adapts them to the folders of the next run.
         """
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
@@ -63,9 +63,8 @@ class StudentsCode:
     def is_calling(self) -> bool:
         """Return True if the student's code started the current import or operation.
 
-        The innermost function on the stack that is not part of Python's library counts as the one
-        that started it. The steps that Python itself performs during an import never count as
-        started by the student.
+        This is decided by the innermost function on the stack that is not part of Python's library.
+        Operations that Python itself performs during an import are never attributed to the student.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -80,8 +79,8 @@ class StudentsCode:
     def _is_students(self, file: str) -> bool | None:
         """Return True if the student wrote the code in a file, and False if someone else did.
 
-        Return None for Python's library and for code run by exec, because either may act on behalf
-        of the student. In that case, ``is_calling`` checks the caller instead.
+        Return None for Python's library and for code run by exec, because the student's code may
+        have called either of them. In that case, ``is_calling`` checks the caller instead.
         """
         if file.startswith("<"):  # such as <string>, from exec, and <frozen os>
             return False if file.startswith("<frozen importlib") else None

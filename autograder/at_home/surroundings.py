@@ -1,8 +1,8 @@
 """Give a student's code the same environment at home as in the grader.
 
-The code runs in the folder /, without command-line arguments or the user's environment variables.
-Memory and recursion depth are limited as in the grader, so a program that exceeds these limits
-fails at home too.
+The code runs in the root folder /, without command-line arguments or the user's environment
+variables. Memory and recursion depth are limited as in the grader. A program that exceeds these
+limits therefore fails at home too.
 """
 
 from __future__ import annotations
@@ -23,10 +23,11 @@ FIRST_CALLS = 9  # how many of these calls the grader's own code uses up
 
 
 def leave_home() -> None:
-    """Permanently give this process a neutral environment, and limit its memory.
+    """Replace the environment of this process with a neutral one, and limit its memory.
 
     The command-line arguments are removed, the user's environment variables are replaced with a
-    minimal set, and the working directory becomes /. The memory limit works only on Linux.
+    minimal set, and the working directory becomes /. These changes cannot be undone. The memory
+    limit works only on Linux.
     """
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
@@ -51,8 +52,8 @@ def leave_home() -> None:
 class Depth:
     """Lets a student's code recurse exactly as deeply at home as in the grader.
 
-    When a check calls the student's code at home, more functions may already be running than in the
-    grader. The recursion limit is raised by the difference.
+    Python's recursion limit counts all calls on the stack. At home, the stack may already contain
+    more calls when the student's code starts. The limit is therefore raised by the difference.
     """
 
     def __init__(self, deepest: int = DEPTH) -> None:
@@ -60,11 +61,10 @@ class Depth:
         self.limit = sys.getrecursionlimit()
 
     def adapt(self, more: int) -> None:
-        """Set Python's recursion limit just before a check calls the student's code.
+        """Adjust the recursion limit to the stack's depth before a check calls the student's code.
 
-        ``more`` is how many nested calls the stack will contain between the caller of this method
-        and the student's code. If the student's code has changed the limit, this method does
-        nothing.
+        ``more`` is the number of calls that will be added to the stack before the student's code
+        starts. If the student's code has changed the limit, this method does nothing.
         """
         if sys.getrecursionlimit() != self.limit:
             return

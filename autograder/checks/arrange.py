@@ -55,14 +55,14 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The paths that a check process needs, and what it must know about the chapter.
+    """The paths for a check process, and what the process has to know about the chapter.
 
     Attributes:
         known: The ids of the chapter's exercises.
         edits: The functions that students write, listed by exercise.
         modules: The student's modules to import before the checks.
         complete: The files that students use but did not write.
-        graded: The files that will also be available in the grader, listed by chapter folder.
+        graded: The files that the grader will have too, listed by chapter folder.
     """
 
     root: str
@@ -100,7 +100,7 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Prepare the files for a check process in ``folder``, and return their paths and settings."""
+    """Prepare ``folder`` for a check process, and return the paths and settings to use."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
@@ -135,10 +135,11 @@ def shared_by_checks(root: Path) -> list[Path]:
 def _put_hidden_checks(
     folder: Path, chapter: Chapter, root: Path, behind: Behind | None
 ) -> list[str]:
-    """Copy a chapter's hidden and public checks into the folder from which pytest runs them.
+    """Copy a chapter's hidden and public checks into a folder from which pytest can run them.
 
-    Return a list whose only item is the path of the hidden checks, relative to that folder. If the
-    chapter has no hidden checks, the list is empty.
+    Returns:
+        The path of the hidden checks relative to that folder, as a list with one item. If the
+        chapter has no hidden checks, the list is empty.
     """
     if not behind or not behind.hidden:
         return []
@@ -163,10 +164,11 @@ def _put_hidden_checks(
 
 
 def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
-    """Create the folders that sandboxed worker processes read, and return the worker settings.
+    """Create the folders for the sandboxed worker processes, and return the workers' settings.
 
-    One folder holds copies of our probes, the parts of our checks that run in the same process as
-    the student's code. The other caches compiled code. Return None if there is no sandbox.
+    One folder holds copies of our probes, which are the parts of checks that run in the same
+    process as the student's code. The other folder caches compiled code. Return None if there is no
+    sandbox.
     """
     if behind is None:
         return None
@@ -185,10 +187,11 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """List the student's modules to import before the checks, to find out which of them fail.
+    """List the student's modules, which are imported one by one before the checks run.
 
-    If a module cannot be imported, the others are still tried. If a handout contains an earlier
-    chapter without its manifest, all files of that chapter are imported.
+    Each import is tried even if another one has failed, so that all broken modules are found. If a
+    handout contains an earlier chapter without its manifest, all files of that chapter are
+    imported.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

@@ -18,11 +18,11 @@ LONG = re.compile(r"\b\d{1,5}\.\d{10,}\b(?![eE])")  # a computed number with all
 
 
 class Words(TypedDict, total=False):
-    """Parts of a failure message that apply to only one expectation in a check.
+    """Parts of a failure message that a check sets for only one of its comparisons.
 
     ``call``, ``cause`` and ``read`` replace the parts that the check has stored, and ``then`` is
-    appended to the call. ``unit`` is a unit such as "m/s" or a plural noun such as "contacts". The
-    message shows it after the returned number and after the expected one.
+    appended to the call. ``unit`` is a unit such as "m/s" or a plural noun such as "contacts". It
+    follows both the returned and the expected number in the message.
     """
 
     call: str
@@ -50,15 +50,15 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the call, the likely mistake and the section to read for a single expectation.
+        """Return the call, the likely mistake and the section to read for one comparison.
 
-        The values in ``words`` take precedence over those that the check has stored.
+        ``words`` contains the parts that differ from those that the check has stored.
         """
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
-        """Clear all stored parts, so that they do not appear in the messages of the next check."""
+        """Clear all parts of the failure message before the next check stores its own."""
         self("", cause="", read="")
 
 
@@ -66,7 +66,7 @@ about = About()
 
 
 def short_numbers(text: str) -> str:
-    """Shorten the computed numbers in a string, for example 0.30000000000000004 to 0.3.
+    """Shorten the computed numbers in a string, for example from 0.30000000000000004 to 0.3.
 
     Numbers with ten or more decimal places are rounded to six significant digits. All others stay
     as they are.
@@ -75,11 +75,11 @@ def short_numbers(text: str) -> str:
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Decorate a helper function so that its changes to ``about`` are undone when it returns.
+    """Decorate a helper so that it restores the parts of the failure message when it returns.
 
-    The helper can then describe its own calls without affecting the failure messages of the check
-    that called it. If the helper raises an exception, its changes stay, because the failure message
-    needs them.
+    A check stores these parts in ``about``. The helper may replace them to describe its own calls.
+    If the helper raises an exception, its own parts are kept, because the failure message needs
+    them.
     """
 
     @wraps(helper)

@@ -39,11 +39,11 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return True if a check's expression creates an object of the class that ``name`` belongs to.
+    """Return True if a check's expression creates an object of the class that contains a method.
 
-    ``name`` is the full name of a method, such as vector.Vector3.dot. In this example, the result
-    is True for an expression such as "Vector3(1, 2, 3)". If ``name`` is a function outside any
-    class, the result is always True.
+    ``name`` is the full name of the method. For vector.Vector3.dot, the result is True if the
+    expression contains a call such as "Vector3(1, 2, 3)". For a function outside any class, the
+    result is always True.
     """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

@@ -70,9 +70,9 @@ class Started:
 
 @dataclass(frozen=True)
 class Decided:
-    """An event sent when a check has its verdict.
+    """An event sent when the verdict on a check is known.
 
-    The status "error" means that the grader failed, rather than the student's code.
+    The status "error" means that the failure lies in the grader, not in the student's code.
     """
 
     name: str
@@ -98,7 +98,7 @@ def write_event(event: Event) -> str:
 
 
 def read_event(line: str) -> Event:
-    """Parse one line that a check process has printed, and return the event in it.
+    """Parse one line of a check process's output, and return the event that it describes.
 
     Raises:
         ValueError: The line is not an event.

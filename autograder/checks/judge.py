@@ -41,7 +41,7 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """Stop the check processes of all threads, and prevent new ones until the context ends.
+    """Stop the check processes of all threads, and start no new ones inside the ``with`` block.
 
     Every run of checks that is stopped in this way raises GraderError.
     """
@@ -55,7 +55,7 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return True if a thread is using ``stopping``, which forbids all check processes."""
+    """Return True if no check process may run at the moment, because a thread uses ``stopping``."""
     return _stopping.is_set()
 
 
@@ -79,12 +79,13 @@ class Judge:
         self.code = 0
 
     def lines(self, silence: float, deadline: float) -> Generator[str]:
-        """Run the check process, and yield each line that it prints until it ends.
+        """Run the check process, and yield each line of its output as soon as it is printed.
 
         If the caller stops reading early, the process is killed.
 
         Raises:
-            SilentError: No line arrived for ``silence`` seconds plus GRACE, or by the deadline.
+            SilentError: The process printed nothing for ``silence`` + GRACE seconds, or was still
+                running at the deadline.
         """
         with (self.config.parent / "stderr.txt").open("w+b") as stderr:
             process = self._start(stderr)

@@ -53,10 +53,10 @@ class Order:
     Attributes:
         engine: The folders to search for the student's code. If several of them contain a module,
             the first one is used.
-        behind: The sandbox for the student's code, or None to run the code in the same process as
-            the checks.
-        apart: True to run each exercise's checks in a forked copy of the check process. This has no
-            effect in a sandbox.
+        behind: The settings of the sandbox for the student's code. If None, the code runs in the
+            same process as the checks.
+        apart: Whether to run each exercise's checks in a forked copy of the check process. In a
+            sandbox, this setting has no effect.
     """
 
     chapter: Chapter
@@ -153,9 +153,9 @@ class Run:
 
     @property
     def progress(self) -> tuple[int, int]:
-        """The number of verdicts so far, and the number of modules known to be broken.
+        """The number of verdicts so far, and the number of modules that could not be imported.
 
-        If a process ends and neither number has grown, starting another process is pointless.
+        If neither number has grown when a process ends, starting another process is pointless.
         """
         return len(self.verdicts), len(self.broken)
 
@@ -180,7 +180,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Build the configuration of the next process, which runs only checks without a verdict."""
+        """Configure the next check process to skip all checks that already have a verdict."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -267,10 +267,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Record that a check of an exercise hung, and skip its other checks if they may hang too.
+        """Record that a check hung, and skip the exercise's other checks if they may hang too.
 
-        If a check of one of the exercise's prerequisites hung earlier, the remaining checks would
-        most likely get stuck in the same loop. In that case, they fail without running.
+        If a check of a prerequisite has hung as well, the other checks would probably get stuck in
+        the same loop. They are therefore marked as failed without being run.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")

@@ -1,4 +1,4 @@
-"""The verdict on a check, and the prerequisites that decide whether an exercise is blocked."""
+"""Define the verdict on a check, and find the exercises that a failed prerequisite blocks."""
 
 from __future__ import annotations
 

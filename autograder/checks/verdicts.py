@@ -50,7 +50,8 @@ class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
     ``engine`` is the object that runs the student's code, either in this process or in a sandbox.
-    It is chosen by the configuration unless our own tests pass another one.
+    By default, it is chosen according to the configuration. Our own tests can pass a different
+    engine.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -64,11 +65,11 @@ class Recorder:
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Prepare to run the student's code, now that pytest has collected all checks."""
+        """After pytest has collected all checks, prepare the engine to run the student's code."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """Print the error to stderr, for the runner, if a check file cannot be imported."""
+        """If a check file cannot be imported, print the error to stderr for the runner."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
@@ -178,16 +179,16 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Shorten the paths in a message by removing the folders that hold the student's code.
+        """Remove the folders that contain the student's code from the paths in a message.
 
-        These folders differ between the student's machine and the grader.
+        Without these folders, the message is the same on the student's machine and in the grader.
         """
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
 
     def _defined(self, module: str) -> set[str] | None:
-        """List the names that one of the student's modules defines, or return None if unknown."""
+        """Return the names that a student's module defines, or None if they are not known."""
         if module not in self.definitions:
             arranged = self.config.arranged
             places = [Path(folder) / arranged.chapter for folder in arranged.engine]

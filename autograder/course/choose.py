@@ -19,7 +19,7 @@ NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # these come from the cou
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """Add the options --assignment and --course to an instructor command."""
+    """Add the --assignment and --course options to an instructor command."""
     command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
     command.add_argument(
         "--course", type=Path, default=DEFAULT, help="the course file (default: course.toml)"

@@ -54,8 +54,8 @@ class Chooser:
     def choose(self) -> Chosen:
         """Return the exercises that an assignment in the course file contains.
 
-        The result may be incomplete if the course file has mistakes, so check afterwards whether
-        any were recorded.
+        If the course file contains mistakes, they are recorded, and the result may be incomplete.
+        The caller must therefore check for recorded mistakes before using the result.
         """
         given = self._chapters("given")
         listed = self._ids("exercises")
@@ -106,7 +106,7 @@ class Chooser:
     def _chapters(self, key: str) -> list[Chapter]:
         """Return the chapters that are listed under a key of the course file, such as "given".
 
-        Numbers of chapters that do not exist are skipped and recorded as mistakes.
+        If a chapter does not exist, its number is skipped and recorded as a mistake.
         """
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)

@@ -63,10 +63,10 @@ def deduction(policy: LatePolicy, days: int, possible: float) -> float:
 def late_of(
     deadline: Deadline, names: Iterable[str], said: HandedIn | None, possible: float
 ) -> Late:
-    """Compute how late a submission is and how many points that costs, and explain why.
+    """Compute the lateness of a submission and the resulting penalty, with an explanation.
 
-    ``names`` lists the students who handed it in together. If any of them have extensions, the
-    latest due date applies to the whole group. There is no penalty if the time of the submission is
+    ``names`` lists the students who submitted the work together. If any of them have extensions,
+    the latest due date applies to the whole group. There is no penalty if the submission time is
     unknown.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]

@@ -30,10 +30,10 @@ class Mistakes:
         self._found: list[tuple[int, str]] = []
 
     def add(self, path: Path, words: str, word: str = "") -> None:
-        """Record a mistake in the course file, to be reported with its line number.
+        """Record a mistake in the course file, so that it can be reported with its line number.
 
-        ``path`` is the path of the invalid value, such as ("assignment", 0, "due"). If the value is
-        a list, ``word`` is the item that is wrong.
+        ``path`` contains the keys that lead to the invalid value, such as ("assignment", 0, "due").
+        If the value is a list, ``word`` is the invalid item.
         """
         self._found.append((self._lines.of(path, word), words))
 

@@ -58,8 +58,8 @@ class Work:
     """An assignment: the exercises that students have to do, and how they are graded.
 
     Attributes:
-        chapters: The assigned chapters, each with only the assigned exercises. An exercise has the
-            number of points that it is worth in this assignment.
+        chapters: The assigned chapters. Each contains only the assigned exercises, with their
+            points in this assignment.
         given: The chapters that students receive as finished code.
         earlier: The exercises of earlier assignments that this one builds on.
         hidden: The folder of hidden checks.

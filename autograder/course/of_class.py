@@ -1,4 +1,4 @@
-"""Apply a course file to a whole class: compute penalties for late work, and scale the marks."""
+"""Compute late penalties and scale marks for a whole class, as the course file specifies."""
 
 from __future__ import annotations
 
@@ -70,10 +70,10 @@ def _some(names: list[str]) -> str:
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Compute how late a submission to Gradescope is, from Gradescope's own metadata.
+    """Compute how late a submission to Gradescope is, from the metadata that Gradescope provides.
 
-    A submission can have several authors. If the course file gives one of them an extension, by
-    name or by e-mail address, the extension applies to the whole group.
+    A submission can have several authors. If one of them has an extension, it applies to the whole
+    group. The course file may identify this author by name or by e-mail address.
     """
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)

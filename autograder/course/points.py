@@ -9,8 +9,9 @@ from fractions import Fraction
 def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
     """Scale the points of all exercises by the same factor, so that they add up to ``out_of``.
 
-    Each result is a multiple of ``unit``. All points are first rounded down. The units that are
-    missing from the sum are then added, one each, to the exercises that lost the most by rounding.
+    Each result is a multiple of ``unit``. All points are first rounded down, which may make their
+    sum too small. To correct the sum, one ``unit`` is added to each of the exercises that lost the
+    most by rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))
@@ -33,8 +34,8 @@ def scaled_alike(value: float, out_of: float, total: float) -> float:
 
 
 def _plain(value: Fraction) -> float:
-    """Convert a number of points from a fraction to an int if possible, and otherwise to a float.
+    """Convert a fraction to an int if it is a whole number, and to a float otherwise.
 
-    As an int, a whole number is printed as 3 instead of 3.0.
+    A whole number of points is therefore printed as 3 instead of 3.0.
     """
     return int(value) if value.denominator == 1 else float(value)

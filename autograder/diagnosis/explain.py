@@ -70,8 +70,8 @@ def explain_import(
 ) -> Message:
     """Build the message that explains to a student why a module cannot be imported.
 
-    ``complete`` lists the modules that the student did not write. The message points to a line in
-    one of them only if the traceback contains no line that the student wrote.
+    ``complete`` lists the files that students receive as finished code. The message points to a
+    line in one of these files only if the traceback contains no line that the student wrote.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -123,10 +123,10 @@ def _likely(text: str, cause: str, fault: Fault, line: str = "") -> tuple[str, s
 
     Return the most likely mistake and a second possibility. Either may be an empty string.
 
-    If the exception clearly comes from a mistake in the use of Python, that mistake is the most
-    likely one. Otherwise, the most likely one is usually ``cause``, the mistake that the check
-    suggests. If the exception might come from either, both are returned, unless the student's
-    ``line`` raises it with a ``raise`` statement.
+    If the exception clearly comes from a mistake in the use of Python, only that mistake is
+    returned. If this is uncertain, it is returned first, followed by ``cause``, the mistake that
+    the check suggests. Otherwise only ``cause`` is returned. This is also the case if the exception
+    comes from a ``raise`` statement in the student's ``line``.
     """
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
@@ -138,16 +138,16 @@ def _likely(text: str, cause: str, fault: Fault, line: str = "") -> tuple[str, s
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return True if the line that raised an exception is in code that the student was given.
+    """Return True if an exception was raised in code that the student did not write.
 
-    In that case, the mistake is in the code that called it. Constructors count as given, because
-    students never write them.
+    The mistake is then in the student's line that called this code. Constructors are included,
+    because students never write them.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the text of the source line to ``place``, so that the failure message can show it.
+    """Return ``place`` with the text of its source line, so that the failure message can show it.
 
     The line is read from the first folder in ``engine_folders`` that contains the file.
     """

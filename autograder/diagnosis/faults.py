@@ -34,7 +34,7 @@ class CheckEnded(BaseException):
 
 
 class GraderFault(BaseException):
-    """Raised to end a check because the grader, rather than the student's code, has a problem."""
+    """Raised to end a check because of an error in the grader, not in the student's code."""
 
 
 class StudentLeft(BaseException):
@@ -109,7 +109,7 @@ def is_inside(file: str, folders: Sequence[Path]) -> bool:
 
 
 def short(file: str) -> str:
-    """Shorten a path to the file and its folder, as in ch02_vectors/vector.py."""
+    """Shorten a path to its last folder and the file name, as in ch02_vectors/vector.py."""
     return f"{Path(file).parent.name}/{Path(file).name}"
 
 

@@ -27,10 +27,10 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Provide our solutions as the code of the ``given`` chapters.
+    """Use our solutions instead of the student's code for the ``given`` chapters.
 
     This context manager yields the folders to search for code. The first is a temporary folder with
-    copies of our solutions, and the folders of ``engine`` come after it.
+    copies of our solutions, and the folders in ``engine`` follow.
 
     Raises:
         ValueError: ``root`` does not contain our solution to a given chapter. Handouts contain no
@@ -119,11 +119,11 @@ def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Ve
 def suspects(
     verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
-    """List the earlier chapters that fail some of their own checks.
+    """List earlier chapters that may have caused a failure, because they fail checks themselves.
 
-    A handout has no solutions, so it cannot show which failures are inherited. With this list, it
-    can still warn the student that an earlier chapter may be to blame. The list is empty if the
-    failures in ``verdicts`` are all due to functions that are not written yet.
+    A handout contains no solutions, so the checks cannot be repeated with correct earlier chapters.
+    Instead, this list is used to warn the student about earlier chapters. The list is empty if all
+    failures in ``verdicts`` come from functions that are not written yet.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -141,7 +141,7 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """List the earlier chapters that a chapter imports, except those that students are given."""
+    """List the earlier chapters that a chapter imports, except those given as finished code."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 
@@ -152,7 +152,7 @@ def _is_unwritten(verdict: Verdict) -> bool:
 
 
 def _number(exercise: str) -> str:
-    """Return the chapter number in an exercise id: "4" for B4.2."""
+    """Return the chapter number in an exercise id, such as "4" for B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 

@@ -1,7 +1,7 @@
-"""Tell students when a check fails because they have deleted or renamed a function.
+"""Explain that a check failed because the student has deleted or renamed a function.
 
-If a function from the manifest is missing, Python reports only that a name does not exist. This
-module adds to the message that the student has removed the stub, and says how to restore it.
+If a function that the student should write is missing, Python reports only that a name does not
+exist. This module adds that the student has removed the stub, and says how to restore it.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ def explain_gone(
 ) -> Message:
     """Explain a failed check to a student who has deleted or renamed a function.
 
-    If the check failed for any other reason, return its message unchanged. ``edits`` lists, for
-    each exercise, the full names of the functions to write, such as vector.Vector3.dot. ``defined``
-    returns the names that a module defines.
+    If the check failed for any other reason, return its message unchanged. ``edits`` maps each
+    exercise to the full names of the functions to write, such as vector.Vector3.dot. ``defined`` is
+    a function that takes a module's name and returns the names that the module defines.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")

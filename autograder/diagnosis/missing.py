@@ -29,7 +29,7 @@ class MissingName:
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
-        """Build the message for a check that uses this missing function or class."""
+        """Build the message for a check that fails because this function or class is missing."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
         likely = f"Did you mean {self.nearest}?" if self.nearest else ""
         return Message(says, likely=likely)
@@ -44,21 +44,21 @@ class MissingNameError(CheckEnded):
 
 
 def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
-    """Compose a sentence such as "ch02_vectors/vector.py does not define Vector3"."""
+    """Return a message such as "ch02_vectors/vector.py does not define Vector3"."""
     empty = " is empty and" if is_empty else ""
     return f"{file_of(module)}{empty} does not define {name}"
 
 
 def file_of(module: str) -> str:
-    """Turn a module's name into the path that students know, such as ch02_vectors/vector.py."""
+    """Convert a module's name to the path of its file, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
     """Create a placeholder for a student's module that cannot be imported.
 
-    Checks can import any name from this placeholder. Calling one of these names ends the check with
-    the message ``why``.
+    Checks can import any name from the placeholder. If a check calls such a name, the check ends
+    with the message ``why``.
     """
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
@@ -90,7 +90,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a class that stands for a missing name, and raises MissingNameError if called."""
+    """Create a placeholder class for a missing name. Calling it raises MissingNameError."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -1,7 +1,8 @@
-"""Guess which name a student meant when the code uses one that does not exist.
+"""Suggest the name that a student probably meant when the code uses one that does not exist.
 
-Python's error contains only the missing name. Only the process that ran the student's code knows
-which names exist. That process therefore finds the most similar one and reports it as plain data.
+Python's error contains only the missing name. The existing names are known only to the process that
+ran the student's code. For this reason, that process finds the most similar name and reports it as
+plain data.
 """
 
 from __future__ import annotations
@@ -63,10 +64,10 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Find the name in ``there`` that is most similar to ``name``, to suggest it to the student.
+    """Return the existing name that is most similar to ``name``, to suggest it to the student.
 
-    Return an empty string if no name is similar enough. Special names such as __init__ are never
-    suggested.
+    ``there`` contains the existing names. Special names such as __init__ are never suggested. If no
+    name is similar enough, return an empty string.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
     if not SHORTEST <= len(name) <= LONGEST:

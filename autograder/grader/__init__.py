@@ -1,1 +1,1 @@
-"""Grade what the students of a class have handed in, on one machine or on a cluster."""
+"""Grade the submissions of a class, on one machine or on a cluster."""

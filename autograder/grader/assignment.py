@@ -1,4 +1,4 @@
-"""Define the assignment to grade, and compute the check results that all students share.
+"""Define the assignment to grade, and cache the check results that are the same for all students.
 
 For example, all students who handed in nothing for a chapter get the same results on it.
 """
@@ -84,7 +84,7 @@ class Assignment:
     def whole(self, chapter: Chapter) -> Chapter:
         """Return the chapter with all of its exercises, including those that are not graded.
 
-        They are needed because a graded exercise may have one of them as a prerequisite.
+        These exercises are included because a graded exercise may build on them.
         """
         return load_chapter(self.root / "chapters" / chapter.name)
 

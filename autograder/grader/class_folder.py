@@ -39,10 +39,11 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
     """Check that a regrade uses a roster if and only if the class was graded with one.
 
     With a roster, the reports use its names for the students. Without one, they use the names of
-    the submissions. If the two runs differed in this, the same student would be listed twice.
+    the submissions. If only one of the two runs had a roster, the same student could be listed
+    twice.
 
     Raises:
-        ValueError: A roster is given now but was not given before, or the reverse.
+        ValueError: Only one of the two runs uses a roster.
     """
     try:
         before = json.loads(state.read_text(encoding="utf-8"))["roster"]

@@ -136,7 +136,7 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Complete a student's report with marks and lateness, and write it to disk.
+        """Add marks and lateness to a student's report, and write the report to disk.
 
         The marks are those that people gave for written answers. In an anonymous class, names are
         also removed from the notes in the report.
@@ -163,7 +163,8 @@ class ClassRun:
         """Return True if grading the submission again would produce the same report.
 
         This is the case if the submitted files and the conditions of grading, such as the checks
-        and the seed, have not changed. If the grader itself failed, its report is never valid.
+        and the seed, have not changed. A report that says that the grader itself failed is never
+        valid.
         """
         if report.status != "graded" or report.run != self.key:
             return False

@@ -47,7 +47,7 @@ class Work:
 
     Attributes:
         key: The conditions of grading on the instructor's machine, such as the versions of Python
-            and the checks. A worker with other conditions refuses to grade.
+            and the checks. A worker refuses to grade if its own conditions differ.
         hidden: The contents of the hidden checks.
         home: The path of the repository on the instructor's machine.
     """
@@ -151,7 +151,7 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
     Dask calls this function on the worker.
 
     Raises:
-        ValueError: The worker would not grade exactly as the sending machine does.
+        ValueError: The worker would not grade exactly as the instructor's machine does.
     """
     from distributed import get_worker
 
@@ -210,9 +210,9 @@ def _shared(work: Work) -> OnceForAll:
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment with the path of the repository changed to the one on this machine.
+    """Return the assignment, adapted to the location of the repository on this machine.
 
-    The repository may have a different path on each machine of a cluster.
+    Each machine of a cluster may have the repository in a different folder.
     """
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)

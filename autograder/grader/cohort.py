@@ -88,7 +88,7 @@ class ClassOptions:
 
 
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
-    """Grade every submission in ``folder``, and write the reports on the class into ``out``.
+    """Grade every submission in ``folder``, and write the reports to the folder ``out``.
 
     A complete report from an earlier run is kept if it is still valid. That means that the
     submission, the checks, the grader and the seed have not changed.
@@ -203,8 +203,8 @@ def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
 def check_hidden(assignment: Assignment) -> None:
     """Test the instructor's hidden checks on the reference solution before any student is graded.
 
-    A check that fails on the reference solution must be wrong, and students would lose points
-    because of it.
+    A hidden check that fails on the reference solution contains a mistake and would cost students
+    points.
 
     Raises:
         ValueError: The folder has no hidden checks for a graded chapter, they cannot be run, or the

@@ -31,12 +31,12 @@ def grade_submission(
     once: OnceForAll | None = None,
     fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
-    """Grade one student's submission and return the report on it, even if the grader itself fails.
+    """Grade one student's submission, and return a report even if the grader itself fails.
 
     ``once`` is a cache of check results that are the same for all students. ``fill`` is the
     function that copies the submission's files to the folder where they are graded. The default is
-    ``stage``, which reads them from ``submission.path``. On a cluster, the files were sent by
-    another machine, so the worker passes a different function.
+    ``stage``, which reads them from ``submission.path``. A worker on a cluster passes a different
+    function, because it receives the files from another machine.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -61,8 +61,8 @@ def grade_submission(
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
     """Build the report on a submission that could not be graded because the grader itself failed.
 
-    The report contains the ``reason``. The student does not get a zero, and the submission can be
-    graded again.
+    Each exercise is reported as a grader error with this ``reason``, and not as a zero. The
+    submission can be graded again later.
     """
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
@@ -83,7 +83,7 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
     """Compute a digest of a submission's files, which is used later to detect changes.
 
-    Only the files that the grader reads count. As long as the digest stays the same, the report
+    The digest covers only the files that the grader reads. As long as it stays the same, the report
     from an earlier run can be reused.
     """
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
@@ -205,9 +205,9 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """List the earlier chapters for which grading uses the student's own code, such as [2, 3].
+    """List the student's own earlier chapters on which the graded chapters build, such as [2, 3].
 
-    The graded chapters build on these. Any other earlier chapters come from the reference solution.
+    Earlier chapters from the reference solution are left out.
     """
     below = [
         other.number

@@ -55,7 +55,7 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 def differences(people: ClassList) -> list[str]:
     """List students who handed in nothing, and submissions whose names are not on the roster.
 
-    If a submission is named "Ann Le" and the roster lists "Ann Lee", for example, suggest how to
+    For example, if a submission is named "Ann Le" and the roster lists "Ann Lee", suggest how to
     rename the submission.
     """
     lines = [

@@ -56,8 +56,8 @@ class Regrade:
     def before(self) -> StudentReport | None:
         """The student's report before this regrade, or None if there is none.
 
-        If an earlier regrade was killed before it could write the log, this is the report from
-        before that regrade. The log then also covers the changes that the earlier regrade made.
+        An earlier regrade may have been killed before it could write the log. In that case, this is
+        the report from before both regrades, so that the log covers all changes.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -82,13 +82,13 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Check that the student will be graded under the same conditions as the class.
+        """Check that the regrade uses the same conditions as the grading of the class.
 
         Some differences, such as a new version of the grader, are allowed. They are printed and
         noted in the log.
 
         Returns:
-            A list with the student's submission.
+            The student's submission, as a list with one item.
 
         Raises:
             ValueError: The exercises, their points or the hidden checks differ from those of the
@@ -179,7 +179,10 @@ def _points(report: StudentReport | None) -> str:
 
 
 def _changes(before: StudentReport | None, after: StudentReport) -> list[str]:
-    """List the exercises whose score or status the regrade has changed, as in "2.5: 1 to 3"."""
+    """List the exercises whose score or status has changed, with the old and new values.
+
+    If the score of exercise 2.5 has changed from 1 to 3, for example, its entry is "2.5: 1 to 3".
+    """
     earlier = {exercise.id: exercise for exercise in before.exercises} if before else {}
     return [
         f"{new.id}: {_outcome(old)} to {_outcome(new)}"

@@ -46,9 +46,10 @@ def run_key(assignment: Assignment) -> RunKey:
 
 
 def grader_digest() -> str:
-    """Compute a digest of the autograder's source code, which changes with every edit to it.
+    """Compute a digest of the autograder's source code.
 
-    Reports that were written by another version of the autograder are therefore not reused.
+    The digest changes with every edit, so reports from another version of the autograder are not
+    reused.
     """
     return _digest((ROOT / "autograder").rglob("*.py"))
 

@@ -1,1 +1,1 @@
-"""Build the handout, the folder that students receive, with stubs made from our solutions."""
+"""Build the handout folder for students, with stubs that are generated from our solutions."""

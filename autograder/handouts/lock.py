@@ -1,6 +1,6 @@
-"""Read stubs.lock, which stores a hash of every file that students start from.
+"""Read stubs.lock, which contains a hash of each source file that students receive.
 
-A stub whose hash still matches has not been edited.
+As long as the hash of a file still matches, nobody has edited the file.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def stub_hash(text: str) -> str:
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return the hashes in stubs.lock, as a dictionary that maps each file's path to its hash.
+    """Return a dictionary that maps the path of each file in stubs.lock to its hash.
 
     If there is no stubs.lock, the result is empty.
     """

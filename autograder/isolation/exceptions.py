@@ -81,7 +81,7 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Read which undefined name caused an exception from the worker's description of it.
+    """Extract the undefined name that caused an exception from the data that the worker sent.
 
     The result contains the undefined name, such as "Vector", and the most similar name that exists,
     such as "Vector3". If the exception has another cause, the result is None.

@@ -153,10 +153,10 @@ class Marks(Handler):
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Validate the mark that the marking page sent, and return it.
+    """Validate a mark that the marking page sent, and return it.
 
-    Return None if the old mark should be deleted. ``most`` is the maximum number of points for the
-    answer.
+    Return None if the page sent no mark, for example because an instructor has deleted it. ``most``
+    is the maximum number of points for the answer.
 
     Raises:
         ValueError: The data is not a valid mark.

@@ -133,7 +133,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
-    """Build the folder that students receive for an assignment or for some chapters."""
+    """Create the folder that students receive for an assignment or for selected chapters."""
     from autograder.course.handout import about
     from autograder.handouts.handout import make_handout
 

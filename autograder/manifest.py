@@ -71,7 +71,7 @@ class Chapter:
 
     @property
     def edited_files(self) -> list[str]:
-        """The modules that students write code in, such as vector.py, in manifest order."""
+        """The modules that students edit, such as vector.py, in the order of the manifest."""
         modules = [name.split(".")[0] for exercise in self.exercises for name in exercise.edit]
         return [f"{module}.py" for module in dict.fromkeys(modules)]
 
@@ -99,10 +99,10 @@ class Chapter:
 
 
 def load_chapter(folder: Path) -> Chapter:
-    """Read the manifest in a chapter's folder, and validate it.
+    """Read and validate the manifest in a chapter's folder.
 
     Raises:
-        ValueError: Something in the manifest is invalid. The message says what.
+        ValueError: The manifest is not valid. The error message describes the problem.
     """
     path = folder / "chapter.toml"
     return _read_chapter(path, path.read_text(encoding="utf-8"))
@@ -160,10 +160,10 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 
 
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
-    """Raise ValueError if an exercise belongs to a chapter that the student is given.
+    """Raise ValueError if an exercise belongs to a chapter that students receive complete.
 
-    The autograder uses our solution of such a chapter, so there is nothing for the student to
-    write. ``numbers`` lists the given chapters, as in "2-5".
+    In such a chapter, the autograder uses our solution, so the student has nothing to write.
+    ``numbers`` lists these chapters, as in "2-5".
     """
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(

@@ -81,9 +81,9 @@ class Message:
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message with ``change`` applied to each of its texts.
+        """Return a copy of the message in which ``change`` has been applied to every text.
 
-        This can be used, for example, to escape special characters.
+        This is useful for escaping special characters, for example.
         """
         values: dict[str, Any] = {
             field.name: change(value)
@@ -116,13 +116,16 @@ class Message:
 
     @property
     def blocked(self) -> str:
-        """A phrase such as "blocked until B2.1 passes", or "" if nothing blocks the check."""
+        """A phrase that says what blocks the check, such as "blocked until B2.1 passes".
+
+        The phrase is empty if nothing blocks the check.
+        """
         verb = "pass" if len(self.blocked_by) > 1 else "passes"
         return f"blocked until {', '.join(self.blocked_by)} {verb}" if self.blocked_by else ""
 
     @property
     def in_short(self) -> str:
-        """The most helpful part of the message, for a table or list with room for only one line.
+        """A one-line summary of the message, for tables and lists.
 
         If a result was wrong, this is the likely mistake. If the code raised an exception, it is
         the text of the exception.
@@ -142,9 +145,9 @@ class Message:
 
 
 def statements(call: str) -> list[str]:
-    """Split a line of Python code into its statements, such as "a = Vector3(); a.clear()".
+    """Split a line of Python code, such as "a = Vector3(); a.clear()", into its statements.
 
-    Semicolons inside parentheses do not count. The check tests the result of the last statement.
+    Semicolons inside brackets do not separate statements.
     """
     found, depth = [""], 0
     for part in call.split("; "):
@@ -157,7 +160,7 @@ def statements(call: str) -> list[str]:
 
 
 def _in_lines(statements: list[str]) -> str:
-    """Put each statement on its own line, or all of them on one line if they are short."""
+    """Join statements with semicolons if the result is short, or with line breaks if it is not."""
     together = "; ".join(statements)
     return together if len(together) <= LONG_CALL else "\n".join(statements)
 

@@ -61,13 +61,13 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     """Compute the status and points of an exercise from the results of its checks.
 
-    Each check has a weight, and the points are proportional to the total weight of the checks that
-    pass. If an exercise has both kinds of checks, the physics checks are worth PHYSICS_SHARE of the
-    points, and the robust checks are worth the rest. Robust checks affect the status only if all
-    physics checks pass.
+    The physics checks are worth PHYSICS_SHARE of the points, and the robust checks are worth the
+    rest. If an exercise has only one kind of check, that kind is worth all the points. Within each
+    kind, a student earns points in proportion to the total weight of the checks that pass. Robust
+    checks affect the status only if all physics checks pass.
 
-    If an exercise has no checks, its score is None rather than zero, because the student is not at
-    fault.
+    The score is None if an exercise has no checks, or if the grader itself failed during a check.
+    It is not zero, because the student is not at fault.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -94,11 +94,10 @@ def _passing(checks: Sequence[Verdict]) -> float:
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
-    """Return the number of points that a student has earned, and the number that were possible.
+    """Return the points that a student has earned, and the points that were possible.
 
     Written answers and optional exercises do not count. Extra credit adds to the points earned, but
-    not to the points possible. If the grader failed on an exercise, the points earned are unknown
-    and returned as None.
+    not to the points possible. If an exercise could not be graded, the points earned are None.
     """
     checked = [r for r in results if not (r.exercise.kind == "written" or r.exercise.optional)]
     points = possible(result.exercise for result in checked)
@@ -118,8 +117,9 @@ def shown(score: float | None) -> str:
 
 
 def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
-    """Format a solution's cost and error, as in "120 contacts resolved, error of the range: 0.02".
+    """Format the cost and the error of a student's solution to an open exercise.
 
-    ``axes`` contains the names of the two quantities, and ``point`` contains their values.
+    ``axes`` contains the names of the two quantities, and ``point`` contains their values. An
+    example of the result is "120 contacts resolved, error of the range: 0.02".
     """
     return f"{point[0]:g} {axes[0]}, {axes[1]}: {point[1]:.2g}"

@@ -191,12 +191,12 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Find the helper functions that nothing uses once the students' functions lose their bodies.
+    """Find the helper functions that only the removed function bodies use.
 
-    The result maps each helper to the error message of a function that used it, because the
-    helper's own stub raises the same error. A helper that shares its short name with another
-    function, such as a method of a Protocol, is never included. In that case, we cannot tell which
-    of the two functions a body used.
+    The result maps each helper to the error message of a function that uses it, because the
+    helper's own stub raises the same error. A helper is left out if another function, such as a
+    method of a Protocol, has the same short name. In that case, we cannot tell which of the two
+    functions is used.
     """
     short_names = [_short(name) for name in defined]
     return {
@@ -228,7 +228,7 @@ def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
 
 
 def _used_names(source: str) -> set[str]:
-    """Collect every variable name and attribute name that some source code reads."""
+    """Return the names of all variables and attributes that some Python source code uses."""
     nodes = [*ast.walk(ast.parse(source))]
     names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
     return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}

@@ -20,7 +20,7 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Return the name of the nearest built-in class of an exception, such as "ValueError".
+    """Return the name of an exception's class, or of its nearest base class that is built in.
 
     Exceptions are sent to a worker by name, and the worker knows only built-in ones. An instance of
     a subclass of ValueError is therefore sent as "ValueError".
@@ -29,12 +29,12 @@ def known_name(error: Exception) -> str:
 
 
 def exception_of(data: Any) -> BaseException:
-    """Rebuild an exception of the student's code from the data that the worker sent about it.
+    """Rebuild an exception of the student's code from the worker's description of it.
 
     The result is the nearest built-in exception, such as ValueError for any subclass of ValueError.
-    If the original is not an Exception but, for example, a SystemExit, the result is a StudentLeft.
-    In both cases the attribute ``fault`` describes the original, including the lines of the
-    student's code that raised it.
+    If the original is not a subclass of Exception, as in the case of SystemExit, a StudentLeft
+    exception is returned instead. The attribute ``fault`` of the result describes the original,
+    including the lines of the student's code that raised it.
 
     Raises:
         BrokenProtocolError: The data does not describe an exception.
@@ -81,10 +81,10 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Extract the missing name behind an exception from the data that the worker sent about it.
+    """Extract the undefined name that caused an exception from the data that the worker sent.
 
-    The result contains both the missing name, such as "Vector", and the most similar name that
-    exists, such as "Vector3". If the exception has another cause, the result is None.
+    The result contains the undefined name, such as "Vector", and the most similar name that exists,
+    such as "Vector3". If the exception has another cause, the result is None.
     """
     if data is None:
         return None

@@ -121,7 +121,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Build the message about a function or class that the student's module does not define."""
+        """Build the error message for a name that the student's module does not define."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -129,11 +129,11 @@ class Session:
         return why or MissingName(module, name, near, data[3] is True).explain()
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Call one of the check's own functions, because the student's code has called it.
+        """Call a function of the check on behalf of the student's code.
 
-        This happens when a check passes a function, such as a force, to the student's code. If the
-        function raises an Exception, the worker raises it in the student's code. If it raises
-        anything else, such as KeyboardInterrupt, the session ends.
+        This is needed when a check passes a function, such as a force, to the student's code. If
+        the function raises an Exception, the worker raises it again in the student's code. Anything
+        else, such as KeyboardInterrupt, ends the session.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
@@ -172,10 +172,10 @@ class Session:
 
 
 class Handle:
-    """Stands in for one of the student's objects inside a check.
+    """Represents one of the student's objects in a check.
 
-    The object itself lives in the worker process. When a check reads an attribute of the handle,
-    calls it or adds it to another one, the worker does the same with the object.
+    The object itself is in the worker process. When a check reads an attribute of the handle or
+    calls the handle, the worker does the same with the object.
     """
 
     __slots__ = ()
@@ -270,7 +270,10 @@ setattr(Handle, "__hash__", object.__hash__)  # noqa: B010
 
 
 class ObjectHandle(Handle):
-    """A handle for an object that the student's code created or returned during this check."""
+    """A handle that lets a check use an object from the student's code.
+
+    It is valid only during one check, because the process that contains the object ends after it.
+    """
 
     __slots__ = ("_number", "_of", "_type_name")
 

@@ -165,8 +165,8 @@ class InWorker:
     def definitions(self, file: Path) -> set[str] | None:
         """Ask the worker process for the names that a student's file defines.
 
-        Return None if there is no valid answer, because the student's code may have damaged the
-        process.
+        Return None if there is no valid answer, for example because the student's code has damaged
+        the process.
         """
         if self.session is None or self.session.dead:
             return None
@@ -178,9 +178,9 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return the session with the current worker process, and restart the time limit.
+        """Return the session with the current worker process, and start a worker if there is none.
 
-        If there is no current worker, or ``new`` is set, start a new one first.
+        If ``new`` is set, a new worker is started in any case. Each call restarts the time limit.
         """
         if new or self.session is None or self.session.dead:
             self.start()
@@ -189,7 +189,7 @@ class InWorker:
         return self.session
 
     def start(self) -> None:
-        """Start a sandboxed worker process in which to run the student's code for one check.
+        """Start a sandboxed worker process that runs the student's code for one check.
 
         Raises:
             TemplateError: The worker did not start.

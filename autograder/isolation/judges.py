@@ -45,10 +45,10 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send a request to the helper process, and return its answer.
+        """Send a request to the helper process that forks check processes, and return its answer.
 
-        A request to run checks is answered with the process ID of the new check process. A request
-        to wait for a check process is answered with the exit code of that process. ``descriptors``
+        The answer to a request to run checks is the process ID of the new check process. The answer
+        to a request to wait for a check process is the exit code of that process. ``descriptors``
         are the open files that a new check process uses as its standard streams.
         """
         data = json.dumps(order).encode() + b"\n"
@@ -110,7 +110,11 @@ def _ask(order: Order, descriptors: list[int]) -> int:
 
 
 def main() -> None:
-    """Handle requests to start processes for checks or to wait for them, until the grader ends."""
+    """Run the helper process, which forks a check process for each request to run checks.
+
+    It also handles requests to wait until a check process ends. The function returns when the
+    grader ends.
+    """
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting
@@ -150,7 +154,7 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Turn this process, a fork of the helper process, into the check process of ``order``.
+    """Prepare this newly forked process to run the checks that ``order`` requests.
 
     The process adopts the working folder and the environment variables given in ``order``, and uses
     ``descriptors`` as its standard streams.

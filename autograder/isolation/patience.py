@@ -17,8 +17,8 @@ class Patience:
     """Extra time for a student's code on a busy machine, granted at most once per check.
 
     ``process`` is the process ID of the worker that runs the code, and ``seconds`` is the time
-    limit. Inside bubblewrap the process ID is different, so the worker's processor time cannot be
-    measured. In that case ``process`` is 0.
+    limit. If the worker runs inside bubblewrap, its process ID is unknown and ``process`` is 0.
+    Without the process ID we cannot measure processor time, so the worker gets no extra time.
     """
 
     def __init__(self, process: int, seconds: float) -> None:

@@ -201,13 +201,13 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Permanently restrict the template process, which forks the workers for student code.
+    """Permanently restrict the template process before it forks any workers for student code.
 
-    The workers inherit these restrictions. ``rules`` is the file descriptor that ``landlock_rules``
-    returned.
+    The workers inherit these restrictions. ``rules`` is the file descriptor of the Landlock rules,
+    or None if Landlock is not used.
 
     Raises:
-        SandboxError: A layer cannot be set up.
+        SandboxError: One of the restrictions cannot be applied.
     """
     for name, value in _LIMITS.items():
         if hasattr(resource, name):

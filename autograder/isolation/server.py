@@ -51,7 +51,7 @@ class Server:
         self.numbers: dict[int, int] = {}
 
     def serve(self) -> None:
-        """Answer requests about the student's objects until the checks close the connection."""
+        """Carry out requests from the checks until the connection is closed."""
         with contextlib.suppress(EOFError, BrokenPipeError):
             while True:
                 self.answer(self.wire.receive())
@@ -105,10 +105,10 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that a reference in a check's request stands for.
+        """Return the object that a request from the checks refers to.
 
-        If the reference stands for a function provided by the check, return a proxy that calls the
-        function in the checks' process.
+        If the request refers to a function that the check provides, return a proxy. Calling the
+        proxy calls the function in the checks' process.
         """
         if "object" in data:
             return self.objects[data["object"]]
@@ -142,8 +142,8 @@ class Server:
     def do_begin(self, broken: list[str]) -> None:
         """Replace the student modules that cannot be imported with placeholders.
 
-        A check that uses a name from such a module fails. The checks' process explains the reason
-        to the student, so the placeholders contain no explanation.
+        Any check that uses a name from such a module fails. The placeholders contain no
+        explanation, because the student gets one from the process that runs the checks.
         """
         for module in broken:
             sys.modules[module] = broken_module(module, Message())

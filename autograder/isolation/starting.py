@@ -1,10 +1,10 @@
-"""Start a template: the process from which workers for student code are forked.
+"""Start template processes, which fork the workers that run student code.
 
-A new Python process needs 70 ms to start and to import the modules of a template. The grader needs
-a template for each chapter and submission. To save time, it starts one helper process that imports
-these modules and then forks a template for each request. The helper never runs any student code. It
-ends once every process that could send it requests has ended. Where forking is not possible, the
-template is started as a new Python process.
+The grader needs a template for each chapter and submission. A new Python process needs 70 ms to
+start and to import the modules of a template. To save time, the grader starts one helper process
+that imports these modules once and then forks a template for each request. The helper process never
+runs any student code, and it ends when nobody can send it requests anymore. On a system where it
+cannot be used, each template is started as a new Python process.
 """
 
 from __future__ import annotations
@@ -45,14 +45,14 @@ def start_waiting() -> None:
 
 
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
-    """Ask the waiting helper process to fork a template, the process that later forks workers.
+    """Ask the helper process to fork a template, which later forks the workers for student code.
 
-    ``control`` is the socket on which the template will receive its requests. ``log`` is the file
-    descriptor to which the template's output goes.
+    ``control`` is the socket on which the template receives its requests. ``log`` is the file
+    descriptor for the template's output.
 
     Returns:
-        True if the request was sent. If not, no helper process is waiting, and the template must be
-        started in another way.
+        True if the request was sent, or False if no helper process is available. In that case,
+        start the template in another way.
     """
     for waiting in _waiting:
         with contextlib.suppress(OSError):
@@ -64,10 +64,10 @@ def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> b
 def start_process(
     config: dict[str, Any], level: Level, control: socket.socket, log: int
 ) -> subprocess.Popen[bytes]:
-    """Start a template as a new Python process, inside bubblewrap if ``level`` asks for it.
+    """Start a template, a new Python process that later forks the workers for student code.
 
-    A template forks the workers that run student code. Starting a new process takes longer than
-    forking one, but a process can enter bubblewrap only when it starts.
+    If ``level`` includes bubblewrap, the template runs inside it. Forking a template would be
+    faster, but bubblewrap can isolate a process only when it starts.
     """
     command = _python("main", json.dumps({**config, "control": control.fileno()}))
     if level.bubblewrap:

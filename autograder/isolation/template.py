@@ -39,7 +39,7 @@ END_LIMIT = 1.0  # seconds for it to end
 
 
 class TemplateError(GraderFault):
-    """Raised when a worker process did not start for a reason unrelated to the student's code."""
+    """Raised when a worker process does not start and the student's code is not the cause."""
 
 
 @dataclass
@@ -58,9 +58,10 @@ class _Worker:
 class Template:
     """A process that forks a worker for each check, but never runs any student code itself.
 
-    A worker looks for modules in the standard library, then in the folders of ``engine`` with the
-    student's chapters, and then in ``probes``. ``folder`` is for temporary files, and ``seconds``
-    is how long a worker may take to answer.
+    A worker looks for modules in the standard library, then in ``engine``, and then in ``probes``.
+    ``engine`` lists the folders that contain the student's chapters. The folder ``probes`` contains
+    the helper functions of checks that must run in a worker. ``folder`` is for temporary files, and
+    ``seconds`` is how long a worker may take to answer.
 
     If ``fresh`` is set, each worker gets a template of its own. That is slower, but without seccomp
     it is the only way to keep one worker from affecting the next.
@@ -148,7 +149,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Wait for the process ID of the worker requested in advance, and return that worker."""
+        """Return the worker that was requested in advance, as soon as its process ID is known."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -189,8 +190,8 @@ class Template:
     def printed(self) -> str:
         """Return what the student's code has printed in the current worker process.
 
-        If no worker is running, return the output of the template process, such as an error
-        message.
+        If no worker is running, return the output of the template process, which forks the workers.
+        That output may contain an error message.
         """
         log = self._log if self._worker is None else self._worker.log
         printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file

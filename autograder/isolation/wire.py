@@ -36,9 +36,9 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """Raised when the other process sends a message that is not valid.
+    """Raised when a message between the checks and the worker process is not valid.
 
-    A student's code may do this on purpose, because it runs in the worker that sends the messages.
+    A student's code may send such a message on purpose, because it runs in the worker process.
     """
 
 

@@ -50,8 +50,8 @@ RULES, WIRE, STACK = 29, 30, 31
 def start_templates(number: str) -> None:
     """Wait for requests on a socket, and fork a template process for each of them.
 
-    A template in turn forks the workers that run student code. ``number`` is the file descriptor of
-    the socket, as text. The function returns when all senders have closed the socket.
+    A template forks the workers that run student code. ``number`` is the socket's file descriptor,
+    written as a string. The function returns when every sender has closed the socket.
     """
     orders = socket.socket(fileno=int(number))
     _preload()
@@ -84,18 +84,18 @@ def _preload() -> None:
 
 
 def main(text: str) -> None:
-    """Turn this process into a template, from which workers for student code are forked.
+    """Run this process as a template, which forks the workers for student code.
 
-    ``text`` holds the configuration of the template as JSON.
+    ``text`` is the configuration of the template as JSON.
     """
     run_template(json.loads(text))
 
 
 def run_template(config: dict[str, Any]) -> None:
-    """Turn this process into a template, which forks one worker for student code per request.
+    """Run this process as a template, which forks a worker for student code on each request.
 
-    The template restricts itself before it forks the first worker, and the workers inherit the
-    restrictions. The template ends when the control socket closes.
+    The template restricts itself before it forks the first worker, so that all workers inherit the
+    restrictions. It ends when the control socket closes.
     """
     # The number of this descriptor depends on the files that the runner has open. We replace it by
     # a low one, because that cannot be one of the numbers above, and because workers close it.
@@ -133,9 +133,10 @@ def run_template(config: dict[str, Any]) -> None:
 def _obey(
     control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
 ) -> None:
-    """Carry out requests to the template, such as "start", until the control socket closes.
+    """Carry out requests to the template process until the control socket closes.
 
-    ``workers`` is updated to contain the process IDs of the running workers.
+    For example, the request "start" forks a worker for student code. The set ``workers`` is updated
+    to contain the process IDs of the running workers.
     """
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)

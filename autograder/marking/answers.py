@@ -120,9 +120,9 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of the chapter in which answers.md is the only submitted file.
+    """Return a copy of a chapter that has only written exercises and the file answers.md.
 
-    Only the written answers are needed for marking, so the students' code is not copied.
+    Students' code is left out, because an instructor marks only the written answers.
     """
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])

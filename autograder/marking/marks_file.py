@@ -71,8 +71,9 @@ class MarksFile:
     def _lines(self) -> list[str]:
         """Return the lines of marks.csv, or only the header if the file does not exist.
 
-        Each line keeps its line ending. The lines are split in the same way as in ``read_rows``, so
-        that its line numbers are valid here.
+        Each line keeps its line ending. The file is split into lines in the same way as in
+        ``read_rows``. The line numbers that ``read_rows`` returns are therefore valid for this
+        list.
         """
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]

@@ -67,7 +67,7 @@ class Marking(Site):
 class Questions(Handler):
     """Handles requests for the written questions and the students' answers to them.
 
-    Both stay the same while the server runs.
+    The questions and answers do not change while the server runs.
     """
 
     site: Marking
@@ -134,7 +134,10 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all current marks to the marking page, including those changed on other pages."""
+        """Send the current marks of all answers to the marking page.
+
+        They are read from marks.csv again, so they include marks entered on another marking page.
+        """
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:
@@ -150,9 +153,10 @@ class Marks(Handler):
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Read a mark from the data that the marking page sent, or return None if it is to be deleted.
+    """Validate a mark that the marking page sent, and return it.
 
-    ``most`` is the maximum number of points for the answer.
+    Return None if the page sent no mark, for example because an instructor has deleted it. ``most``
+    is the maximum number of points for the answer.
 
     Raises:
         ValueError: The data is not a valid mark.

@@ -1,4 +1,4 @@
-"""Make the zip file with which Gradescope grades submissions.
+"""Create the zip file that Gradescope needs to grade submissions.
 
 It contains the scripts that Gradescope calls, the grader, the checks, and the parts of the
 reference solution that grading needs.
@@ -33,12 +33,13 @@ def make_gradescope(
 ) -> None:
     """Write the zip file that an instructor uploads to Gradescope, and print what it contains.
 
-    ``work`` describes the assignment. For its given chapters, the grader uses the reference
-    solution, even if students hand in their own files. ``unsafe`` permits grading on a machine that
-    has no sandbox.
+    ``work`` describes the assignment. If students are given a complete chapter, the grader uses the
+    reference solution of that chapter and ignores any files that they submit for it. ``unsafe``
+    permits grading on a machine that has no sandbox.
 
     Raises:
-        ValueError: ``out`` does not name a .zip file, or hidden checks would be unprotected.
+        ValueError: ``out`` does not name a .zip file, or ``unsafe`` is set although the assignment
+            has hidden checks. Without a sandbox, a student's code could read them.
     """
     if out.suffix != ".zip" or out.is_dir():
         raise ValueError(f"--out must be a .zip file, got {str(out)!r}")
@@ -100,10 +101,10 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Read the instructor's hidden checks for the graded chapters, which go into Gradescope's zip.
+    """Read the instructor's hidden checks for the graded chapters.
 
     Returns:
-        A dict that maps the path of each file in the zip to its contents.
+        A dict that maps the path of each check file inside Gradescope's zip file to its contents.
     """
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()

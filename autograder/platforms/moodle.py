@@ -44,12 +44,14 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write Moodle's grading worksheet for an assignment, and return True if it was needed.
+    """Write a grading worksheet that an instructor can upload to a Moodle assignment.
 
-    The worksheet lists all submissions that come from Moodle. If there are none, nothing is
-    written. No roster is needed, because the folder names in a Moodle download contain the numbers
-    of the participants. The column for comments is left out, since empty cells in it would delete
-    the comments in Moodle.
+    The worksheet lists all submissions that were downloaded from Moodle. It needs no roster,
+    because the folder names in a Moodle download contain the numbers of the participants. The
+    column for comments is left out, because its empty cells would delete the comments in Moodle.
+
+    Returns:
+        True if the worksheet was written, or False if there are no submissions from Moodle.
     """
     rows = []
     for member in people.members:

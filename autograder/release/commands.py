@@ -13,7 +13,7 @@ from autograder.manifest import load_chapters
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Register the command `release` and its options with the argument parser."""
+    """Add the `release` command and its options to the argument parser."""
     command = commands.add_parser("release", help="release the reference after the deadline")
     what = "chapters to release, such as 2-3 (not needed with an assignment)"
     command.add_argument("chapters", nargs="?", default="", help=what)

@@ -21,11 +21,11 @@ OUTSIDE = ""  # stands for code outside of functions
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function, prepared for a comparison with another version of the function.
+    """The body of a function, to be compared with another version of the function.
 
     Attributes:
         text: The code, without the indentation that all lines share.
-        counts: How many lines, calls and new objects the code contains.
+        counts: The numbers of lines, calls and new objects in the code.
     """
 
     text: str
@@ -71,10 +71,11 @@ def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compar
 def compare_others(
     chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Compare a student's helpers and other functions that belong to no exercise with our own code.
+    """Compare a student's functions that belong to no exercise with the reference solution.
 
-    Functions that are the same in both are left out, because the students may have been given them.
-    Code outside functions is left out too.
+    An example is a helper that the student has added. Functions that are the same in both versions
+    are left out, because students may have received them from us. Code outside functions is left
+    out too.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []

@@ -51,8 +51,8 @@ def release(
         The exit code 0.
 
     Raises:
-        ValueError: The folder cannot be used, or an exercise, the reference or the class is
-            missing.
+        ValueError: ``out`` cannot be used, or an exercise, the reference solution, the submissions
+            or the grades are missing.
     """
     released = chosen(chapters, exercises)
     if missing := [chapter.name for chapter in released if not has_reference(chapter, root)]:
@@ -124,7 +124,7 @@ def _compare(
 
     Returns:
         The comparisons, the ids of the released exercises that the student has not solved, and the
-        reason to show if there are no comparisons.
+        reason to report if there are no comparisons.
     """
     if report is None:
         return [], [], "the work was not graded"
@@ -150,8 +150,8 @@ def _own_texts(
 ) -> dict[str, Texts] | None:
     """Read the modules that a student submitted, grouped by chapter.
 
-    Return None if the submission has changed since it was graded, because the report may then no
-    longer be correct.
+    Return None if the submission has changed since ``report`` was written, because its results may
+    then no longer be correct.
     """
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:

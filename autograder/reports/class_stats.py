@@ -54,9 +54,10 @@ class Bin:
     """One bar in the histogram of a class's scores, such as the bar from 70 to 80 percent.
 
     Attributes:
-        low: The lower limit in percent, which belongs to the bar.
-        high: The upper limit in percent. Unless it is 100, it belongs to the next bar.
-        count: The number of students whose score belongs to the bar.
+        low: The lower limit in percent. A score equal to this limit is counted in the bar.
+        high: The upper limit in percent. A score equal to this limit is counted in the next bar,
+            unless the limit is 100.
+        count: The number of students counted in the bar.
     """
 
     low: int

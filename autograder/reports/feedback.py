@@ -65,13 +65,13 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """A student's results in one exercise, prepared for the student's feedback page.
+    """A student's result on one exercise, prepared for the student's feedback page.
 
     Attributes:
-        lost: The failed checks, which the page explains.
+        lost: The failed checks, which are explained on the page.
         passed: The titles of the checks that passed.
-        gains: True if the student would earn more points with our solutions to earlier chapters.
-        uneven: True if the physics checks or the robust checks do not all have the same weight.
+        gains: True if our solutions to earlier chapters would earn the student more points.
+        uneven: True if some checks of the same kind (physics or robust) have different weights.
     """
 
     anchor: str
@@ -206,7 +206,7 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Add up the points that these exercises are worth, without extra credit.
+    """Add up the points that the given exercises are worth, without extra credit.
 
     A student with extra credit can earn more than this total.
     """

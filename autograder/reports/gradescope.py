@@ -19,10 +19,9 @@ OURS = "grader error, please retry: this is not the submission's fault and does 
 
 @dataclass(frozen=True)
 class ExerciseResult:
-    """The result of one exercise, which Gradescope shows to the student as a "test".
+    """The result of one exercise in Gradescope's format, which calls an exercise a "test".
 
-    The score is None if the grader failed on the exercise, or if an instructor still has to mark
-    the answer.
+    The score is None if grading failed, or if an instructor still has to mark the answer.
     """
 
     number: str

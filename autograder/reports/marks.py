@@ -146,10 +146,10 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Return a copy of a student's report with the marks for written answers filled in.
+    """Return a copy of a student's report that contains the marks for written answers.
 
-    ``marks`` replace all earlier marks. An answer without a mark is reported as waiting to be
-    marked.
+    Any earlier marks in the report are replaced. An answer without a mark is reported as waiting to
+    be marked.
     """
     exercises = []
     given: list[float] = []
@@ -200,11 +200,11 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Map each possible spelling of a student's name in marks.csv to the name in the reports.
+    """Map every spelling of a student's name that marks.csv may contain to the name in the reports.
 
-    A spreadsheet may have encoded accents differently, or put an apostrophe before a name that
-    looks like a formula. A spelling that fits two students is left out, unless one of them has
-    exactly this name.
+    A spreadsheet may have changed how accents are encoded, or added an apostrophe to a name that
+    looks like a formula. If the names of two students share a spelling, that spelling is left out
+    unless it is the exact name of one of them.
     """
     forms: dict[str, set[str]] = {}
     for name in students:

@@ -1,6 +1,6 @@
-"""Create the web pages that the autograder writes, from HTML templates.
+"""Fill in the HTML templates of the web pages that the autograder writes.
 
-All text from students is inserted as plain text, so it cannot change a page.
+All text from students is escaped, so it cannot add HTML or scripts to a page.
 """
 
 from __future__ import annotations

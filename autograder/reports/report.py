@@ -27,7 +27,7 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """The measurements of a student's solution to an open exercise, which a chart shows.
+    """The cost and the error of a student's solution to an open exercise, to be shown on a chart.
 
     An open exercise has more than one good answer, so the chart plots the error of each solution
     against its cost.
@@ -45,11 +45,11 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """A student's results in one exercise, as saved in the report on the student.
+    """A student's result on one exercise, as stored in the student's report.
 
-    A score is None if it is not known yet. An exercise with ``extra`` gives extra credit, so it
-    does not add to the points possible. ``score_on_given`` is the score that the student would have
-    with our solutions to the earlier chapters.
+    A score is None if it is not known yet. ``score_on_given`` is the score that the student would
+    get with our solutions to the earlier chapters. If ``extra`` is True, the exercise gives extra
+    credit, and its points are not part of the possible total.
     """
 
     chapter: int

@@ -62,9 +62,9 @@ def read_results(out: Path) -> list[StudentReport]:
 
 
 def write_student(out: Path, report: StudentReport) -> None:
-    """Write the files about one student: the feedback page, the Gradescope file and the report.
+    """Write a student's feedback page, Gradescope file and report.
 
-    The report is written last, so the other files are complete if it exists.
+    The report is written last, so if it exists, the other two files are complete.
     """
     write_feedback(out, report)
     write_gradescope(out, report)

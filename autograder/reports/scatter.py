@@ -89,10 +89,10 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Select the best of several solutions, given the cost and the error of each.
+    """Select the solutions on the Pareto front from a list of costs and errors.
 
-    A solution is one of the best if every other solution of the same or lower cost has a larger
-    error. The result is sorted by cost, cheapest first.
+    A solution is left out if another one is at least as good in both cost and error. The result is
+    sorted by cost, cheapest first.
     """
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):

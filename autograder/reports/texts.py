@@ -16,10 +16,10 @@ LONGEST = 4000  # characters of a text in a report; the message of a check has o
 
 
 def clean_all(value: T) -> T:
-    """Return a copy of a student's report, or of a part of it, in which all text is safe to show.
+    """Return a copy of a student's report, or of part of a report, that is safe to display.
 
-    The text may contain anything that a student wrote. Unprintable characters are escaped, and long
-    texts are truncated.
+    The report may contain any text that a student wrote. Unprintable characters are escaped, and
+    long texts are truncated.
     """
     return cast(T, _cleaned(value))
 

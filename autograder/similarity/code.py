@@ -40,7 +40,7 @@ class Token:
 class Function:
     """A function or method in a student's file, with the tokens of its body.
 
-    The code outside all functions is stored as one more function, whose name is "".
+    The code outside all functions is treated as a function with an empty name.
     """
 
     name: str
@@ -92,10 +92,11 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the names in Python's builtins and math modules, and the public names in ``text``.
+    """Yield the names that comparisons of students' code do not replace.
 
-    ``text`` is the content of one of our own Python files. The comparison replaces all other names
-    in a student's code, so that renaming a variable does not hide a copy.
+    These are the names in Python's builtins and math modules, and the public names in ``text``.
+    ``text`` is the content of one of our own Python files. Comparisons replace all other names, so
+    that renaming a variable does not hide a copy.
     """
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -145,9 +146,9 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens of one logical line of a student's code, ready to be compared.
+    """Yield the tokens of one logical line of a student's code, for comparison with other code.
 
-    A docstring yields no tokens, because docstrings are not compared.
+    A docstring yields no tokens, because docstrings are ignored in comparisons.
     """
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
@@ -175,7 +176,7 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens after the colon in a student's line that begins with def or class.
+    """Return the tokens after the colon of a line that begins with def or class.
 
     For ``def f(): return 1`` these are the tokens of ``return 1``. If the body begins on the next
     line, the list is empty.
@@ -191,9 +192,9 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line of a student's file at which Python's tokenizer failed, taken from ``error``.
+    """Return the line number in an error from Python's tokenizer, or 1 if it contains none.
 
-    If the error contains no line number, return 1.
+    The tokenizer raises such an error if it cannot read a student's file.
     """
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()

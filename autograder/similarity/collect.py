@@ -25,11 +25,13 @@ class Ground:
     """The rules for comparing students' code: which functions to compare, and what to ignore.
 
     Attributes:
-        parts: The exercise that each function belongs to. A key is a file and a name, such as
+        parts: Maps each function to its exercise. A key is a file and a function name, such as
             ("ch02_vectors/vector.py", "Vector3.dot").
-        known: The engine's names, which all students use.
-        given: The hashes of all code that we wrote, in stubs, given modules and solutions.
-        small: The exercises that are too short to compare.
+        known: The names of the engine, of Python's builtins and of the math module. All students
+            use these names, so comparisons do not replace them.
+        given: The hashes of the code in our stubs, complete modules and solutions. Comparisons
+            ignore this code.
+        small: The ids of the exercises that are too short to compare.
     """
 
     chapters: list[Chapter]

@@ -88,10 +88,12 @@ class Shared:
 class Comparison:
     """The result of comparing the code of every pair of students in a class.
 
+    The surprise of a pair says how unusual the similarity of their code is for the class.
+
     Attributes:
-        pairs: All pairs of students, sorted by surprise with the largest first. If surprises could
-            not be computed, the pairs are sorted by similarity instead.
-        line: The smallest surprise that makes a pair stand out, or None if there are no surprises.
+        pairs: All pairs of students, sorted by decreasing surprise. If surprises could not be
+            computed, the pairs are sorted by decreasing similarity instead.
+        line: The surprise from which a pair stands out, or None if there are no surprises.
         measure: The measure of similarity that was used.
     """
 

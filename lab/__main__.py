@@ -81,10 +81,9 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _play(options: argparse.Namespace) -> int:
-    """Play a scene in a window.
+    """Play a scene in a window, or record it to files.
 
-    With the command ``record``, or on a computer without a display, record the scene to files
-    instead.
+    The scene is recorded if the command is ``record``, or if the computer has no display.
     """
     find(options.scene)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:

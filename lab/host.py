@@ -22,9 +22,10 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """Runs one scene and responds to messages about it, such as a key press.
+    """Runs a scene, and responds to messages from the page, such as a key press.
 
-    ``explain`` is a function that turns an exception from the student's code into an explanation.
+    ``explain`` is a function that turns an exception from the student's code into a message for the
+    student.
     """
 
     def __init__(self, explain: Callable[[BaseException], str]) -> None:
@@ -77,9 +78,9 @@ class Host:
         return [self._frame()]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Build the scene called ``name``, and return its description and its first frame.
+        """Load the scene called ``name``, and return its description and its first frame.
 
-        ``peer`` selects another way to simulate the scene, such as "exact" or "pymunk". If the
+        ``peer`` names an alternative simulation of the scene, such as "exact" or "pymunk". If the
         value of a parameter is invalid, the scene uses the default, and one of the returned
         messages says so.
         """

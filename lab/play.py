@@ -1,7 +1,7 @@
-"""Play a scene in a window, or record a scripted run of it to files.
+"""Play a scene in a window, or record it to files.
 
-A recording consists of an animation, an image that shows several of its frames, and a table of the
-values in the scene's chart.
+For a recording, the scene plays its own script. The files are an animation, an image that shows
+several frames, and a table of the values in the scene's chart.
 """
 
 from __future__ import annotations

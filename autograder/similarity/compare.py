@@ -5,10 +5,10 @@ that few students share weighs more, because it is less likely to be a coinciden
 of two students is a weighted average over the exercises. Its weights keep a long exercise from
 dominating the result.
 
-Some students write code that resembles everybody else's. From the similarity of two students we
-therefore subtract how similar both usually are to the rest of the class. The result is the excess
-of the pair. The surprise of a pair says how far its excess lies above the median of all pairs, in
-units of the spread.
+Some students write code that resembles everybody else's, so we expect a high similarity. The
+expected similarity of a pair is the average of both students' median similarities to the rest of
+the class. The excess of the pair is its similarity minus this expected value. The surprise of the
+pair is the difference between its excess and the median of all pairs, divided by the spread.
 """
 
 from __future__ import annotations
@@ -39,7 +39,10 @@ class Passage:
 
 @dataclass
 class Part:
-    """A student's code for one exercise, or the code in one file that belongs to no exercise."""
+    """A student's code for one exercise.
+
+    Code that belongs to no exercise is grouped by file instead.
+    """
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -58,10 +61,10 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, and the similarity of their code on a scale from 0 to 1.
+    """Two students and the similarity of their code, on a scale from 0 to 1.
 
-    ``surprise`` says how unusual this similarity is in their class, or is None if the class is too
-    small.
+    ``surprise`` measures how unusual this similarity is in the class. It is None if the class is
+    too small for such a measure.
     """
 
     one: Work
@@ -111,9 +114,9 @@ class Comparison:
 
     @property
     def outstanding(self) -> int:
-        """The number of pairs of students whose code is unusually similar for their class.
+        """The number of pairs whose code is unusually similar compared with the rest of the class.
 
-        These pairs come first in the list of pairs.
+        These pairs come first in ``pairs``.
         """
         return sum(map(self.stands_out, self.pairs))
 

@@ -1,6 +1,6 @@
 """Explain to a student why a check has failed and what to do next.
 
-The commands check and watch show this explanation.
+The `check` and `watch` commands show this explanation.
 """
 
 from __future__ import annotations
@@ -117,7 +117,10 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return True if a check calls a function that the student has just edited, or fails in one."""
+    """Return True if a check concerns a function that the student has just edited.
+
+    This is the case if the check calls the function, or if the error occurs inside it.
+    """
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

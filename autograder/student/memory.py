@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks on a student's code, and caches the verdicts until the student changes a file.
+    """Runs checks on a student's code, and caches the results until the student changes a file.
 
     ``run`` is the function that runs the checks. It takes the same arguments as ``run_checks``.
     """
@@ -51,9 +51,9 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Compute a hash of all files of a student that can affect the checks of a chapter.
+    """Compute a hash of all the student's files that can affect the checks of a chapter.
 
-    As long as the hash stays the same, there is no need to run these checks again.
+    The checks have to run again only if this hash changes.
     """
     state = hashlib.sha256()
     for number, folder in enumerate(engine):

@@ -1,7 +1,8 @@
 """Let a student start an exercise over by restoring its stub, and keep a copy of the old file.
 
 Only the functions of that exercise change in the student's file. If the student has deleted a
-function, its stub comes from our solution. In a handout, it comes from the folder stubs/.
+function, its stub is derived from our solution. A handout has no solutions, so it keeps the stubs
+in its stubs/ folder.
 """
 
 from __future__ import annotations
@@ -52,9 +53,9 @@ def reset(
 ) -> str:
     """Let the student start an exercise over by restoring the stubs of its functions.
 
-    If the student has deleted some of these functions, only those are restored. With ``whole``,
-    entire files are restored. Before any change, the student's file is copied to the folder
-    ``copies``.
+    If the student has deleted some of these functions, only those are restored. If ``whole`` is
+    true, entire files are restored. Each file is copied to the folder ``copies`` before it is
+    changed.
 
     Returns:
         A text for the student that lists the changes and the copies.

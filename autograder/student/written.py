@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 def print_written(
     console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question of a written exercise and, once it has been answered, our model answer.
+    """Print the question of a written exercise and, if it has been answered, the model answer.
 
     The rubric is printed below the model answer, so that students can assess their own answers. A
-    handout contains neither, because both are reserved for the instructor.
+    handout includes neither, because the instructor marks the answers of a class.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"

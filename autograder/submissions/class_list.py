@@ -155,7 +155,7 @@ def match(
 def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
     """Find the students on the roster whose id or name matches a submission.
 
-    There should be at most one. If there are more, ``match`` raises an error.
+    The result should contain at most one student. The caller reports several matches as an error.
     """
     export = submission.export
     identity = submission.student

@@ -39,7 +39,7 @@ class Submission:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All names of the student who handed this in, starting with the one used in reports."""
+        """All names of the student, starting with the one used in the reports."""
         return (self.student, *self.aliases)
 
     @property

@@ -90,7 +90,10 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Unpack the zip at ``path``, and replace the submissions from an earlier version of it."""
+    """Unpack the zip at ``path`` into ``folder``.
+
+    If an earlier version of the zip was unpacked there, its submissions are deleted first.
+    """
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:

@@ -135,7 +135,7 @@ def path_in_zip(entry: zipfile.ZipInfo) -> str:
 def is_unsafe(name: str) -> bool:
     """Return True if a path in a submitted zip could lead to a file outside the zip.
 
-    This is assumed if the path is absolute, or if a part of the path is empty or consists of dots.
+    A path is unsafe if it is absolute, or if a part of it is empty, "." or "..".
     """
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 

@@ -146,10 +146,10 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 
 
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
-    """Measure the fraction of the velocity that each form of damping removes in a fall of 1 s.
+    """Measure what fraction of its velocity a falling body loses to each form of damping in 1 s.
 
-    The duration of each frame is random, about 1 / ``rate`` s. Each fraction is the mean of several
-    runs.
+    The lengths of the frames vary randomly around 1 / ``rate`` s. Each fraction is therefore the
+    mean of several runs.
     """
     gravity = Vector3(*GRAVITY)
     per_frame = KEPT ** (1.0 / TUNED_AT)

@@ -68,7 +68,7 @@ class Progress:
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Describe how far the student is in a chapter, as in "3 of 8 exercises work".
+        """Describe the student's progress in a chapter, as in "3 of 8 exercises work".
 
         An exercise works if its physics checks pass. Once all exercises work, the robust checks
         count too, as in "3 of 8 are complete".

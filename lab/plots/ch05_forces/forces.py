@@ -199,8 +199,8 @@ def _fall(
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
     """Simulate an orbit that starts at the point farthest from the center.
 
-    The gravitational parameter mu is 1. Return the position and velocity at the start and after
-    every ``every`` frames.
+    The gravitational parameter mu is 1. Return the position and velocity at the start, and then at
+    intervals of ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)

@@ -152,8 +152,8 @@ def resting_jitter() -> Picture:
 def restitution_of_materials() -> Picture:
     """Plot the coefficient of restitution of several balls, computed from measured bounce heights.
 
-    The coefficient is the square root of bounce height over drop height. A second set of marks
-    shows the ratio without the root, which is the formula printed in our copy of exercise 7.1.
+    The coefficient is the square root of the bounce height divided by the drop height. A second set
+    of marks shows the quotient itself, because our copy of the book omits the root in exercise 7.1.
     """
     path, drops = _drops()
     table = table_of_drops(drops)

@@ -28,9 +28,9 @@ KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """Plot how a simulated rope of rods stretches over time, for each simulation method.
+    """Plot the length error of a rope made of rods over time, for each simulation method.
 
-    The rope is released at 30 degrees from straight down.
+    The rope is released at 30 degrees from the vertical.
     """
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     frames = 120

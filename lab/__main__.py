@@ -20,7 +20,7 @@ from studies.reason import reason, shown
 
 
 def main() -> int:
-    """Run the command ``serve``, ``play`` or ``record``, and return its exit status."""
+    """Run the ``serve``, ``play`` or ``record`` command, and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m lab", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     serve = commands.add_parser("serve", help="serve the page on this machine")
@@ -116,7 +116,7 @@ def _play(options: argparse.Namespace) -> int:
 
 
 def settings_of(options: argparse.Namespace) -> dict[str, str]:
-    """Collect the scene's parameters from the options ``--set NAME=VALUE``.
+    """Return the parameter values given by ``--set NAME=VALUE`` options.
 
     For ``--set mass=2``, the result is {"mass": "2"}.
     """
@@ -124,10 +124,10 @@ def settings_of(options: argparse.Namespace) -> dict[str, str]:
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Build the query string that makes the lab's page open a certain scene first.
+    """Build the query string that makes the lab's page open with a certain scene.
 
-    For the scene "one-spring" and the setting mass=2, it is "scene=one-spring&mass=2". If ``scene``
-    is empty, the page opens the first scene of ``chapter``.
+    For example, the scene "one-spring" with mass=2 gives "scene=one-spring&mass=2". If ``scene`` is
+    empty, the page opens with the first scene of ``chapter``.
 
     Raises:
         ValueError: The scene does not exist, or the chapter has no scenes.

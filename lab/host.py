@@ -1,8 +1,8 @@
 """Run one interactive scene, controlled by messages from a web page.
 
 The host does not depend on web pages, sockets or processes. The lab's local server and the course's
-website can therefore share it. A message is a dict with a ``kind``. It holds only numbers, strings,
-lists and dicts, so that it can be sent as JSON.
+website can therefore share it. A message is a dict with a ``kind``. It contains only numbers,
+strings, lists and dicts, so that it can be sent as JSON.
 """
 
 from __future__ import annotations
@@ -186,7 +186,7 @@ class Host:
 def _numbers(items: list[list[Any]]) -> list[float]:
     """Collect all numbers in a drawing, such as coordinates and sizes.
 
-    If one of these numbers is huge or not finite, the scene has exploded.
+    They show whether the scene has exploded. In that case, one of them is huge or not finite.
     """
     found: list[float] = []
     for item in items:

@@ -115,7 +115,7 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the table in a recording: the time, the charted values and the scene's error.
+    """Return one row of a recording's table: the time, the charted values and the error.
 
     The error is omitted if the scene has no exact solution.
     """

@@ -137,8 +137,8 @@ class Comparison:
 def compare(works: list[Work]) -> Comparison:
     """Compare the code of each pair of students in a class, and rate how unusual each result is.
 
-    A class of fewer than twelve students has too few pairs for this rating, so its pairs are only
-    sorted by similarity.
+    In a class of fewer than twelve students, there are too few pairs for such a rating. The pairs
+    are then only sorted by similarity.
     """
     measure = Measure(works)
     pairs = [Pair(a, b, measure.similarity(a, b)) for a, b in combinations(works, 2)]
@@ -158,7 +158,7 @@ def compare(works: list[Work]) -> Comparison:
 class Measure:
     """Measures how similar two students' code is, on a scale from 0 to 1.
 
-    Code that few students of the class have written weighs more than code that many have.
+    Code that only a few students have written counts more than code that many have written.
     """
 
     def __init__(self, works: list[Work]) -> None:
@@ -208,7 +208,7 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Compute the total weight of a set of fingerprints from students' code for one exercise.
+        """Compute the total weight of a set of fingerprints for one exercise.
 
         A fingerprint weighs more if fewer students share it, because it is less likely to be a
         coincidence.
@@ -217,10 +217,10 @@ class Measure:
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """Yield by how much the similarity of each pair of students exceeds the expected value.
+    """Yield the excess of each pair, which is its similarity minus the expected similarity.
 
-    The expected value is the average of the two students' usual similarities. A student's usual
-    similarity is the median of the student's similarities to everyone else in the class.
+    The expected similarity is the average of the two students' usual similarities. A student's
+    usual similarity is the median of the student's similarities to everyone else in the class.
     """
     of: dict[str, list[float]] = {}
     for pair in pairs:
@@ -232,7 +232,7 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Compute the median and the spread of ``values``, which has one number per pair of students.
+    """Compute the median and the spread of ``values``, which contains one number per pair.
 
     The spread is a standard deviation estimated from the upper half of the values, which has the
     longer tail. The estimate is robust against a few outliers, such as students who have copied.

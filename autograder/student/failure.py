@@ -29,9 +29,9 @@ class Failure:
     """An explanation of a failed check for the student, with the next steps to take.
 
     Attributes:
-        heading: The first line, which says what exercise the check belongs to.
+        heading: The first line, which says which exercise the check belongs to.
         diagnosis: The labeled rows that explain the failure.
-        printed: What the student's code has printed.
+        printed: The output of the student's code.
         steps: What the student should do next.
         place: The line to open in an editor, or "" if the mistake is in an earlier chapter.
         hints: The exercise whose hints may help, or "" if the mistake is in an earlier chapter.
@@ -105,7 +105,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Shorten the output of the student's code, to show it below the message of a failed check.
+    """Shorten what the student's code has printed, to show it below a failed check.
 
     Return a list with one row, labeled "printed". The list is empty if the code printed nothing.
     """

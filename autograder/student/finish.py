@@ -131,7 +131,7 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 def _is_extra(exercise: Exercise) -> bool:
     """Return True if students can finish the chapter without this exercise.
 
-    This holds for projects and for going-further exercises, whose ids start with G.
+    This is the case for projects and for going-further exercises, whose ids start with G.
     """
     return exercise.kind == "project" or exercise.id.startswith("G")
 
@@ -220,7 +220,7 @@ def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Format a labeled entry, such as "Next", for the screen at the end of a chapter."""
+    """Format an entry with a label, such as "Next", for the closing screen of a chapter."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

@@ -33,9 +33,9 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the verdicts of a chapter's checks, running the checks only if a file has changed.
+        """Return the results of a chapter's checks, and run the checks only if a file has changed.
 
-        With ``exercises``, return only the verdicts on these exercises and their prerequisites.
+        With ``exercises``, return only the results for these exercises and their prerequisites.
         """
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)

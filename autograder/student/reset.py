@@ -108,7 +108,7 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Find out what a reset would change in the student's files, without changing them.
+    """Plan the changes that a reset would make to the student's files, without making them.
 
     The student can then be asked to confirm the reset.
 
@@ -194,7 +194,7 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Make a path short enough to show to a student.
+    """Shorten a path that is shown to a student.
 
     If the file is inside the working folder, the path becomes relative to that folder.
     """

@@ -57,7 +57,7 @@ class Report:
 
 
 class ProgressBar:
-    """Shows the student how many checks have run so far, but only on a terminal."""
+    """Shows the student on a terminal how many checks have run so far."""
 
     title = ""
     _bar = None
@@ -270,7 +270,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Format the numbers of chapters for a message, as in "chapter 2" or "chapters 2-5"."""
+    """Format chapter numbers for a message, as in "chapter 2" or "chapters 2-5"."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 

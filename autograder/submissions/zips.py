@@ -96,7 +96,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files to be graded in zips that are inside a student's submitted folder.
+    """Find the files to be graded in the zips inside a student's submitted folder.
 
     Each zip is treated like a folder with the same contents. Return the files, with notes on any
     problems.

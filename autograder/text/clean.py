@@ -32,7 +32,7 @@ def clean_line(text: str) -> str:
 
 
 def visible(character: str) -> str:
-    r"""Return a printable character unchanged, and any other as an escape such as \x1b."""
+    r"""Return a printable character as it is, and any other character as an escape such as \x1b."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

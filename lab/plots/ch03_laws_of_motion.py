@@ -41,8 +41,8 @@ FORMS = (
 def damping_comparison() -> Picture:
     """Plot what fraction of its velocity a falling body loses to damping in 1 s (exercise 3.5).
 
-    The plot compares three formulas for damping over a range of frame rates. With damping per
-    frame, the loss depends on the frame rate.
+    The plot compares three formulas over a range of frame rates. If damping is applied per frame,
+    the loss depends on the frame rate.
     """
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
@@ -82,7 +82,7 @@ def damping_comparison() -> Picture:
 
 
 def integration_error() -> Picture:
-    """Plot the position error in free fall against the length of a time step (exercise 3.4)."""
+    """Plot the position error in free fall against the length of the time step (exercise 3.4)."""
     counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
     time, g = FREE_FALL.duration, -GRAVITY[1]
     rows = []

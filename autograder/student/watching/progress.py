@@ -16,7 +16,7 @@ from autograder.student.screen import ProgressBar, Report, bar
 class Progress:
     """Runs the checks for a student, and remembers the latest result of every exercise.
 
-    From these results it works out which exercise comes next.
+    These results determine which exercise comes next.
     """
 
     def __init__(
@@ -87,7 +87,7 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return True if the student's code fails any of an exercise's physics checks.
+    """Return True if any physics check of an exercise fails.
 
     A written exercise has no checks, so the result is False.
     """
@@ -95,7 +95,7 @@ def lacks_physics(result: Result) -> bool:
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return True if the student's code fails any check of an exercise, physics or robust.
+    """Return True if any check of an exercise fails, whether it is a physics or a robust check.
 
     A written exercise has no checks, so the result is False.
     """

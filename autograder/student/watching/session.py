@@ -61,7 +61,7 @@ class Session:
     def choose(self) -> None:
         """Switch to the exercise that the student has just edited.
 
-        If the student has edited several at once, prefer one that does not work yet.
+        If the student has edited several exercises at once, prefer one that does not work yet.
         """
         edited = self.edits.look()
         if edited:
@@ -101,7 +101,7 @@ class Session:
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check the student's current exercise, show the result, and return True if it is done.
+        """Check and show the student's current exercise, and return True if it is done.
 
         At first, an exercise is done as soon as its physics checks pass. Its robust checks count
         only after all required physics checks of the chapter pass. If the physics checks of a
@@ -165,8 +165,8 @@ class Session:
         """Find the next exercise that is not done yet, and offer it to the student.
 
         The student accepts by pressing Enter or by editing the code for that exercise. If there is
-        no current exercise, as when `watch` starts, the next one begins at once. It also begins at
-        once if single keys cannot be read, because Enter would not work.
+        no current exercise, as when `watch` starts, the next one begins at once. The same happens
+        if single keys cannot be read, because Enter would not work.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

@@ -124,7 +124,7 @@ class Keyboard:
         self.note(done)
 
     def list(self) -> None:
-        """Print a table of the current chapter for the student, with the state of each exercise."""
+        """Print a table with the state of each exercise in the current chapter."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         print_chapter(session.console, session.progress.report(chapter), session.engine)

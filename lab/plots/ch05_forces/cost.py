@@ -29,7 +29,7 @@ DOWN = (0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
-    """Plot the computing time of a frame for each force generator that acts on a particle.
+    """Plot the computing time per frame for a particle with each type of force generator.
 
     Each time is divided by the time for chapter 3's particle, whose gravity is a constant
     acceleration.

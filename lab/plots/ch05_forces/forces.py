@@ -84,9 +84,9 @@ def terminal_speeds() -> Picture:
 
 
 def fall_with_drag() -> Picture:
-    """Plot a fall with quadratic drag, simulated in long frames and computed exactly.
+    """Plot a fall with quadratic drag, as simulated in long frames and as computed exactly.
 
-    A second panel shows how the error shrinks with the length of a frame.
+    A second panel shows how the error shrinks with the frame length.
     """
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")

@@ -81,7 +81,7 @@ def bounce_heights() -> Picture:
 def resting_jitter() -> Picture:
     """Plot the height of a ball that should lie still on the ground.
 
-    The engine's rule for resting contacts is compared with a stricter rule and with no rule.
+    The plot compares the engine's rule for resting contacts with a stricter rule and with no rule.
     """
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []

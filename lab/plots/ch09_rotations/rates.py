@@ -214,9 +214,9 @@ def _of_drift(off: Sequence[float], unit: str) -> str:
 
 
 def _ends(way: str, notes: list[str]) -> list[float]:
-    """Measure the error in degrees at the end of a rotation, for each step rate.
+    """Measure the error of an integration method at the end of a rotation, for each step rate.
 
-    ``way`` is the name of the integration method.
+    ``way`` is the name of the method. The errors are angles in degrees.
     """
     step, velocity, share, *_ = WAYS[way]
     wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
@@ -232,8 +232,8 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
     """Measure how fast Euler angles change near gimbal lock, in a rotation about the worst axis.
 
-    ``distance`` is the angle to gimbal lock in degrees. Return the magnitude of the Euler rates in
-    rad/s for a rotation of 1 rad/s, and the text of any error.
+    ``distance`` is the angle to gimbal lock in degrees, and the body rotates at 1 rad/s. Return the
+    magnitude of the Euler rates in rad/s, and the text of any error.
     """
     left = math.radians(distance)
     found: list[float] = []

@@ -177,8 +177,8 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
     """Rotate the vectors X, Y and Z twice with matrices from the student's engine.
 
-    Return the three vectors before the first rotation, after it, and after both rotations. If the
-    engine fails or its matrices are not written yet, return an empty list.
+    Return the vectors before the rotations, after the first one, and after both. If the engine
+    fails or its matrices are not written yet, return an empty list.
     """
     found: list[Arrows] = []
 

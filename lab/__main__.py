@@ -20,7 +20,7 @@ from studies.reason import reason, shown
 
 
 def main() -> int:
-    """Run the command ``serve``, ``play`` or ``record``, and return its exit status."""
+    """Run the ``serve``, ``play`` or ``record`` command, and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m lab", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     serve = commands.add_parser("serve", help="serve the page on this machine")
@@ -81,10 +81,9 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _play(options: argparse.Namespace) -> int:
-    """Play a scene in a window.
+    """Play a scene in a window, or record it to files.
 
-    With the command ``record``, or on a computer without a display, record the scene to files
-    instead.
+    The scene is recorded if the command is ``record``, or if the computer has no display.
     """
     find(options.scene)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
@@ -117,7 +116,7 @@ def _play(options: argparse.Namespace) -> int:
 
 
 def settings_of(options: argparse.Namespace) -> dict[str, str]:
-    """Collect the scene's parameters from the options ``--set NAME=VALUE``.
+    """Return the parameter values given by ``--set NAME=VALUE`` options.
 
     For ``--set mass=2``, the result is {"mass": "2"}.
     """
@@ -125,10 +124,10 @@ def settings_of(options: argparse.Namespace) -> dict[str, str]:
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Build the query string that makes the lab's page open a certain scene first.
+    """Build the query string that makes the lab's page open with a certain scene.
 
-    For the scene "one-spring" and the setting mass=2, it is "scene=one-spring&mass=2". If ``scene``
-    is empty, the page opens the first scene of ``chapter``.
+    For example, the scene "one-spring" with mass=2 gives "scene=one-spring&mass=2". If ``scene`` is
+    empty, the page opens with the first scene of ``chapter``.
 
     Raises:
         ValueError: The scene does not exist, or the chapter has no scenes.

@@ -77,7 +77,7 @@ def load(name: str) -> type[Scene]:
 
 
 def _listed(tree: ast.Module) -> list[str]:
-    """Read the names in the tuple SCENES from the syntax tree of a module, without importing it."""
+    """Read the names listed in SCENES from the syntax tree of a module, without importing it."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "SCENES":
             return [ast.unparse(name) for name in node.value.elts]  # type: ignore[attr-defined]
@@ -85,7 +85,10 @@ def _listed(tree: ast.Module) -> list[str]:
 
 
 def _title(node: ast.ClassDef) -> str:
-    """Read the title of a scene from the syntax tree of its class, or return the class name."""
+    """Read the title of a scene from the syntax tree of its class.
+
+    If the class does not define a title, return the name of the class.
+    """
     for line in node.body:
         if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
             return str(ast.literal_eval(line.value))

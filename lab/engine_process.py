@@ -21,7 +21,7 @@ LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
-    """The process that runs an engine for one open page of the lab.
+    """The process that runs a student's engine for one page of the lab.
 
     The process starts when the page sends its first message. If the student's code never ends, the
     process can be killed while the server keeps running.

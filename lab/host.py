@@ -1,8 +1,8 @@
 """Run one interactive scene, controlled by messages from a web page.
 
 The host does not depend on web pages, sockets or processes. The lab's local server and the course's
-website can therefore share it. A message is a dict with a ``kind``. It holds only numbers, strings,
-lists and dicts, so that it can be sent as JSON.
+website can therefore share it. A message is a dict with a ``kind``. It contains only numbers,
+strings, lists and dicts, so that it can be sent as JSON.
 """
 
 from __future__ import annotations
@@ -22,9 +22,10 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """Runs one scene and responds to messages about it, such as a key press.
+    """Runs a scene, and responds to messages from the page, such as a key press.
 
-    ``explain`` is a function that turns an exception from the student's code into an explanation.
+    ``explain`` is a function that turns an exception from the student's code into a message for the
+    student.
     """
 
     def __init__(self, explain: Callable[[BaseException], str]) -> None:
@@ -77,9 +78,9 @@ class Host:
         return [self._frame()]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Build the scene called ``name``, and return its description and its first frame.
+        """Load the scene called ``name``, and return its description and its first frame.
 
-        ``peer`` selects another way to simulate the scene, such as "exact" or "pymunk". If the
+        ``peer`` names an alternative simulation of the scene, such as "exact" or "pymunk". If the
         value of a parameter is invalid, the scene uses the default, and one of the returned
         messages says so.
         """
@@ -185,7 +186,7 @@ class Host:
 def _numbers(items: list[list[Any]]) -> list[float]:
     """Collect all numbers in a drawing, such as coordinates and sizes.
 
-    If one of these numbers is huge or not finite, the scene has exploded.
+    They show whether the scene has exploded. In that case, one of them is huge or not finite.
     """
     found: list[float] = []
     for item in items:

@@ -10,9 +10,9 @@ from typing import Any
 class Parameter:
     """A value that the reader can change, such as the stiffness of a spring.
 
-    Define a parameter as an attribute of a scene's class. In an instance of the scene, the
+    Parameters are defined as attributes of a scene's class. In an instance of the scene, the
     attribute is the current value, so ``self.stiffness`` is a number. A ``live`` parameter can
-    change while the scene runs. If any other parameter changes, the scene is rebuilt.
+    change while the scene runs. A change to any other parameter rebuilds the scene.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:

@@ -1,7 +1,7 @@
-"""Play a scene in a window, or record a scripted run of it to files.
+"""Play a scene in a window, or record it to files.
 
-A recording consists of an animation, an image that shows several of its frames, and a table of the
-values in the scene's chart.
+For a recording, the scene plays its own script. The files are an animation, an image that shows
+several frames, and a table of the values in the scene's chart.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the table in a recording: the time, the charted values and the scene's error.
+    """Return one row of a recording's table: the time, the charted values and the error.
 
     The error is omitted if the scene has no exact solution.
     """

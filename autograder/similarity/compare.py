@@ -5,10 +5,10 @@ that few students share weighs more, because it is less likely to be a coinciden
 of two students is a weighted average over the exercises. Its weights keep a long exercise from
 dominating the result.
 
-Some students write code that resembles everybody else's. From the similarity of two students we
-therefore subtract how similar both usually are to the rest of the class. The result is the excess
-of the pair. The surprise of a pair says how far its excess lies above the median of all pairs, in
-units of the spread.
+Some students write code that resembles everybody else's, so we expect a high similarity. The
+expected similarity of a pair is the average of both students' median similarities to the rest of
+the class. The excess of the pair is its similarity minus this expected value. The surprise of the
+pair is the difference between its excess and the median of all pairs, divided by the spread.
 """
 
 from __future__ import annotations
@@ -39,7 +39,10 @@ class Passage:
 
 @dataclass
 class Part:
-    """A student's code for one exercise, or the code in one file that belongs to no exercise."""
+    """A student's code for one exercise.
+
+    Code that belongs to no exercise is grouped by file instead.
+    """
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -58,10 +61,10 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, and the similarity of their code on a scale from 0 to 1.
+    """Two students and the similarity of their code, on a scale from 0 to 1.
 
-    ``surprise`` says how unusual this similarity is in their class, or is None if the class is too
-    small.
+    ``surprise`` measures how unusual this similarity is in the class. It is None if the class is
+    too small for such a measure.
     """
 
     one: Work
@@ -113,9 +116,9 @@ class Comparison:
 
     @property
     def outstanding(self) -> int:
-        """The number of pairs of students whose code is unusually similar for their class.
+        """The number of pairs whose code is unusually similar compared with the rest of the class.
 
-        These pairs come first in the list of pairs.
+        These pairs come first in ``pairs``.
         """
         return sum(map(self.stands_out, self.pairs))
 
@@ -136,8 +139,8 @@ class Comparison:
 def compare(works: list[Work]) -> Comparison:
     """Compare the code of each pair of students in a class, and rate how unusual each result is.
 
-    A class of fewer than twelve students has too few pairs for this rating, so its pairs are only
-    sorted by similarity.
+    In a class of fewer than twelve students, there are too few pairs for such a rating. The pairs
+    are then only sorted by similarity.
     """
     measure = Measure(works)
     pairs = [Pair(a, b, measure.similarity(a, b)) for a, b in combinations(works, 2)]
@@ -157,7 +160,7 @@ def compare(works: list[Work]) -> Comparison:
 class Measure:
     """Measures how similar two students' code is, on a scale from 0 to 1.
 
-    Code that few students of the class have written weighs more than code that many have.
+    Code that only a few students have written counts more than code that many have written.
     """
 
     def __init__(self, works: list[Work]) -> None:
@@ -207,7 +210,7 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Compute the total weight of a set of fingerprints from students' code for one exercise.
+        """Compute the total weight of a set of fingerprints for one exercise.
 
         A fingerprint weighs more if fewer students share it, because it is less likely to be a
         coincidence.
@@ -216,10 +219,10 @@ class Measure:
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """Yield by how much the similarity of each pair of students exceeds the expected value.
+    """Yield the excess of each pair, which is its similarity minus the expected similarity.
 
-    The expected value is the average of the two students' usual similarities. A student's usual
-    similarity is the median of the student's similarities to everyone else in the class.
+    The expected similarity is the average of the two students' usual similarities. A student's
+    usual similarity is the median of the student's similarities to everyone else in the class.
     """
     of: dict[str, list[float]] = {}
     for pair in pairs:
@@ -231,7 +234,7 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Compute the median and the spread of ``values``, which has one number per pair of students.
+    """Compute the median and the spread of ``values``, which contains one number per pair.
 
     The spread is a standard deviation estimated from the upper half of the values, which has the
     longer tail. The estimate is robust against a few outliers, such as students who have copied.

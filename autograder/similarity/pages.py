@@ -30,10 +30,10 @@ RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of a student's code, highlighted on the page if another student has the same code.
+    """A piece of a student's code on a page that highlights code shared with another student.
 
-    ``kind`` is "rare" if few students have this code, "common" if many do, and "" if the code is
-    not shared.
+    ``kind`` is "rare" if few students have the same code, "common" if many do, and "" if the code
+    is not shared.
     """
 
     text: str
@@ -42,9 +42,9 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A student's function on the page of a pair, split into pieces so that shared code stands out.
+    """A student's function, split into pieces so that shared code can be highlighted.
 
-    ``line`` is the number of the line at which the code begins in the student's file.
+    ``line`` is the line in the student's file at which the code begins.
     """
 
     name: str
@@ -58,8 +58,8 @@ def write_pages(
 ) -> Path:
     """Write an index of the most similar pairs of students, and a page about each of these pairs.
 
-    If no more than 30 pairs stand out, the index lists the first 30 pairs. Otherwise, it lists all
-    pairs that stand out. Return the path of the index.
+    The index lists the first 30 pairs, or more if more than 30 pairs stand out. Return the path of
+    the index.
     """
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
@@ -149,9 +149,9 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Prepare one student's half of the page about a pair, with the shared code marked.
+    """Prepare a student's functions for the page that compares two students.
 
-    Functions that share no code with the other student are left out.
+    Code that the students share is marked. Functions without shared code are left out.
     """
     sides = []
     for passage in passages:

@@ -5,8 +5,8 @@ smallest is kept as a fingerprint. If two functions have GRAM + WINDOW - 1 conse
 common, they therefore share at least one fingerprint.
 
 Renaming variables does not hide a copy. In each sequence, the student's own names are replaced with
-numbers, in the order in which they appear. Moving statements does not hide much either. A sequence
-is no longer than a short statement, so most fingerprints stay the same.
+numbers, in the order in which they appear. Moving statements changes only a few fingerprints,
+because a sequence is no longer than a short statement.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
 
 
 def fingerprints(words: tuple[str, ...]) -> set[int]:
-    """Choose the hashes that represent a student's function when it is compared with others.
+    """Compute the fingerprints of a function by winnowing its hashes.
 
-    From every WINDOW neighboring hashes, winnowing keeps the smallest.
+    From every WINDOW neighboring hashes, the smallest is kept as a fingerprint.
     """
     found = hashes(words)
     windows = range(max(1, len(found) - WINDOW + 1)) if found else ()

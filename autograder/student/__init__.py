@@ -1,1 +1,1 @@
-"""The commands with which students work on their exercises: check, watch, hint and reset."""
+"""The commands for working on exercises: check, watch, hint and reset."""

@@ -35,7 +35,7 @@ def check(
     """Check a student's code, print the results, and return True if all checks pass.
 
     If ``exercise`` is not None, check only that exercise and its prerequisites. If ``only`` is also
-    True, report only the physics checks of the exercise itself. For the chapters in ``given``, the
+    true, report only the physics checks of the exercise itself. For the chapters in ``given``, the
     reference solution replaces the student's code.
 
     A written exercise has no checks, so its question is shown instead. Unanswered questions do not

@@ -1,6 +1,6 @@
 """Explain to a student why a check has failed and what to do next.
 
-The commands check and watch show this explanation.
+The `check` and `watch` commands show this explanation.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ class Failure:
     """An explanation of a failed check for the student, with the next steps to take.
 
     Attributes:
-        heading: The first line, which says what exercise the check belongs to.
+        heading: The first line, which says which exercise the check belongs to.
         diagnosis: The labeled rows that explain the failure.
-        printed: What the student's code has printed.
+        printed: The output of the student's code.
         steps: What the student should do next.
         place: The line to open in an editor, or "" if the mistake is in an earlier chapter.
         hints: The exercise whose hints may help, or "" if the mistake is in an earlier chapter.
@@ -105,7 +105,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Shorten the output of the student's code, to show it below the message of a failed check.
+    """Shorten what the student's code has printed, to show it below a failed check.
 
     Return a list with one row, labeled "printed". The list is empty if the code printed nothing.
     """
@@ -117,7 +117,10 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return True if a check calls a function that the student has just edited, or fails in one."""
+    """Return True if a check concerns a function that the student has just edited.
+
+    This is the case if the check calls the function, or if the error occurs inside it.
+    """
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -34,7 +34,7 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Congratulate the student on a finished chapter, or list the scenes that can now be played.
+    """Print the closing screen of a finished chapter, or a list of scenes to play.
 
     If no chapter is finished and no new scene can be played, print nothing.
     """
@@ -48,9 +48,9 @@ def end_of(
 ) -> list[tuple[str, str]]:
     """Return the closing screen of a finished chapter, or a line that lists scenes to play.
 
-    The closing screen is shown until the student begins another chapter. While a chapter is
-    unfinished, the line lists the scenes that can be played once ``exercise`` works. If
-    ``exercise`` is None, the line is about the last working exercise that has scenes.
+    The closing screen is shown until the student begins another chapter. In an unfinished chapter,
+    the line lists the scenes of ``exercise`` if that exercise works. If ``exercise`` is None, the
+    line is about the last working exercise that has scenes.
 
     Returns:
         The lines to print, each with its style. The list may be empty.
@@ -108,10 +108,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return a sentence that lists the scenes that a student can play after solving an exercise.
+    """Return a sentence that invites a student to play the scenes of a solved exercise.
 
-    The sentence is empty if the scenes would not work yet. That is the case if this exercise or an
-    earlier one does not work, or if an earlier chapter causes failures.
+    Return an empty string if the exercise has no scenes or does not work yet. Do the same if its
+    scenes would not work because of an earlier exercise or an earlier chapter.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -131,7 +131,7 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 def _is_extra(exercise: Exercise) -> bool:
     """Return True if students can finish the chapter without this exercise.
 
-    This holds for projects and for going-further exercises, whose ids start with G.
+    This is the case for projects and for going-further exercises, whose ids start with G.
     """
     return exercise.kind == "project" or exercise.id.startswith("G")
 
@@ -194,7 +194,7 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return the time of the student's latest change to a file that the chapter's plot depends on.
+    """Return the time at which the student last changed a file that affects the chapter's plot.
 
     If the saved plot is older than this, it must be redrawn.
     """
@@ -211,16 +211,16 @@ def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
-    """Return the make variables for the student's engine and for the chapters in ``given``.
+    """Return the make variables that select the student's engine and the chapters in ``given``.
 
-    For example, GIVEN=2,3 means that our solution replaces the student's chapters 2 and 3.
+    For example, GIVEN=2,3 replaces the student's chapters 2 and 3 with our solution.
     """
     numbers = ",".join(str(chapter.number) for chapter in given)
     return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Format a labeled entry, such as "Next", for the screen at the end of a chapter."""
+    """Format an entry with a label, such as "Next", for the closing screen of a chapter."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

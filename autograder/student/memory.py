@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks on a student's code, and caches the verdicts until the student changes a file.
+    """Runs checks on a student's code, and caches the results until the student changes a file.
 
     ``run`` is the function that runs the checks. It takes the same arguments as ``run_checks``.
     """
@@ -33,9 +33,9 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the verdicts of a chapter's checks, running the checks only if a file has changed.
+        """Return the results of a chapter's checks, and run the checks only if a file has changed.
 
-        With ``exercises``, return only the verdicts on these exercises and their prerequisites.
+        With ``exercises``, return only the results for these exercises and their prerequisites.
         """
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
@@ -51,9 +51,9 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Compute a hash of all files of a student that can affect the checks of a chapter.
+    """Compute a hash of all the student's files that can affect the checks of a chapter.
 
-    As long as the hash stays the same, there is no need to run these checks again.
+    The checks have to run again only if this hash changes.
     """
     state = hashlib.sha256()
     for number, folder in enumerate(engine):

@@ -18,12 +18,12 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # a chapter's folder has such a name
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Find the line of code that the student should open to fix a failed check, as path:line.
+    """Find the line that the student should open to fix a failed check, in the form path:line.
 
-    This is the line that the check's message gives or, if it gives none, the start of the function
-    that the check calls. Lines in files that must not be edited are ignored. Lines in functions of
-    other exercises are usually ignored too, because those functions may be correct. If the check is
-    about data that the student entered, the result is the path of the data file.
+    The line is taken from the check's message if possible. Otherwise, it is the start of the
+    function that the check calls. Lines in files that must not be edited are ignored. Lines in
+    functions of other exercises are usually ignored too, because the mistake may lie elsewhere. If
+    the check is about data that the student entered, the result is the path of the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where

@@ -60,9 +60,8 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
     """Insert a deleted function or class into a student's code, in its original position.
 
-    The function goes below the one that precedes it in the original file. If the student has
-    deleted that one too, we look further up. If nothing above is left, the function goes before the
-    nearest one that follows it in the original.
+    The function goes below its nearest predecessor in the original file that the student has kept.
+    If there is none, it goes above its nearest successor.
     """
     names = [_name(other) for other in body]
     at = [*order].index(node)

@@ -1,7 +1,8 @@
 """Let a student start an exercise over by restoring its stub, and keep a copy of the old file.
 
 Only the functions of that exercise change in the student's file. If the student has deleted a
-function, its stub comes from our solution. In a handout, it comes from the folder stubs/.
+function, its stub is derived from our solution. A handout has no solutions, so it keeps the stubs
+in its stubs/ folder.
 """
 
 from __future__ import annotations
@@ -52,9 +53,9 @@ def reset(
 ) -> str:
     """Let the student start an exercise over by restoring the stubs of its functions.
 
-    If the student has deleted some of these functions, only those are restored. With ``whole``,
-    entire files are restored. Before any change, the student's file is copied to the folder
-    ``copies``.
+    If the student has deleted some of these functions, only those are restored. If ``whole`` is
+    true, entire files are restored. Each file is copied to the folder ``copies`` before it is
+    changed.
 
     Returns:
         A text for the student that lists the changes and the copies.
@@ -107,7 +108,7 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Find out what a reset would change in the student's files, without changing them.
+    """Plan the changes that a reset would make to the student's files, without making them.
 
     The student can then be asked to confirm the reset.
 
@@ -193,7 +194,7 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Make a path short enough to show to a student.
+    """Shorten a path that is shown to a student.
 
     If the file is inside the working folder, the path becomes relative to that folder.
     """

@@ -1,6 +1,6 @@
 """Print what a student sees after a check: the results, one failure in full, and what to do next.
 
-The library rich is slow to import, so it is imported only when there is something to print. By then
+The rich library is slow to import, so it is imported only when there is something to print. By then
 the checks are running in a separate process, so the student does not have to wait.
 """
 
@@ -44,10 +44,10 @@ class Report:
     """The results of checking a student's code for one chapter.
 
     Attributes:
-        results: The results with the student's own earlier chapters.
-        on_reference: The results with our solutions to those chapters, or [] if there was no such
-            run.
-        suspects: The earlier chapters that may have caused failures.
+        results: The results with the student's own code in the earlier chapters.
+        on_reference: The results with our solutions in the earlier chapters. The list is empty if
+            the checks did not run with our solutions.
+        suspects: The earlier chapters whose mistakes may have caused failures.
     """
 
     chapter: Chapter
@@ -57,7 +57,7 @@ class Report:
 
 
 class ProgressBar:
-    """Shows the student how many checks have run so far, but only on a terminal."""
+    """Shows the student on a terminal how many checks have run so far."""
 
     title = ""
     _bar = None
@@ -138,8 +138,8 @@ def passed_words(
 ) -> str:
     """Return the sentence that tells the student that all checks pass.
 
-    ``changed`` is True if the student has edited a file that should stay unchanged. The sentence
-    then warns that grading uses the original.
+    If ``changed`` is True, the student has edited a file that should stay unchanged. The sentence
+    then warns that the grader uses the original file.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."
@@ -204,10 +204,10 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return the student's points for an exercise, such as "2/3", for a cell of the table.
+    """Return a student's points for an exercise as the table shows them, such as "2/3".
 
-    For an optional exercise the cell contains "optional" instead. It contains "needed" if a
-    required exercise builds on the optional one.
+    For an optional exercise, the table shows "optional" or, if a required exercise builds on it,
+    "needed".
     """
     exercise = result.exercise
     if exercise.optional:
@@ -246,7 +246,7 @@ def print_inherited(
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
-    """Explain which earlier chapters cause, or may cause, a student's failures in this chapter."""
+    """Return notes about earlier chapters whose mistakes may explain failures in this one."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
@@ -270,7 +270,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Format the numbers of chapters for a message, as in "chapter 2" or "chapters 2-5"."""
+    """Format chapter numbers for a message, as in "chapter 2" or "chapters 2-5"."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 

@@ -1,4 +1,4 @@
-"""Show a student the question of a written exercise and, once it is answered, the model answer."""
+"""Show the question of a written exercise and, if it has been answered, the model answer."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 def print_written(
     console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question of a written exercise and, once it has been answered, our model answer.
+    """Print the question of a written exercise and, if it has been answered, the model answer.
 
     The rubric is printed below the model answer, so that students can assess their own answers. A
-    handout contains neither, because both are reserved for the instructor.
+    handout includes neither, because the instructor marks the answers of a class.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -66,7 +66,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return a message that says that all checks pass and lists any unanswered questions."""
+    """Return a message that all checks pass, with a list of any unanswered questions."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -89,9 +89,9 @@ def _ids(questions: list[Question]) -> list[str]:
 def flowing(text: str) -> str:
     """Join the lines of each paragraph in an answer, so that the text fits any screen width.
 
-    The lines of a list item are joined too, and the markers for quotes (>) in Markdown are removed.
-    Indented lines, such as formulas, stay as they are. A text that contains code blocks keeps all
-    of its line breaks.
+    The lines of a list item are joined too, and Markdown's quote markers (>) are removed. Indented
+    lines, such as formulas, stay as they are. In a text that contains code blocks, no lines are
+    joined.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

@@ -46,7 +46,7 @@ class Member:
 class ClassList:
     """All students of a class, from the roster and from the submissions.
 
-    Without a roster, the class consists of the students who handed something in.
+    Without a roster, the class consists of the students who have handed something in.
     """
 
     members: list[Member]
@@ -79,7 +79,7 @@ class ClassList:
     def names(self) -> dict[str, str]:
         """A map from each name of a student, such as an id or a login, to the name used in reports.
 
-        A name that two students share is left out. Students who have not handed anything in are
+        Names that two students share are left out. Students who have not handed anything in are
         left out too.
         """
         claims = defaultdict(set)
@@ -94,7 +94,7 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return a copy of the class list that gives the students new names for the reports.
+        """Return a copy of the class list in which the students have new names for the reports.
 
         ``name`` is a function that returns the new name of a member. Anonymous grading uses this
         method to replace names with codes.
@@ -155,7 +155,7 @@ def match(
 def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
     """Find the students on the roster whose id or name matches a submission.
 
-    There should be at most one. If there are more, ``match`` raises an error.
+    The result should contain at most one student. The caller reports several matches as an error.
     """
     export = submission.export
     identity = submission.student

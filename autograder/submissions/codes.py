@@ -53,9 +53,10 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
 
 
 def key_path(roster: Path | None, out: Path) -> Path:
-    """Return the path of the key file, which lists the student behind each code.
+    """Return the path of the key file, which tells which student each code stands for.
 
-    The file is next to the roster or, without a roster, next to the folder of the reports.
+    The key file is stored next to the roster. If there is no roster, it is stored next to the
+    folder with the reports.
     """
     beside = (roster or out).resolve()
     return beside.with_name(f"{beside.stem if roster else beside.name}-key.csv")
@@ -64,8 +65,8 @@ def key_path(roster: Path | None, out: Path) -> Path:
 def without_names(note: str) -> str:
     """Remove students' names from a note, so that the note can go into an anonymous report.
 
-    Quoted parts of the note, such as the name of a folder, may identify a student. They are
-    therefore replaced.
+    Quoted parts of the note, such as the name of a folder, are replaced because they may identify a
+    student.
     """
     return QUOTED.sub("one of them", note)
 
@@ -103,9 +104,9 @@ def _secret_in(path: Path) -> str:
 
 
 def _write_private(path: Path, text: str) -> None:
-    """Write the key file so that only its owner can read it, and replace it atomically.
+    """Write the key file atomically, and make it readable only by its owner.
 
-    The file contains the names of the students behind the codes.
+    The file must stay private, because it links each code to a student's name.
     """
     temporary = path.with_name(path.name + ".tmp")
     temporary.unlink(missing_ok=True)

@@ -29,8 +29,8 @@ class Table:
         """Yield the rows below the header of a CSV file, each with its first and last line number.
 
         Blank rows are skipped, and missing cells at the end of a row are empty. A row with too many
-        cells is an error, usually because a cell that contains a separator is not in quotes.
-        ``longest`` is the word for such a cell in the error message, for example "comment".
+        cells is an error. The usual cause is a cell that contains a separator but is not in quotes.
+        ``longest`` is the error message's name for this cell, such as "comment".
 
         Raises:
             ValueError: A row is too long, or a quote is never closed. The message gives the line

@@ -44,7 +44,7 @@ class Exported:
 
     @property
     def student(self) -> str:
-        """The name under which we grade the student if there is no roster, such as doejane_1234."""
+        """The student's name in the reports if there is no roster, such as doejane_1234."""
         return f"{self.name}_{self.number}"
 
 
@@ -68,9 +68,9 @@ def read_export(name: str) -> Exported | None:
 
 
 def _resubmission(file: str) -> int:
-    """Return the number at the end of the name of a repeated upload, such as 2 for work-2.zip.
+    """Return the number that a platform has added to the name of a repeated upload.
 
-    The platforms add this number when a student uploads again. For a first upload the result is 0.
+    The number in work-2.zip is 2, for example. The result is 0 for a first upload.
     """
     found = RESUBMITTED.search(file)
     return int(found[1]) if found else 0

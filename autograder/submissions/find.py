@@ -1,4 +1,4 @@
-"""Find the submissions of a class, and choose names for the files with the students' reports."""
+"""Find the submissions of a class, and choose file names for the reports on the students."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Submission:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All names of the student who handed this in, starting with the one used in reports."""
+        """All names of the student, starting with the one used in the reports."""
         return (self.student, *self.aliases)
 
     @property
@@ -51,17 +51,17 @@ class Submission:
 def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     """Find the students' submissions in the folder of a class, with notes on everything else in it.
 
-    A submission is a folder or a .zip file, which has the student's name or a name from Canvas or
-    Moodle. If a student uploaded several files to one of these platforms, only the last one counts.
-    Links are never followed. Hidden files, caches and the instructor's own files are skipped
-    without a note.
+    A submission is a folder or a .zip file. Its name is the student's name or a name given by
+    Canvas or Moodle. If a student uploaded several files to one of these platforms, only the last
+    one counts. Links are never followed. Hidden files, caches and the instructor's own files are
+    skipped without a note.
 
     Returns:
         The submissions, sorted by student, and the notes.
 
     Raises:
-        ValueError: The path is not a folder, or it contains no submissions or two by the same
-            student.
+        ValueError: The path is not a folder, it contains no submissions, or it contains two by the
+            same student.
         OSError: The folder cannot be read.
     """
     if not folder.is_dir():
@@ -108,11 +108,11 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 
 
 def file_name(student: str) -> str:
-    """Turn a student's name into a safe file name for reports, without a suffix.
+    """Return a safe file name for the reports on a student, without a suffix.
 
-    A short and harmless name is not changed. Otherwise unsafe characters are replaced, the name is
-    truncated, and a hash of the original is appended. The hash keeps two students from sharing a
-    file.
+    A short and harmless name is not changed. Otherwise, unsafe characters are replaced, and the
+    name is truncated. A hash of the original name is then appended, so that two students do not
+    share a file.
     """
     # A name that seems to end with a hash could equal the file name of another student.
     harmless = _clean(student) == student and not HASHED.fullmatch(student)

@@ -33,14 +33,14 @@ class Found:
     """A file in a student's submission that may be graded.
 
     Attributes:
-        place: The folders on the path to the file, as in ("work", "ch02_vectors").
+        place: The path of the file's folder as a tuple, such as ("work", "ch02_vectors").
         file: The name of the file.
-        read: A function that takes the largest size to accept, and returns the contents. It raises
-            NotTakenError if the file is rejected.
+        read: A function that returns the contents of the file. Its argument is the largest size to
+            accept. It raises NotTakenError if the file is rejected.
         doubtful: True if the file is rejected because of a problem with its folder, such as a
-            symbolic link. The file is ignored if the submission has another folder for that
-            chapter.
-        other: True if no file of this name is graded. The student may have renamed the file.
+            symbolic link. The file is ignored if the submission has another folder for the chapter.
+        other: True if the grader expects no file of this name. The student may have renamed the
+            file.
     """
 
     place: tuple[str, ...]
@@ -117,7 +117,8 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 def refuse(reason: str) -> Callable[[int], bytes]:
     """Create a function that rejects a submitted file for the given reason.
 
-    When it is called as ``Found.read``, it raises NotTakenError instead of returning the contents.
+    The function can serve as the ``read`` attribute of a ``Found``. It raises NotTakenError instead
+    of returning the contents of the file.
     """
 
     def read(_: int) -> bytes:
@@ -127,16 +128,16 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 
 
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
-    """Mark the files expected in a chapter's folder as rejected, and return their records.
+    """Reject all files expected in a chapter's folder, and return their records.
 
-    The reason is usually a problem with the whole folder. For example, the folder may be a symbolic
-    link or unreadable.
+    The reason is usually a problem with the whole folder. For example, it may be unreadable or a
+    symbolic link.
     """
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 
 def other_file(place: tuple[str, ...], name: str) -> Found:
-    """Create a record of a submitted file whose name is not among those of the graded files.
+    """Create a record of a submitted file whose name the grader does not expect.
 
     The grader uses such records to recognize files that the student has renamed.
     """
@@ -220,10 +221,10 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Describe why a submitted file cannot be read, as in "Permission denied".
+    """Return the reason why a submitted file cannot be read, such as "Permission denied".
 
-    If the cause is our own machine and not the submission, the error is raised again. This happens,
-    for example, when the machine has run out of memory.
+    The error is raised again if the submission is not to blame, for example because the grader has
+    run out of memory.
     """
     if error.errno in OURS:
         raise error

@@ -1,4 +1,4 @@
-"""Recognize a student's file that was handed in under a similar name, such as "vector (1).py"."""
+"""Recognize submitted files whose names are almost correct, such as "vector (1).py"."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ SIMILAR = 0.8  # least similarity, from 0 to 1; "vector (1).py" and "vector.py" 
 
 
 def renamed(place: tuple[str, ...], files: Sequence[str], there: Iterable[str]) -> list[Found]:
-    """Find files of a chapter that a student has handed in under a similar name, and reject them.
+    """Find submitted files whose names are almost correct, and reject them.
 
-    The reason for each rejection contains the similar name, so that the student can rename the
-    file. ``place`` is the path of the chapter's folder in the submission, and ``there`` are the
-    names in that folder. ``files`` are the names that the grader looks for.
+    The reason for a rejection quotes the wrong name, so that the student can correct it. ``place``
+    is the path of the chapter's folder in the submission, and ``there`` contains the names of the
+    files in it. ``files`` contains the names that the grader expects.
     """
     names = set(there)
     others = [name for name in sorted(names - {*files}) if HARMLESS.fullmatch(name)]

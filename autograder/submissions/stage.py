@@ -27,7 +27,8 @@ class Staged:
 
     Attributes:
         missing: The rejected modules, such as ch02_vectors.vector, each with the reason.
-        notes: Notes for the instructor. Apart from names, they contain no text by the student.
+        notes: Notes for the instructor. They may quote the names of files and folders, but nothing
+            else that the student wrote.
         digest: A hash of everything that was accepted or rejected. Submissions with the same digest
             get the same grade.
     """
@@ -38,15 +39,15 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Assemble the engine to be graded in the folder ``box``.
+    """Assemble the engine to be graded, and write it to the folder ``box``.
 
     The engine consists of the student's files and of our copies of the modules that students do not
-    edit. A missing file stays missing, because neither a stub nor our solution would be the
+    edit. A missing file is not replaced with a stub or our solution, because neither would be the
     student's work. The submission is a folder or a zip file, and its contents are not trusted. The
     result lists any problems.
 
     Raises:
-        OSError: The box cannot be written, or a file of the repository cannot be read.
+        OSError: The folder cannot be written, or a file of the repository cannot be read.
     """
     found, notes = _search(submission, chapters)
     missing: dict[str, str] = {}
@@ -97,12 +98,12 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Choose one of several folders for a chapter in a submission, and return the files in it.
+    """Choose one folder for a chapter in a submission, and return the files in it with notes.
 
-    The least deeply nested folder is chosen or, among equals, the first by name. A folder inside
-    stubs/, where a handout keeps the original stubs, is chosen only if there is no other. If there
-    are several folders, a note tells the instructor which one was chosen. A file that the student
-    has renamed is rejected, and the reason gives its new name.
+    If there are several folders, the least deeply nested one is chosen. Ties are broken by name. A
+    folder inside stubs/ is the last choice, because a handout keeps the original stubs there. A
+    note tells the instructor which of several folders was chosen. A file that the student has
+    renamed is rejected, and the reason gives its new name.
     """
     all_of_it = [file for file in found if file.place[-1] == chapter.name]
     mine = [file for file in all_of_it if not file.other]

@@ -57,7 +57,7 @@ class Unpacked:
 class _File:
     """A file in a zip that contains the submissions of all students.
 
-    ``parts`` are the parts of the file's path. The first part is the name of the submission.
+    ``parts`` contains the parts of the file's path. The first part is the name of the submission.
     """
 
     parts: list[str]
@@ -65,7 +65,7 @@ class _File:
 
 
 def class_folder(path: Path) -> Path:
-    """Return the folder with the submissions of a class. If ``path`` is a zip, unpack it first.
+    """Return the folder with the submissions of a class, and unpack it first if it is in a zip.
 
     The new folder has the same name as the zip. If the zip has changed since the last time, it is
     unpacked again, but marks.csv in the folder is kept.
@@ -90,7 +90,10 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Unpack the zip at ``path``, and replace the submissions from an earlier version of it."""
+    """Unpack the zip at ``path`` into ``folder``.
+
+    If an earlier version of the zip was unpacked there, its submissions are deleted first.
+    """
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:

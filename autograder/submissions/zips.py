@@ -96,7 +96,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files to be graded in zips that are inside a student's submitted folder.
+    """Find the files to be graded in the zips inside a student's submitted folder.
 
     Each zip is treated like a folder with the same contents. Return the files, with notes on any
     problems.
@@ -135,7 +135,7 @@ def path_in_zip(entry: zipfile.ZipInfo) -> str:
 def is_unsafe(name: str) -> bool:
     """Return True if a path in a submitted zip could lead to a file outside the zip.
 
-    This is assumed if the path is absolute, or if a part of the path is empty or consists of dots.
+    A path is unsafe if it is absolute, or if a part of it is empty, "." or "..".
     """
     parts = name.removesuffix("/").split("/")
     return name[1:2] == ":" or any(part in ("", ".", "..") for part in parts)

@@ -1,7 +1,7 @@
 """Make text from students safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
 
-A student's file or name can contain control characters that do harm as soon as they are displayed.
-All rules about the characters that may be shown are in this module.
+Names and files from students may contain control characters, which can repaint a terminal, for
+example. This module alone decides which characters are shown as they are.
 """
 
 from __future__ import annotations
@@ -24,12 +24,15 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Make untrusted text safe to show, as ``clean`` does, and join its lines into a single one."""
+    """Convert untrusted text to a single line that is safe to show.
+
+    Line breaks and tabs become spaces, and unprintable characters are replaced as in ``clean``.
+    """
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
 def visible(character: str) -> str:
-    r"""Return a printable character unchanged, and any other as an escape such as \x1b."""
+    r"""Return a printable character as it is, and any other character as an escape such as \x1b."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

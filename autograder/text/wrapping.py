@@ -65,7 +65,7 @@ def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 
 
 
 def print_rows(console: Console, rows: list[Row]) -> None:
-    """Print the labeled rows of a failure message, wrapped if the output is a terminal."""
+    """Print the labeled rows of a failure message, and wrap long rows on a terminal."""
     lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
     console.print("\n".join(lines), markup=False, soft_wrap=True)
 
@@ -94,7 +94,10 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to at most ``room`` lines, with a note in place of the middle."""
+    """Shorten a list of lines to ``room`` lines, or to three if ``room`` is smaller.
+
+    The lines in the middle are replaced with ``note``.
+    """
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

@@ -10,9 +10,9 @@ from lab.drawing.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A contact resolver that records the contacts and impulses of the last step for drawing.
+    """A contact resolver that records its contacts and impulses, so that they can be drawn.
 
-    It wraps the engine's own resolver, which does the actual work.
+    It wraps the engine's own resolver, which does the actual work. Only the last step is recorded.
     """
 
     def __init__(self, resolver: ContactResolver) -> None:
@@ -48,7 +48,7 @@ class ContactView(ContactResolver):
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 
     def draw(self, pen: Pen, scale: float) -> None:
-        """Draw each recorded impulse as an arrow, and each contact between two particles as a dot.
+        """Draw recorded impulses as arrows, and contacts between two particles as dots.
 
         ``scale`` is the length in m of the arrow for an impulse of 1 N s.
         """

@@ -29,10 +29,10 @@ Item = list[Any]
 
 
 class Pen:
-    """Records the shapes that a scene draws, without drawing them yet.
+    """Records the shapes that a scene draws, so that they can be drawn later.
 
-    Each shape is stored as a list of its kind, its color and further values that depend on the
-    kind. An example is ["ground", "gray", 0.0].
+    Each shape is stored as a list that starts with its kind and its color, such as ["ground",
+    "gray", 0.0]. The remaining values depend on the kind.
     """
 
     def __init__(self) -> None:
@@ -55,7 +55,10 @@ class Pen:
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots. Their ``size`` is in pixels, so it stays the same when the view is zoomed."""
+        """Draw dots.
+
+        Their ``size`` is in pixels, so it stays the same when the view is zoomed.
+        """
         self._add("dots", color, _flat(centers), size)
 
     def line(

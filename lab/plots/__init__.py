@@ -1,1 +1,1 @@
-"""The plots of each chapter, which `make plot` draws with the functions of a student's engine."""
+"""Plots for each chapter, drawn by `make plot` with the functions of a student's engine."""

@@ -1,8 +1,8 @@
 """Plots for chapter 2, drawn with the vectors of a student's engine.
 
 The title of each plot reports a measured result, such as an error or an angle, which reveals bugs
-in the engine. The engine itself does not take part in these measurements. To draw the plots, run
-`make plot CH=2`.
+in the engine. The result is computed without the engine's functions, so that they cannot hide their
+own bugs. To draw the plots, run `make plot CH=2`.
 """
 
 from __future__ import annotations

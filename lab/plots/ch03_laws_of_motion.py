@@ -41,8 +41,8 @@ FORMS = (
 def damping_comparison() -> Picture:
     """Plot what fraction of its velocity a falling body loses to damping in 1 s (exercise 3.5).
 
-    The plot compares three formulas for damping over a range of frame rates. With damping per
-    frame, the loss depends on the frame rate.
+    The plot compares three formulas over a range of frame rates. If damping is applied per frame,
+    the loss depends on the frame rate.
     """
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
@@ -82,7 +82,7 @@ def damping_comparison() -> Picture:
 
 
 def integration_error() -> Picture:
-    """Plot the position error in free fall against the length of a time step (exercise 3.4)."""
+    """Plot the position error in free fall against the length of the time step (exercise 3.4)."""
     counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
     time, g = FREE_FALL.duration, -GRAVITY[1]
     rows = []
@@ -146,10 +146,10 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 
 
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
-    """Measure the fraction of the velocity that each form of damping removes in a fall of 1 s.
+    """Measure what fraction of its velocity a falling body loses to each form of damping in 1 s.
 
-    The duration of each frame is random, about 1 / ``rate`` s. Each fraction is the mean of several
-    runs.
+    The lengths of the frames vary randomly around 1 / ``rate`` s. Each fraction is therefore the
+    mean of several runs.
     """
     gravity = Vector3(*GRAVITY)
     per_frame = KEPT ** (1.0 / TUNED_AT)

@@ -115,9 +115,9 @@ def fireworks() -> Picture:
 
 
 def step_error() -> Picture:
-    """Plot the position error of the book's integrator against the length of a frame.
+    """Plot the position error of the book's integrator against the frame length.
 
-    The error is the distance of a shot from its exact position after 2 s.
+    The error is the distance between the simulated and the exact position of a shot after 2 s.
     """
     counts = (15, 30, 60, 120, 240, 480, 960, 1920)
     seconds = 2.0

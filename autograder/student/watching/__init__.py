@@ -1,1 +1,1 @@
-"""The command `watch`, which checks a student's code after every save."""
+"""The `watch` command, which checks a student's code after every save."""

@@ -22,7 +22,7 @@ class Edits:
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
         """Find the exercises that the student has edited since the last call.
 
-        For each exercise, the functions or data files that have changed are listed. Changes to
+        Each exercise is returned with the functions or data files that have changed. Changes to
         comments and layout do not count. If a module is unreadable at the moment, all of its
         functions count as edited, because any of them may have changed.
         """

@@ -1,4 +1,4 @@
-"""Lay out the page of `watch`, the command that checks the student's code after every save.
+"""Lay out the `watch` page, which shows the state of the student's current exercise.
 
 The page is shortened so that its heading and the list of keys fit on the terminal.
 """
@@ -19,15 +19,15 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """The content of the page that the command `watch` prints.
+    """The content of the `watch` page.
 
     Attributes:
         top: The lines above the explanation of a failed check.
         failure: The explanation of a failed check, or None.
         bottom: The lines below the explanation.
-        whole: The command that prints the explanation in full. It is shown if the explanation has
-            to be shortened.
-        note: A short message at the end of the page.
+        whole: The command that prints the full explanation. It is shown if the page has room for
+            only a part.
+        note: A short message at the end of the page, such as a hint.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -37,11 +37,11 @@ class Page:
     note: list[Line] = field(default_factory=list)
 
     def say(self, words: str, style: str = "") -> None:
-        """Add a line to the page of `watch`, below the explanation of the failed check."""
+        """Add a line to the `watch` page, below the explanation of the failed check."""
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
-        """Print the page of `watch`, ending with a list of the keys that the student can press.
+        """Print the `watch` page, ending with a list of the keys that the student can press.
 
         On a terminal, clear the screen first and shorten the page until it fits.
         """
@@ -56,7 +56,7 @@ class Page:
             _print(console, words, style)
 
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
-        """Shorten the page of the command `watch` to ``width`` columns and ``height`` lines.
+        """Shorten the `watch` page to ``width`` columns and ``height`` lines.
 
         If the explanation of the failed check is too long, lines are removed from its middle. The
         heading and the list of keys therefore stay visible.
@@ -84,7 +84,7 @@ class Page:
         return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
 
     def _below(self) -> list[Line]:
-        """Return the lines below the failed check: what to do next, the progress and the note."""
+        """Return the lines below the failed check: what to do next, the progress and a message."""
         steps: list[Line] = []
         if self.failure is not None:
             first, *others = self.failure.steps

@@ -16,7 +16,7 @@ from autograder.student.screen import ProgressBar, Report, bar
 class Progress:
     """Runs the checks for a student, and remembers the latest result of every exercise.
 
-    From these results it works out which exercise comes next.
+    These results determine which exercise comes next.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class Progress:
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Describe how far the student is in a chapter, as in "3 of 8 exercises work".
+        """Describe the student's progress in a chapter, as in "3 of 8 exercises work".
 
         An exercise works if its physics checks pass. Once all exercises work, the robust checks
         count too, as in "3 of 8 are complete".
@@ -87,7 +87,7 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return True if the student's code fails any of an exercise's physics checks.
+    """Return True if any physics check of an exercise fails.
 
     A written exercise has no checks, so the result is False.
     """
@@ -95,7 +95,7 @@ def lacks_physics(result: Result) -> bool:
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return True if the student's code fails any check of an exercise, physics or robust.
+    """Return True if any check of an exercise fails, whether it is a physics or a robust check.
 
     A written exercise has no checks, so the result is False.
     """

@@ -1,6 +1,6 @@
 """Guide a student through the exercises: check the current one, then move on to the next.
 
-The command `watch` uses this after every save.
+The `watch` command uses this module after every save.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows 
 
 
 class Session:
-    """Keeps track of the student's current exercise while the command `watch` is running.
+    """Keeps track of the student's current exercise while the `watch` command is running.
 
     Once that exercise is done, the session also remembers which one comes next.
     """
@@ -46,7 +46,10 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """Run the checks again if the student has changed a file. Return True if they ran."""
+        """Run the checks again if the student has changed a file.
+
+        Return True if the checks have run.
+        """
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -58,7 +61,7 @@ class Session:
     def choose(self) -> None:
         """Switch to the exercise that the student has just edited.
 
-        If the student has edited several at once, prefer one that does not work yet.
+        If the student has edited several exercises at once, prefer one that does not work yet.
         """
         edited = self.edits.look()
         if edited:
@@ -98,7 +101,7 @@ class Session:
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check the student's current exercise, show the result, and return True if it is done.
+        """Check and show the student's current exercise, and return True if it is done.
 
         At first, an exercise is done as soon as its physics checks pass. Its robust checks count
         only after all required physics checks of the chapter pass. If the physics checks of a
@@ -122,10 +125,10 @@ class Session:
         return True
 
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
-        """Show the student a failed check of an exercise, and how many of its checks pass.
+        """Show a failed check of an exercise, and how many of the exercise's checks pass.
 
-        ``tier`` contains only physics checks or only robust checks. ``kind`` is the word for these
-        checks in the message, such as "robust checks".
+        ``tier`` contains the results of either the physics checks or the robust checks. ``kind`` is
+        the name of these checks in the heading, such as "robust checks".
         """
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):
@@ -162,8 +165,8 @@ class Session:
         """Find the next exercise that is not done yet, and offer it to the student.
 
         The student accepts by pressing Enter or by editing the code for that exercise. If there is
-        no current exercise, as when `watch` starts, the next one begins at once. It also begins at
-        once if single keys cannot be read, because Enter would not work.
+        no current exercise, as when `watch` starts, the next one begins at once. The same happens
+        if single keys cannot be read, because Enter would not work.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:
@@ -184,7 +187,7 @@ class Session:
             self.is_done(*self.next)
 
     def say_end(self) -> None:
-        """Tell the student that a chapter is finished, or which scenes can now be played."""
+        """Add a finished chapter's closing screen, or a list of scenes to play, to the page."""
         chapter, exercise = self.current or (self.progress.chapters[-1], None)
         report = self.progress.report(chapter)
         self.page.top += end_of([report], exercise, self.engine, self.progress.given)

@@ -1,6 +1,6 @@
-"""The command `watch`, which checks the student's current exercise after every save.
+"""The `watch` command, which checks the student's current exercise after every save.
 
-It also reacts to keys that the student presses, such as h for a hint.
+While the command runs, the student can also press keys, such as h for a hint.
 """
 
 from __future__ import annotations
@@ -29,11 +29,12 @@ TICK = 100  # milliseconds until we look again whether a key was pressed
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
     """Show the state of the student's current exercise, and check it after every save.
 
-    The current exercise is the one that the student edited last or, at the start, the first one
+    The current exercise is the one that the student edited last. At the start, it is the first one
     that is still open. The command ends when the student presses q.
 
     Raises:
-        ValueError: Our solution of a chapter in ``given`` is not available, as in a handout.
+        ValueError: The reference solution of a chapter in ``given`` is missing. Handouts do not
+            contain the solutions.
     """
     with with_given(given, engine) as folders, keys.single_keys():
         progress = Progress(chapters, folders, given, Memory(seed))
@@ -61,10 +62,10 @@ class Keyboard:
         self.asking = False  # whether we have asked if the current exercise should be reset
 
     def press(self, key: str) -> None:
-        """React to a key that the student has pressed, for example by showing a hint for h.
+        """Respond to a key that the student has pressed, such as h for a hint.
 
-        Other keys do nothing. If the student has just been asked to confirm a reset, the key is the
-        answer to that question.
+        Unknown keys are ignored. If `watch` has just asked the student to confirm a reset, the key
+        is the answer.
         """
         try:
             if self.asking:
@@ -82,7 +83,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a short message, such as a hint, at the bottom of the student's page.
+        """Show a short message, such as a hint, at the bottom of the `watch` page.
 
         The message replaces the previous one.
         """
@@ -90,11 +91,14 @@ class Keyboard:
         self.session.draw()
 
     def say(self, words: str, style: str = "") -> None:
-        """Print a message to the student below the page of the command `watch`."""
+        """Print a message to the student below the `watch` page."""
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the student the next hint for the current exercise, or the last hint once more."""
+        """Show the student the next hint for the current exercise.
+
+        If there are no more hints, the last one is shown again.
+        """
         if not self.session.current:
             return
         exercise = self.session.current[1]
@@ -120,7 +124,7 @@ class Keyboard:
         self.note(done)
 
     def list(self) -> None:
-        """Print a table of the current chapter for the student, with the state of each exercise."""
+        """Print a table with the state of each exercise in the current chapter."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         print_chapter(session.console, session.progress.report(chapter), session.engine)

@@ -1,4 +1,4 @@
-"""A plot for chapter 5 that shows how much computing time each force generator costs."""
+"""A plot of the computing time of each force generator in chapter 5."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ DOWN = (0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
-    """Plot how much longer a frame takes to compute when a force generator acts on a particle.
+    """Plot the computing time per frame for a particle with each type of force generator.
 
-    Times are given relative to a frame with the particle of chapter 3, whose gravity is a constant
+    Each time is divided by the time for chapter 3's particle, whose gravity is a constant
     acceleration.
     """
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)

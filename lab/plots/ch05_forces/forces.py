@@ -84,9 +84,9 @@ def terminal_speeds() -> Picture:
 
 
 def fall_with_drag() -> Picture:
-    """Plot a fall with quadratic drag, simulated in long frames and computed exactly.
+    """Plot a fall with quadratic drag, as simulated in long frames and as computed exactly.
 
-    A second panel shows how the error shrinks with the length of a frame.
+    A second panel shows how the error shrinks with the frame length.
     """
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
@@ -199,8 +199,8 @@ def _fall(
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
     """Simulate an orbit that starts at the point farthest from the center.
 
-    The gravitational parameter mu is 1. Return the position and velocity at the start and after
-    every ``every`` frames.
+    The gravitational parameter mu is 1. Return the position and velocity at the start, and then at
+    intervals of ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)

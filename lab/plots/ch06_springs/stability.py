@@ -89,10 +89,11 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Compare the motion of a faked stiff spring with that of a true one.
+    """Compare the motion of a faked stiff spring with that of a real spring.
 
-    The fake spring computes where a true one would move the particle, and adds a constant force
-    that takes it there. A second plot shows for which time steps the oscillations of the fake grow.
+    The faked spring predicts where a real spring would move the particle, and applies a constant
+    force that moves it there. Another panel shows at which time steps the oscillations of the faked
+    spring grow.
     """
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90

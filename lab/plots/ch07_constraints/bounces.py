@@ -81,7 +81,7 @@ def bounce_heights() -> Picture:
 def resting_jitter() -> Picture:
     """Plot the height of a ball that should lie still on the ground.
 
-    The engine's rule for resting contacts is compared with a stricter rule and with no rule.
+    The plot compares the engine's rule for resting contacts with a stricter rule and with no rule.
     """
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
@@ -152,8 +152,8 @@ def resting_jitter() -> Picture:
 def restitution_of_materials() -> Picture:
     """Plot the coefficient of restitution of several balls, computed from measured bounce heights.
 
-    The coefficient is the square root of bounce height over drop height. A second set of marks
-    shows the ratio without the root, which is the formula printed in our copy of exercise 7.1.
+    The coefficient is the square root of the bounce height divided by the drop height. A second set
+    of marks shows the quotient itself, because our copy of the book omits the root in exercise 7.1.
     """
     path, drops = _drops()
     table = table_of_drops(drops)

@@ -57,7 +57,7 @@ def resolver_convergence() -> Picture:
 def stack_height() -> Picture:
     """Plot how far stacks of 3 and 10 spheres sink, and how far the spheres overlap.
 
-    Both depend on the resolver's limit of iterations per contact.
+    The stacks are simulated with different limits on the number of iterations per contact.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)

@@ -28,9 +28,9 @@ KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """Plot how a simulated rope of rods stretches over time, for each simulation method.
+    """Plot the length error of a rope made of rods over time, for each simulation method.
 
-    The rope is released at 30 degrees from straight down.
+    The rope is released at 30 degrees from the vertical.
     """
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     frames = 120
@@ -74,10 +74,9 @@ def rope_by_method() -> Picture:
 
 
 def rods_hold() -> Picture:
-    """Plot how much too long or too short the rods of a hanging chain become.
+    """Plot the largest length error of a rod in a hanging chain against the number of rods.
 
-    The largest error is plotted against the number of rods. Each curve is for a different number of
-    iterations or substeps.
+    Each curve is for a different number of iterations or substeps.
     """
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
     # Cases that take longer than all other cases together are left out.
@@ -126,7 +125,7 @@ def rods_hold() -> Picture:
 
 
 def pendulum_energy() -> Picture:
-    """Plot the energy of a pendulum on a rod for 10 s after it is released from horizontal."""
+    """Plot the energy of a pendulum on a rod for 10 s, starting with the rod horizontal."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     shown = [("explicit Euler", 60, RED), ("semi-implicit Euler", 60, SKY)]
     shown += [("semi-implicit Euler", 240, PINK), ("semi-implicit Euler", 960, BLACK)]

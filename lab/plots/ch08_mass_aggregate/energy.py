@@ -50,7 +50,7 @@ def energy_of_bridge() -> Picture:
 
 
 def energy_of_platform() -> Picture:
-    """Plot the energy of the loaded, tilting platform at three frame rates, as it comes to rest."""
+    """Plot the energy of a loaded, tilting platform that comes to rest, at three frame rates."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (loaded_platform, rate, color) for rate, color in COLORS.items()
     }
@@ -58,10 +58,10 @@ def energy_of_platform() -> Picture:
 
 
 def variable_frames() -> Picture:
-    """Plot how a blob and a rope bridge react to uneven frames, two of which last 0.5 s.
+    """Plot how a blob and a rope bridge react to uneven frames, including two frames of 0.5 s.
 
-    For comparison, each scene also runs in even frames, and in uneven frames that ``FixedStep``
-    divides into steps of equal length.
+    For comparison, each scene also runs in even frames. In further runs, ``FixedStep`` divides the
+    uneven frames into steps of equal length.
     """
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
@@ -111,9 +111,9 @@ def variable_frames() -> Picture:
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Plot the energy in several runs of a scene, and its variation once the scene is at rest.
+    """Plot the energy in several runs of a scene, and how much it varies once the scene is at rest.
 
-    The second panel starts when the scene should be at rest. It plots how far the energy is from
+    The second panel starts when the scene should be at rest. It shows how far the energy is from
     the middle of its range, in percent.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")

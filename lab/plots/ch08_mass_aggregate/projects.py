@@ -246,10 +246,10 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Find the throw that a trebuchet makes if its release angle is set to ``angle``.
+    """Return the throw that a trebuchet makes if its release angle is set to ``angle``.
 
-    ``found`` lists the possible throws of one swing. Return None if the swing does not reach the
-    angle.
+    ``found`` lists all possible throws in one swing of the trebuchet. The result is None if the
+    swing never reaches the angle.
     """
     return next((release for release in found if release.angle <= angle), None)
 

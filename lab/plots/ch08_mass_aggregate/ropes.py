@@ -33,7 +33,10 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how much balls of 1 kg to 1 t stretch the cables of the rope bridge, for each method."""
+    """Plot how far the cables of the rope bridge stretch under balls of 1 kg to 1 t.
+
+    Each curve is for a different number of iterations or substeps.
+    """
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -91,8 +94,8 @@ def mass_ratios() -> Picture:
 def hanging_rope() -> Picture:
     """Plot how accurately each method simulates the sag of a rope between two nails.
 
-    The error in the sag is plotted against the amount of work. Work is measured as the number of
-    contacts resolved or, for DirectChain, of rod forces computed. It is therefore the same on every
+    The error in the sag is plotted against the work, which is the number of contacts resolved. For
+    DirectChain, it is the number of rod forces computed. These counts are the same on every
     computer.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
@@ -179,10 +182,10 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Wrap the simulation of a rope, so that an exception in one run does not stop the whole plot.
+    """Wrap the simulation of a rope, so that one failed run does not stop the whole plot.
 
-    If the simulation raises an exception, the wrapped function returns None, and the message is
-    added to the notes in the plot.
+    If the simulation raises an exception, the wrapped function returns None. The message of the
+    exception is added to ``notes``.
     """
 
     def run() -> Hanging | None:

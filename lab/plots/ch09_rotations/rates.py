@@ -161,7 +161,7 @@ def gimbal_lock() -> Picture:
 
 
 def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
-    """Plot the error in angle of each integration method against the length of the time step."""
+    """Plot the angle error of each integration method against the length of the time step."""
     found = written({way: partial(_ends, way, notes) for way in WAYS})
     steps = [1.0 / rate for rate in RATES]
     for way, errors in found.items():
@@ -189,10 +189,11 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Call the student's function first_order_drift, which predicts the errors of Eq. 9.5.
+    """Return the errors of Eq. 9.5 that the student's function first_order_drift predicts.
 
-    Return the final length of the quaternion, which should be 1, and the angle in degrees by which
-    the rotation lags behind. If the student has not written the function yet, both values are NaN.
+    The errors are reported as two numbers. The first is the final length of the quaternion, which
+    should be 1. The second is the angle in degrees by which the rotation lags behind. Both are NaN
+    if the student has not written the function yet.
     """
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
@@ -202,10 +203,10 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Return the part of a plot's title that reports how accurate first_order_drift is.
+    """Return the part of a plot's title that reports the error of first_order_drift.
 
-    ``off`` are the differences between the predictions of this function and the measured values.
-    If the student has not written the function yet, return an empty string.
+    ``off`` contains the differences between the predictions of this function and the measured
+    values. If the student has not written the function yet, return an empty string.
     """
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
@@ -213,9 +214,9 @@ def _of_drift(off: Sequence[float], unit: str) -> str:
 
 
 def _ends(way: str, notes: list[str]) -> list[float]:
-    """Measure the error in degrees at the end of a rotation, for each step rate.
+    """Measure the error of an integration method at the end of a rotation, for each step rate.
 
-    ``way`` is the name of the integration method.
+    ``way`` is the name of the method. The errors are angles in degrees.
     """
     step, velocity, share, *_ = WAYS[way]
     wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
@@ -231,8 +232,8 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
     """Measure how fast Euler angles change near gimbal lock, in a rotation about the worst axis.
 
-    ``distance`` is the angle to gimbal lock in degrees. Return the magnitude of the Euler rates in
-    rad/s for a rotation of 1 rad/s, and the text of any error.
+    ``distance`` is the angle to gimbal lock in degrees, and the body rotates at 1 rad/s. Return the
+    magnitude of the Euler rates in rad/s, and the text of any error.
     """
     left = math.radians(distance)
     found: list[float] = []

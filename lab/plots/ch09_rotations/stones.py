@@ -1,7 +1,8 @@
-"""A plot for chapter 9: the lines on which a box of stones would balance (exercise 9.7).
+"""A plot for chapter 9 that shows the balance lines of a box of stones (exercise 9.7).
 
-The student's code computes these lines, and the mass on either side of each line. The plot compares
-the results with the exact center of mass and the exact masses.
+The box would balance on each of these lines. The student's code computes the lines, and the mass on
+either side of each line. The plot compares these results with the exact center of mass and the
+exact masses.
 """
 
 from __future__ import annotations

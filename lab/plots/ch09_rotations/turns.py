@@ -177,8 +177,8 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
     """Rotate the vectors X, Y and Z twice with matrices from the student's engine.
 
-    Return the three vectors before the first rotation, after it, and after both rotations. If the
-    engine fails or its matrices are not written yet, return an empty list.
+    Return the vectors before the rotations, after the first one, and after both. If the engine
+    fails or its matrices are not written yet, return an empty list.
     """
     found: list[Arrows] = []
 
@@ -233,10 +233,10 @@ def _disc(space: Any, place: Numbers, found: Arrows) -> None:
 
 
 def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
-    """Convert a point of a rotated object to world coordinates.
+    """Convert a point from a rotated object's local coordinates to world coordinates.
 
-    ``own`` is the point in the object's own coordinates. The object is at ``place``, and ``found``
-    contains the directions of its X, Y and Z axes.
+    ``own`` is the point in local coordinates. ``place`` is the position of the object, and
+    ``found`` contains the directions of its local X, Y and Z axes in world coordinates.
     """
     x, y, z = (
         at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))

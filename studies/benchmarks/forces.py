@@ -47,7 +47,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Create the projectile of the benchmarks with chapter 5's Particle, which accepts forces."""
+    """Create the projectile from the Particle class of chapter 5, which accepts forces."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),

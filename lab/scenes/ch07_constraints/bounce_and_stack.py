@@ -133,7 +133,10 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The scene Bounce, simulated by pymunk with a segment as the ground."""
+    """A version of the ``Bounce`` scene in which pymunk simulates the ball.
+
+    The ground is a pymunk segment.
+    """
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -234,7 +237,10 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """The scene Stack, simulated by pymunk with circles and a segment as the ground."""
+    """A version of the ``Stack`` scene in which pymunk simulates the spheres.
+
+    The spheres are pymunk circles, and the ground is a segment.
+    """
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

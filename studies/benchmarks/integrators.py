@@ -28,7 +28,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that time one step of each integrator.
+    """Set up the benchmarks that measure how long one step of each integrator takes.
 
     Semi-implicit Euler is compared with plain arithmetic. All other integrators are compared with
     semi-implicit Euler.

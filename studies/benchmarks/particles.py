@@ -125,9 +125,8 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 def arithmetic(frames: list[float]) -> Numbers:
     """Do the same arithmetic as Particle.integrate, but with numbers in local variables.
 
-    The time that this takes shows how fast a step could be without any objects. The comparison
-    slightly favors Particle.integrate, which computes ``damping**frame`` again only if the duration
-    has changed. This function computes it in every step. Return the final position.
+    The time that this takes shows how fast a step could be without any objects. The extra time that
+    Particle.integrate takes is the cost of its objects and calls. Return the final position.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -231,8 +231,8 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
     """Simulate the rope bridge with DirectNet, which computes all tensions at once.
 
-    ``make`` builds the bridge. Since the bridge is at rest, the tensions stay the same in every
-    step, so the equations need not be solved again.
+    ``make`` builds the bridge. Since the bridge is at rest, the tensions stay the same, and
+    DirectNet can reuse its solution in later steps.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)

@@ -103,7 +103,7 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve any impacts at ``time``, and find out which cables and struts are taut afterward.
+        """Resolve any impacts at ``time``, and find the cables and struts that are taut afterward.
 
         Return the new state and the indices of the taut cables and struts. A state consists of
         positions and velocities.

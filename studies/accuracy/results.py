@@ -54,7 +54,7 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """The ratio of pymunk's time to our model's time, or None if one of the times is unknown."""
+        """The ratio of pymunk's time to ours, or None if one of the two times is unknown."""
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time

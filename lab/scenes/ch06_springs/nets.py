@@ -84,7 +84,7 @@ class SpringBridge(Stepped):
         return f"semi-implicit Euler is stable below about {self.limit():,.0f} N/m"
 
     def limit(self) -> float:
-        """Compute the stiffness in N/m up to which semi-implicit Euler keeps the bridge stable.
+        """Compute the largest stiffness in N/m for which semi-implicit Euler is stable.
 
         A plank has mass m, and a spring has stiffness k and damping c. In a long row of planks, the
         fastest oscillation is the one in which neighboring planks move in opposite directions. Each

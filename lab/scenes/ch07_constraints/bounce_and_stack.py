@@ -135,7 +135,7 @@ class Bounce(Scene):
 class PymunkBounce(Bounce):
     """A version of the ``Bounce`` scene in which pymunk simulates the ball.
 
-    The ground is a pymunk segment.
+    A pymunk segment acts as the ground.
     """
 
     def build(self) -> None:
@@ -239,7 +239,7 @@ class Stack(Scene):
 class PymunkStack(Stack):
     """A version of the ``Stack`` scene in which pymunk simulates the spheres.
 
-    The spheres are pymunk circles, and the ground is a segment.
+    Pymunk circles act as the spheres, and a segment acts as the ground.
     """
 
     def build(self) -> None:

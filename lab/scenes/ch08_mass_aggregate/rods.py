@@ -93,7 +93,7 @@ class Wheel(WorldScene):
 class PymunkWheel(Wheel):
     """A version of the ``Wheel`` scene in which pymunk simulates the wheel.
 
-    The rods are pin joints.
+    Pin joints act as the rods.
     """
 
     def build(self) -> None:

@@ -240,9 +240,9 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 
 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
-    """Compute the rest position of the rope bridge directly, and put the planks to sleep there.
+    """Compute the rest position of the rope bridge directly instead of simulating it.
 
-    Sleeping planks need no computation, so the work is only the number of cables and rods.
+    The bridge then sleeps without any computation, so the work is the number of cables and rods.
     """
     ends, links = whole()
     world = SleepingWorld(ends, links)

@@ -79,11 +79,14 @@ class Scene:
         raise NotImplementedError
 
     def chart(self) -> dict[str, float]:
-        """Return the values to plot over time, by name and unit: {"energy, J": 2.5}."""
+        """Return the values to plot over time, such as {"energy, J": 2.5}.
+
+        Each key is the name of a quantity, followed by its unit.
+        """
         return {}
 
     def state(self) -> list[float]:
-        """Return the simulated coordinates, for ``error`` to compare with the exact ones."""
+        """Return the simulated coordinates that ``error`` compares with the exact ones."""
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it

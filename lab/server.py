@@ -55,7 +55,10 @@ class Lab(Site):
 
 
 class Scenes(Handler):
-    """Serves the list of scenes and engines for the page's menus, without importing any engine."""
+    """A request handler that returns the scenes and engines for the page's menus as JSON.
+
+    It does not import any engine.
+    """
 
     site: Lab
 
@@ -65,7 +68,10 @@ class Scenes(Handler):
 
 
 class Recording(Handler):
-    """Serves an animation of a scene, recorded with the parameters given in the query."""
+    """A request handler that returns a recording of a scene as an animated GIF.
+
+    The query names the scene and sets its parameters.
+    """
 
     site: Lab
 

@@ -27,9 +27,10 @@ class WorldScene(Scene):
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Set the world that the scene simulates, and the function that advances it by one step.
+        """Set the world to simulate, and the function that advances it by one step.
 
-        From now on, the contacts of ``world`` are recorded, so that the scene can draw them.
+        This method also starts to record the contacts of ``world``, so that the scene can draw
+        them.
         """
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
@@ -55,12 +56,12 @@ class WorldScene(Scene):
         self.make_step(duration)
 
     def used(self) -> dict[str, float]:
-        """Return how many iterations the contact resolver used in the last step, for the chart."""
+        """Return the resolver's number of iterations in the last step, as a value to plot."""
         return {"iterations used": float(self.contacts.iterations_used)}
 
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
-    """Draw the cables of a particle world, in black if they are taut and in gray if slack."""
+    """Draw the taut cables of a particle world in black, and the slack ones in gray."""
     anchors: list[tuple[float, float]] = []
     taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
     slack: list[tuple[tuple[float, float], tuple[float, float]]] = []

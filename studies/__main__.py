@@ -1,4 +1,4 @@
-"""Run one of the studies of the physics engine, for example with python -m studies plot.
+"""Run one of the studies of the physics engine, as in `python -m studies plot`.
 
 The first argument is the name of the study. Each study is a module with a function ``main``, which
 gets the remaining arguments.

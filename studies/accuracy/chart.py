@@ -161,11 +161,12 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw one mark of the overview: the ratio of pymunk's time to ours at one tolerance.
+    """Draw one mark in the overview chart, at the ratio of pymunk's time to ours.
 
     The mark is drawn at height ``y``. It is filled if both times were measured, and open if
-    pymunk's time is extrapolated. An arrow shows that the ratio is only a bound. If pymunk or our
-    models can never reach the tolerance, the word "never" appears at the edge instead.
+    pymunk's time is extrapolated. If only one of the two times is known, an arrow shows that the
+    ratio is a bound. If no number of steps would meet the tolerance, the word "never" appears at
+    the edge instead.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
@@ -183,7 +184,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Describe, for a chart's title, how our fastest model compares with pymunk's.
+    """Compare our fastest model with pymunk's in one sentence, for the title of a chart.
 
     For example, "at an error of 0.0001 of the scale, leapfrog takes 3.2 ms, and pymunk takes 12
     times as long".

@@ -80,12 +80,12 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Measure the errors and the work of all models in all scenes, but not yet their times.
+    """Measure the error and the work of every model in every scene.
 
-    Each model runs with more and more steps per frame until its error is down to rounding errors,
-    or until a run takes too long. The time limit is ``theirs`` seconds for pymunk's models and
-    ``slowest`` seconds for ours. Before each model, ``hear`` is called with a line of text that
-    shows the progress.
+    The times are measured later. Each model runs with more and more steps per frame, until only
+    rounding errors are left or a run takes too long. The time limit is ``theirs`` seconds for
+    pymunk's models and ``slowest`` seconds for ours. Before each model, ``hear`` is called with a
+    line of text that shows the progress.
     """
     points = []
     for scene in scenes:
@@ -167,11 +167,11 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Compute a signature that shows if the saved results of `make charts` are out of date.
+    """Compute a signature that shows whether the saved results of `make charts` are out of date.
 
-    The signature changes with anything that affects the results: the names of the scenes, the time
-    limits, and the code of the engine and the studies. It also depends on the platform and the
-    versions of Python and pymunk.
+    It changes with anything that affects the results: the scene names, the time limits, and the
+    code of the engine and the studies. It also depends on the platform and the versions of Python
+    and pymunk.
     """
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):

@@ -26,8 +26,8 @@ class Side:
 
     - ``model``: the name of the model, or None if no model meets the tolerance.
     - ``time``: the time in s that the model takes, or None.
-    - ``longest``: a lower bound in s on the time, if no model meets the tolerance. Every model that
-      might still meet it has been run for at least this long.
+    - ``longest``: a lower bound on the time in s, for the case that no model meets the tolerance.
+      Every model that could still meet it with more steps has already run for at least this long.
     - ``never``: True if no model would meet the tolerance with any number of steps.
     - ``order``: the order of convergence from which ``time`` was extrapolated, or None if it was
       measured.
@@ -54,7 +54,7 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """The ratio of pymunk's time to our model's time, or None if one of them is unknown."""
+        """The ratio of pymunk's time to ours, or None if one of the two times is unknown."""
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time
@@ -69,8 +69,8 @@ class Row:
         """The lower and upper bounds on the ratio of pymunk's time to ours.
 
         If both times are known, both bounds are equal to the ratio. If pymunk missed the tolerance,
-        we know only that its time exceeds ``Side.longest``, so the upper bound is infinity. If
-        our models missed the tolerance, the lower bound is 0 for the same reason.
+        we know only that its time exceeds ``Side.longest``, so the upper bound is infinity. If our
+        models missed it, there is no upper limit on our time, so the lower bound is 0.
         """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
@@ -146,11 +146,11 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Estimate how long a model would take, in s, to meet a tolerance that none of its runs met.
+    """Estimate how long a model would take, in s, to meet a tolerance that it has not met so far.
 
-    The model's order of convergence determines the number of steps. Each step is assumed to take as
-    long as in the finest run, the one with the most steps. Return None if the model has no steady
-    order, or if the error of the finest run is more than FARTHEST times the tolerance.
+    The number of steps is estimated from the model's order of convergence. Each step is assumed to
+    take as long as in the finest run, the one with the most steps. Return None if the model has no
+    steady order, or if the error of the finest run is more than FARTHEST times the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -184,14 +184,14 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Find the fastest run that is accurate enough, and the next faster run for comparison.
+    """Find the fastest run that is accurate enough, and the next faster run of any accuracy.
 
     A single small error may be a coincidence. A run is therefore accurate enough only if all runs
-    of the same model with more steps are, too.
+    of the same model with more steps are accurate enough, too.
 
     Returns:
-        The fastest accurate run, and the slowest of the runs that take less time. Each of the two
-        is None if there is no such run.
+        The fastest accurate run, and the slowest of all runs that take less time. Either of them is
+        None if there is no such run.
     """
     within = []
     for own in models_of(points).values():
@@ -228,9 +228,9 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
     """Estimate how long pymunk would take to meet a tolerance that none of its runs met.
 
-    The time of each model is extrapolated from its order of convergence. Return a copy of ``side``,
-    which is pymunk's result so far, with the fastest model and its time. If no time can be
-    extrapolated, return ``side`` itself.
+    The time of each model is extrapolated from its order of convergence. ``side`` is pymunk's
+    result without an estimate. Return a copy that contains the fastest model and its estimated
+    time. If no time can be extrapolated, return ``side`` unchanged.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
@@ -244,7 +244,7 @@ def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
 def table(points: Sequence[Point]) -> list[Row]:
     """Compare our fastest model with pymunk's in every scene, at every error tolerance.
 
-    `make charts` prints these rows as a table, and draws them as the overview picture.
+    `make charts` prints the returned rows as a table, and draws them in the overview picture.
     """
     scenes: dict[str, list[Point]] = {}
     for point in points:

@@ -1,14 +1,15 @@
 """Compare how long our engine and pymunk take to simulate a scene with the same accuracy.
 
-Each result is pymunk's time divided by the time of one of our models. A model is a way to simulate
-a scene, for example with a certain integrator. The error of the positions must not exceed a given
-fraction of the scene's size in any frame. Both sides use the fewest steps per frame that achieve
-this, out of 1, 2, 4 and so on.
+A model is one way to simulate a scene, for example with a certain integrator. Each result is the
+time of one of pymunk's models divided by the time of one of ours. The error of the positions must
+not exceed a given fraction of the scene's size in any frame. To find the fewest steps per frame
+that achieve this, each model is run with 1, 2, 4 and more steps.
 
-If even MOST steps are too few for pymunk, its time is extrapolated from its order of convergence,
-and the report says so. If its error does not fall steadily, the result is only a lower bound.
+If pymunk does not achieve this with up to MOST steps per run, its time is extrapolated from its
+order of convergence. The report then says so. If pymunk's error does not fall steadily, the result
+is only a lower bound.
 
-The last two benchmarks compare the integrator `adaptive` with fixed steps on an orbit.
+The last two benchmarks compare the ``adaptive`` integrator with fixed steps on an orbit.
 """
 
 from __future__ import annotations
@@ -32,9 +33,9 @@ MOST = 2_000_000  # steps per run, which take pymunk a few seconds
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare the speed of our engine and pymunk at the same accuracy.
+    """Set up the benchmarks that compare our engine with pymunk at the same accuracy.
 
-    Their scenes include a spring, an orbit and a double pendulum.
+    The scenes include a spring, an orbit and a double pendulum.
     """
     return [
         line("projectile with linear drag", None, "pymunk", 31, Target("at least", 150)),
@@ -138,9 +139,9 @@ def model_of(scene: Scene, name: str) -> Model:
 
 
 def fastest_exact(scene: Scene) -> Model:
-    """Find the fastest of our exact models of a scene, such as a closed form.
+    """Find the fastest of our exact models of a scene.
 
-    An exact model has no number of steps to choose.
+    An exact model, such as a closed form, always runs with one step per frame.
     """
     exact = [model for model in scene.models if model.by == "ours" and is_exact(model)]
     return min(exact, key=lambda model: seconds_of(model, 1))
@@ -149,7 +150,7 @@ def fastest_exact(scene: Scene) -> Model:
 def is_exact(model: Model) -> bool:
     """Return True if a model is exact, such as a closed form.
 
-    More steps would not change its result, so the only number of steps to try is 1 per frame.
+    More steps per frame would not change the result, so the model's ``steps`` attribute is (1,).
     """
     return tuple(model.steps) == (1,)
 
@@ -157,8 +158,8 @@ def is_exact(model: Model) -> bool:
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
     """Find the fewest steps per frame, as a power of two, with which a model meets ``tolerance``.
 
-    Return the number of steps and the error. If even MOST steps per run are not enough, return the
-    largest number that was tried, with its error.
+    Return the number of steps and the error. If the model needs more than MOST steps per run,
+    return the largest number of steps per frame that was tried, and its error.
     """
     finest = tried_steps(scene, model, tolerance)[-1]
     return finest.steps, finest.error

@@ -47,7 +47,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Create the projectile of the benchmarks with chapter 5's Particle, which accepts forces."""
+    """Create the projectile from the Particle class of chapter 5, which accepts forces."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),
@@ -86,11 +86,11 @@ def generator_steps(frames: list[float]) -> Numbers:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Compute the same motion as ``forced_steps`` with plain arithmetic in local variables.
+    """Compute the same motion as ``forced_steps``, but with plain arithmetic in local variables.
 
     As in the engine, each step adds the force to a sum, uses the sum, and clears it. The extra time
-    of ``forced_steps`` is therefore the cost of the engine's objects and calls. Return the final
-    position.
+    that ``forced_steps`` takes is therefore the cost of the engine's objects and calls. Return the
+    final position.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -28,7 +28,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that time one step of each integrator.
+    """Set up the benchmarks that measure how long one step of each integrator takes.
 
     Semi-implicit Euler is compared with plain arithmetic. All other integrators are compared with
     semi-implicit Euler.
@@ -79,10 +79,10 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
 
 
 def arithmetic() -> tuple[float, float, float]:
-    """Compute STEPS steps of semi-implicit Euler with plain arithmetic in local variables.
+    """Simulate a particle on a spring with plain arithmetic, and return its final position.
 
-    The integrator computes the same steps with objects. Its extra time is the cost of these
-    objects. Return the final position.
+    The calculation is the same as in STEPS steps of the semi-implicit Euler integrator. The extra
+    time that the integrator takes is the cost of its objects.
     """
     x, y, z = 1.0, 2.0, 3.0
     u, v, w = 1.0, 2.0, 3.0

@@ -1,4 +1,4 @@
-"""Store the results of the last `make bench`."""
+"""Save the results of `make bench` to a file, and load them again."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Save the results of `make bench`.
+    """Save the results of `make bench` to a file.
 
-    The date, the Python version, the type of machine and the versions of the libraries are saved,
-    too.
+    The file also contains the date, the Python version, the type of machine and the versions of the
+    libraries.
     """
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
@@ -44,9 +44,10 @@ def rounded(figure: float) -> float:
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Load the median of every benchmark in the last `make bench`, by its description.
+    """Load the median of every benchmark in the last `make bench`.
 
-    The dict is empty if no results are stored yet.
+    The keys of the returned dict are the benchmarks' descriptions. The dict is empty if no results
+    are stored yet.
     """
     if not file.exists():
         return {}

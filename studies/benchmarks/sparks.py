@@ -24,7 +24,7 @@ RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare the two ways to compute sparks."""
+    """Set up the benchmarks that compare time steps with a closed form for computing sparks."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)
@@ -61,9 +61,10 @@ def lines() -> list[Measurement]:
 
 
 def burst() -> FireworksShow:
-    """Create a fireworks show with SPARKS sparks, all of which have just been lit at START.
+    """Create a fireworks show whose sparks have just been lit.
 
-    START is so high that no spark reaches the ground during a measurement.
+    All ``SPARKS`` sparks begin at ``START``, so high up that none of them lands during a
+    measurement.
     """
     show = FireworksShow([RULE], SPARKS, seed=1)
     show.light([(1, SPARKS, Particle(Vector3(*START)))])

@@ -29,9 +29,10 @@ ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Set up the benchmarks that compare three ways to simulate a cloth of springs.
+    """Set up the benchmarks that compare three ways to simulate the springs of a cloth.
 
-    Each cloth is built only once, and each round continues its fall.
+    They are ``connect``, two Spring objects per spring, and a loop with plain arithmetic. The
+    engine's cloths are built only once, so they keep falling from one round to the next.
     """
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
@@ -85,7 +86,7 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Simulate a cloth of springs with plain arithmetic, and return its lowest knot's height.
+    """Simulate a cloth of springs with plain arithmetic, and return the height of the lowest knot.
 
     As in the engine, each step computes the forces of all springs before it moves the knots. The
     extra time that the engine takes is therefore the cost of its objects.

@@ -10,9 +10,9 @@ from studies.timing import Measurement, Statements, Target, against_peers
 def lines(console: Console) -> list[Measurement]:
     """Set up one benchmark per library that compares its vectors with Vector3.
 
-    The result is the library's time divided by ours, averaged over all operations that both have,
-    such as the cross product. A library that is not installed is skipped, and a message on
-    ``console`` shows how to install it.
+    The result is the library's time divided by ours, averaged over all operations that Vector3 and
+    the library both offer. If a library is not installed, its benchmark is skipped, and a message
+    on ``console`` shows how to install it.
     """
     peers = (
         ("pyglet", "pyglet Vec3", Target("at least", 2.4)),

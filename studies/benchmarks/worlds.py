@@ -1,6 +1,6 @@
-"""Measure the overhead of a ParticleWorld, and how much time is saved if balls fall asleep.
+"""Measure the overhead of a ParticleWorld, and the time that sleeping balls save.
 
-Two ways to simulate a rope are also compared: as rods in a ParticleWorld, and as a DirectChain.
+Two ways to simulate a rope are also compared: rods in a ParticleWorld, and a DirectChain.
 """
 
 from __future__ import annotations
@@ -59,10 +59,10 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Set up a benchmark that measures how much time is saved if nine in ten balls sleep.
+    """Set up a benchmark that measures how much time is saved if nine tenths of the balls sleep.
 
-    ``make`` is a function that creates a world of the given class. In a
-    ParticleWorld, all balls stay awake. The result is its time divided by that of a SleepingWorld.
+    ``make`` is a function that takes a class and creates a world of that class. The result is the
+    time of a ParticleWorld, in which all balls stay awake, divided by that of a SleepingWorld.
     """
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
@@ -105,9 +105,9 @@ def flying() -> list[Particle]:
 
 
 def integrate(particles: Sequence[Particle]) -> None:
-    """Advance particles by one frame in a plain loop, without a world.
+    """Advance particles by one frame in a plain loop instead of a ParticleWorld.
 
-    The extra time that a ParticleWorld takes is the cost of the world itself.
+    The extra time that a ParticleWorld takes is its overhead.
     """
     for particle in particles:
         particle.integrate(FRAME)
@@ -118,12 +118,15 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that moves particles by one frame with an integrator, without a world."""
+    """Return a function that advances particles by one frame with the given integrator.
+
+    The function uses no ParticleWorld, so a comparison with ``stepping`` shows the overhead of one.
+    """
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world of balls on the ground, in which one in ten rolls and the rest lie still.
+    """Create a world in which one ball in ten rolls on the ground, and the others lie still.
 
     ``kind`` is ParticleWorld, in which all balls are awake, or SleepingWorld.
     """
@@ -132,7 +135,7 @@ def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Create a world of balls on springs, of which one in ten flies away and the rest hang still.
+    """Create a world in which one ball in ten flies away, and the others hang still on springs.
 
     ``kind`` is ParticleWorld, in which all balls are awake, or SleepingWorld.
     """
@@ -144,9 +147,10 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Set one in ten balls in motion, and give the others enough time to fall asleep.
+    """Prepare a world in which one ball in ten moves, and the other balls are at rest.
 
-    Return the world after FRAMES frames.
+    The world runs for FRAMES frames, so that a SleepingWorld has time to put the balls at rest to
+    sleep. Return the world.
     """
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0

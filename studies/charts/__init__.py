@@ -115,7 +115,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _how(rounds: int, is_quick: bool) -> str:
-    """Write the note on the page of charts that says when and how the times were measured."""
+    """Write a note for the charts page that says when and how the times were measured."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (

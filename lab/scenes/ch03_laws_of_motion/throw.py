@@ -130,7 +130,7 @@ class Throw(Scene):
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Measure in m how far beyond the hoop's center a path comes down to the height of the rim.
+        """Compute how far beyond the hoop's center a path comes down to the hoop's height, in m.
 
         The distance is negative if the path falls short of the center. It is None if the path never
         comes down to that height.
@@ -227,10 +227,11 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """In recordings and tests, throw the ball five times in place of a human player.
+        """Simulate a player who throws the ball five times.
 
-        The first throw uses 60 steps per second, and the next two use 10. The last two use 60
-        again, with damping.
+        The first throw uses 60 steps per second, and the second and third throws use 10. The last
+        two use 60 again, with damping. Recordings and tests use this script in place of a human
+        player.
         """
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)

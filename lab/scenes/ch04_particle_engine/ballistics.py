@@ -163,7 +163,7 @@ class Ballistics(Scene):
 
 
 def best_of_three(scene: Artillery) -> int:
-    """Return the index of the elevation at which a shell flies farthest: 30, 45 or 60 degrees."""
+    """Predict which elevation carries a shell farthest: 0 for 30, 1 for 45, or 2 for 60 degrees."""
     lengths = [scene.landing(angle)[0] for angle in (30.0, 45.0, 60.0)]
     return lengths.index(max(lengths))
 

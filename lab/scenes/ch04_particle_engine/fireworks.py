@@ -99,9 +99,11 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """In recordings and tests, click on each rocket just before it bursts.
+        """Simulate a player who clicks on each rocket just before it bursts.
 
-        There are no clicks in the last 3 s, so that the display dies out.
+        There are no clicks in the last 3 s, so that the display dies out. If the student has not
+        written the game yet, rockets are launched instead. Recordings and tests use this script in
+        place of a human player.
         """
         if time > self.seconds - 3.0:
             return
@@ -116,7 +118,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return True if the student has written enough of the Catherine wheel to throw sparks."""
+    """Return True if the student's Catherine wheel is complete enough to throw sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

@@ -123,9 +123,10 @@ class Sniper(Scene):
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
-        """In recordings and tests, shoot at each target in turn.
+        """Simulate a player who shoots at one target after another.
 
-        The aim takes gravity and the wind into account.
+        The aim takes gravity and the wind into account. Recordings and tests use this script in
+        place of a human player.
         """
         if self.waited < 1.0 or self.range.is_over():
             return

@@ -84,11 +84,12 @@ class SpringBridge(Stepped):
         return f"semi-implicit Euler is stable below about {self.limit():,.0f} N/m"
 
     def limit(self) -> float:
-        """Compute the largest stiffness in N/m for which semi-implicit Euler is stable here.
+        """Compute the largest stiffness in N/m for which semi-implicit Euler is stable.
 
-        In a long row of planks, the fastest oscillation is the one in which neighboring planks move
-        in opposite directions. Each plank then moves as if it hung from a single spring with
-        stiffness 4 k and damping 4 c, which is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
+        A plank has mass m, and a spring has stiffness k and damping c. In a long row of planks, the
+        fastest oscillation is the one in which neighboring planks move in opposite directions. Each
+        plank then moves as if it hung from a single spring with stiffness 4 k and damping 4 c. With
+        steps of length h, it is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
         """
         limit: float = self.PLANK_MASS * self.rate**2 - 2.0 * self.DAMPING * self.rate
         return limit
@@ -102,7 +103,10 @@ class SpringBridge(Stepped):
             self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
-        """In recordings and tests, walk to the right end of the bridge and back."""
+        """Simulate a player who walks to the right end of the bridge and back.
+
+        Recordings and tests use this script in place of a human player.
+        """
         frame = round(60.0 * time)
         if frame % 6 == 0:
             self.press("right" if frame < 240 else "left")
@@ -152,7 +156,10 @@ class Cloth(Stepped):
         knot.position.x, knot.position.y = x, min(y, 0.8)
 
     def play(self, time: float) -> None:
-        """In recordings and tests, pull a corner of the cloth aside and up, then move it back."""
+        """Simulate a player who pulls a corner of the cloth aside and up, and then moves it back.
+
+        Recordings and tests use this script in place of a human player.
+        """
         if 3.0 < time < 5.0:
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:

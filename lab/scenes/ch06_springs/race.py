@@ -1,4 +1,4 @@
-"""An interactive scene for chapter 6 that compares seven integrators on the motion of a spring."""
+"""An interactive scene for chapter 6 in which seven integrators simulate the same spring."""
 
 from __future__ import annotations
 

@@ -16,7 +16,9 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Predict from the stability limits of chapter 6 if the ball will swing wider and wider.
+    """Predict whether the ball will swing wider and wider.
+
+    The prediction uses the stability limits of the integrators in chapter 6.
 
     Returns:
         1 if the swings will grow, 0 otherwise.
@@ -99,13 +101,13 @@ class OneSpring(Stepped):
         self.let_go(max(-2.0, min(2.0, x)), 0.0)
 
     def let_go(self, x: float, v: float) -> None:
-        """Give the ball a new position and velocity, from which the exact solution starts again."""
+        """Give the ball a new position and velocity, and restart the exact solution from there."""
         self.ball.position.x, self.ball.velocity.x = x, v
         self.since, self.x0, self.v0 = self.time, x, v
 
 
 class ExactSpring(OneSpring):
-    """The scene OneSpring, with the ball moved by the exact solution instead of an integrator."""
+    """A version of the ``OneSpring`` scene in which the ball follows the exact solution."""
 
     def step(self, duration: float) -> None:
         passed = self.time + duration - self.since
@@ -115,7 +117,7 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """The scene OneSpring, simulated by pymunk with its own damped spring."""
+    """A version of the ``OneSpring`` scene in which pymunk simulates the ball and its spring."""
 
     def build(self) -> None:
         import pymunk  # not needed by the other scenes

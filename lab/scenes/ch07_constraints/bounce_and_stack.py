@@ -133,7 +133,10 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The scene Bounce, simulated by pymunk with a segment as the ground."""
+    """A version of the ``Bounce`` scene in which pymunk simulates the ball.
+
+    A pymunk segment acts as the ground.
+    """
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -234,7 +237,10 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """The scene Stack, simulated by pymunk with circles and a segment as the ground."""
+    """A version of the ``Stack`` scene in which pymunk simulates the spheres.
+
+    Pymunk circles act as the spheres, and a segment acts as the ground.
+    """
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

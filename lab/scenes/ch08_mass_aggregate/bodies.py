@@ -104,9 +104,10 @@ class Platform(WorldScene):
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
     def play(self, time: float) -> None:
-        """In recordings and tests, move the platform's weight to and fro, and free the pivot.
+        """Simulate a player who moves the weight back and forth, and frees the pivot.
 
-        Nothing is moved for the first 3 s, so that the platform has time to tip.
+        Nothing is moved for the first 3 s, so that the platform has time to tip. Recordings and
+        tests use this script in place of a human player.
         """
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")
@@ -202,7 +203,10 @@ class Blob(WorldScene):
             self.pushed = self.MOMENT
 
     def play(self, time: float) -> None:
-        """In recordings and tests, push the blob upward, downward and to both sides."""
+        """Simulate a player who pushes the blob upward, downward and to both sides.
+
+        Recordings and tests use this script in place of a human player.
+        """
         orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
         if key := orders.get(round(60.0 * time) % 360):
             self.press(key)

@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Compute by what percentage the worst cable exceeds its maximum length."""
+        """Return the largest excess length of a cable, in percent of its maximum length."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:
@@ -90,9 +90,10 @@ class Bridge(WorldScene):
         self.bridge.pace = paces.get(key, self.bridge.pace)
 
     def play(self, time: float) -> None:
-        """In recordings and tests, move the ball across the bridge, and finally off it.
+        """Simulate a player who moves the ball across the bridge, and finally off it.
 
-        From 4 s on, some of the frames are late.
+        From 4 s on, some of the frames are late. Recordings and tests use this script in place of a
+        human player.
         """
         frame = round(60.0 * time)
         if frame == 240:
@@ -157,9 +158,10 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """In recordings and tests, win one game and lose the next.
+        """Simulate a player who wins one game and loses the next.
 
-        To win, always steer the ball to the next row of planks that it has not visited.
+        To win, the player always steers the ball to the next row of planks that it has not visited.
+        Recordings and tests use this script in place of a human player.
         """
         frame = round(60.0 * time)
         if frame == 424:

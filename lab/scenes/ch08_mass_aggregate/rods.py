@@ -83,12 +83,18 @@ class Wheel(WorldScene):
         return words + "."
 
     def play(self, time: float) -> None:
-        """In recordings and tests, drive the rim of the wheel harder, and then brake it."""
+        """Simulate a player who drives the rim of the wheel harder, and then brakes it.
+
+        Recordings and tests use this script in place of a human player.
+        """
         self.values["force"] = 1.0 if time < 1.0 else 5.0 if time < 4.0 else -3.0
 
 
 class PymunkWheel(Wheel):
-    """The scene Wheel, simulated by pymunk with pin joints as the rods."""
+    """A version of the ``Wheel`` scene in which pymunk simulates the wheel.
+
+    Pin joints act as the rods.
+    """
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

@@ -83,9 +83,10 @@ class Spin(Scene):
         return {f"spin about {name}, rad/s": v for name, v in zip("XYZ", velocity, strict=True)}
 
     def state(self) -> list[float]:
-        """Return the energy in J and the angular momentum in kg m^2/s, which a free box conserves.
+        """Return the box's energy in J and its angular momentum in kg m^2/s.
 
-        The scene's error is how much they have changed since the start.
+        A freely spinning box conserves both, so any change since the start is an error of the
+        simulation.
         """
         return [self.box.energy(), *numbers(self.momentum())]
 

@@ -118,7 +118,7 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Compute with SciPy where the planks' ends on one side of the rope bridge come to rest.
+    """Compute where the planks' ends on one side of the rope bridge come to rest, using SciPy.
 
     At rest, all cables are taut, and their tensions balance the weights. Every cable is made longer
     by ``extra``, in m.
@@ -150,7 +150,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Replace the cables and rods of the rope bridge by two-sided rods.
+    """Create two-sided rods that replace the cables and rods of the rope bridge.
 
     A two-sided rod can both push and pull, while a cable can only pull. This makes no difference as
     long as all cables are taut.
@@ -211,9 +211,9 @@ def whole() -> tuple[list[Particle], list[Any]]:
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Build the flat rope bridge that pymunk simulates, but with our particles and cables.
+    """Build the same flat rope bridge as in pymunk, but from our particles and cables.
 
-    All planks' ends have z = 0, and there are no rods. Return the ends and the cables.
+    The ends of all planks lie in the plane z = 0, without rods. Return the ends and the cables.
     """
     ends, rows, _ = hung(links_of)
     links: list[Any] = []
@@ -231,8 +231,8 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
     """Simulate the rope bridge with DirectNet, which computes all tensions at once.
 
-    ``make`` builds the bridge. Since the bridge is at rest, the tensions stay the same in every
-    step, so the equations need not be solved again.
+    ``make`` builds the bridge. Since the bridge is at rest, the tensions stay the same, and
+    DirectNet can reuse its solution in later steps.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
@@ -240,9 +240,9 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 
 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
-    """Compute the rest position of the rope bridge directly, and let the bridge sleep there.
+    """Compute the rest position of the rope bridge directly instead of simulating it.
 
-    Later frames need no computation, so the work is just the number of cables and rods.
+    The bridge then sleeps without any computation, so the work is the number of cables and rods.
     """
     ends, links = whole()
     world = SleepingWorld(ends, links)

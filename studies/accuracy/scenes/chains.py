@@ -68,12 +68,12 @@ class Chain:
         ]
 
     def rods(self, particles: Sequence[Particle]) -> list[Any]:
-        """Create chapter 7's rods, which connect the particles to each other and to the origin."""
+        """Create the rods between neighboring particles, and from the origin to the first one."""
         first = AnchoredRod(particles[0], Vector3(), self.length)
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
     def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
-        """Return the lengths, masses and initial angles of all rods, to build an AngleChain."""
+        """Return the lengths, masses and initial angles of the rods as arguments for AngleChain."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
 
@@ -90,12 +90,14 @@ class Chain:
     def truth(self) -> Callable[[float], Place]:
         """Return the exact motion of the chain of rods as a function of time.
 
-        SciPy computes it from Lagrange's equations. The equation for each angle a_i is
+        SciPy computes it from Lagrange's equations. Rod i is at the angle a_i from the vertical,
+        and its angular velocity is w_i. Every rod has length l, and g is the gravitational
+        acceleration. The equation for rod i is
 
-            sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
+            sum_j M_ij l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i
 
-        M_i is the total mass from rod i out to the tip. M is the same sum for i or j, whichever is
-        farther from the anchor.
+        M_i is the total mass from rod i out to the tip. M_ij is M_i or M_j, whichever belongs to
+        the rod farther from the anchor.
         """
         count = len(self.masses)
         below = numpy.cumsum(self.masses[::-1])[::-1]

@@ -46,7 +46,7 @@ class Balls:
         self.ground, self.pair = ground, pair  # restitutions
 
     def particles(self) -> list[Particle]:
-        """Create the falling balls as particles of the engine, at rest at their initial heights."""
+        """Create a particle for each ball, at rest at the ball's initial height."""
         return [
             Particle(Vector3(0.0, y), acceleration=Vector3(0.0, -G), mass=mass)
             for y, mass in zip(self.heights, self.masses, strict=True)
@@ -60,7 +60,7 @@ class Balls:
         return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
 
     def places_at(self, times: Sequence[float]) -> list[Place]:
-        """Compute the exact heights of the balls at each of ``times``, which must be ascending.
+        """Compute the exact heights of the balls at the given times, which must be ascending.
 
         The heights are computed from one impact to the next. No code of the engine is used, so a
         bug in the engine cannot affect the result.

@@ -63,7 +63,7 @@ class Plane:
         return forces.ravel()
 
     def exact(self) -> Any:
-        """Compute with SciPy the exact positions of the net's knots at the end of each frame."""
+        """Compute the exact positions of the net's knots at the end of each frame, using SciPy."""
         motion = TautMotion(self.masses, self.ties, self.load)
         times = [frame / RATE for frame in range(1, self.frames + 1)]
         still = numpy.zeros((len(self.masses), 2))
@@ -78,7 +78,7 @@ class Plane:
         ]
 
     def links(self, knots: Sequence[Particle]) -> list[Any]:
-        """Create the cables and struts of chapter 7 that connect the knots of the net.
+        """Create the cables and struts that connect the knots, as Cable and Strut objects.
 
         ``knots`` are the particles at the knots. A link to a fixed point is an AnchoredCable.
         """

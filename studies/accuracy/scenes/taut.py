@@ -3,11 +3,11 @@
 The computation shares no code with the engine, so it is an independent test. As long as the same
 cables are taut, their tensions keep them at full length, and the motion follows from ordinary
 differential equations. This phase ends when a tension drops to zero, or when a slack cable reaches
-its full length. Then the velocities may jump, and other cables are taut.
+its full length. After that, different cables are taut, and the velocities may have jumped.
 
-To find these cables and the jump, SciPy solves a least-squares problem for the tensions, which must
-not be negative. This works because an impact without bounce removes as little kinetic energy as
-possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
+To find the taut cables and the new velocities, SciPy solves a least-squares problem for the
+tensions, which must not be negative. This works because an impact without bounce removes as little
+kinetic energy as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
 """
 
 from __future__ import annotations
@@ -61,11 +61,12 @@ class TautMotion:
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
-        """Differentiate the lengths of the cables and struts, for the equations of motion.
+        """Compute derivatives of the cable and strut lengths, for use in the equations of motion.
 
         Returns:
-            The Jacobian matrix of the lengths, with one row per cable or strut, and an array. The
-            array holds the part of each length's second derivative that is due to rotation.
+            The first value is the Jacobian matrix of the lengths, with one row per cable or strut.
+            The second value is an array with the part of each second derivative that is due to
+            rotation. Both have the opposite sign for struts.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
@@ -79,9 +80,12 @@ class TautMotion:
     def least(self, matrix: Any, wanted: Any) -> Any:
         """Find the forces that keep all cables and struts of the net within their limits.
 
-        ``matrix`` is the Jacobian J of the lengths. Let A = J M^-1 J^T, where M is the matrix of
-        the masses. The forces p satisfy A p >= wanted, and none of them is negative. A cable or
-        strut exerts a force only if equality holds in its row, so p (A p - wanted) = 0.
+        ``matrix`` is the Jacobian J of the lengths. ``wanted`` lists the accelerations toward the
+        limits that the forces have to cancel. Let A = J M^-1 J^T, where M is the matrix of the
+        masses. The forces p satisfy A p >= wanted, and none of them is negative. A cable or strut
+        exerts a force only if equality holds in its row, so p (A p - wanted) = 0.
+
+        For an impact, ``wanted`` contains velocities instead, and the results are impulses.
         """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
@@ -99,7 +103,7 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve any impacts at ``time``, and find out which cables and struts are taut afterward.
+        """Resolve any impacts at ``time``, and find the cables and struts that are taut afterward.
 
         Return the new state and the indices of the taut cables and struts. A state consists of
         positions and velocities.
@@ -119,7 +123,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Compute the motion from time 0 on. Return one row of knot positions for each time."""
+        """Compute the motion from time 0, and return one row of knot positions for each time."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

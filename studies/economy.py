@@ -183,10 +183,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that moves two hundred falling particles by a frame with plain arithmetic.
+    """Return a function that advances two hundred falling particles by one frame, without objects.
 
-    ``dimensions`` is the number of coordinates, 2 or 3, so that the cost of a third dimension can
-    be measured.
+    The coordinates are plain floats. ``dimensions`` is 2 or 3, so that the cost of the third
+    dimension can be measured.
     """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 

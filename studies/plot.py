@@ -84,10 +84,10 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
-    """Draw a plot and save it as a PNG file, and its numbers in a CSV file of the same name.
+    """Draw a plot, save it as a PNG file, and save its numbers as a CSV file of the same name.
 
-    If the plot fails, print the reason and return False. Files of an earlier run are deleted first,
-    so that nobody mistakes them for the new plot. If the plot takes longer than ``limit`` seconds,
+    Files of an earlier run are deleted first, so that nobody mistakes them for the new plot. If the
+    plot fails, print the reason and return False. If the plot takes longer than ``limit`` seconds,
     the program ends.
     """
     name = plot.__name__

@@ -42,15 +42,16 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return True if a benchmark's result meets the bound or is equal to it."""
+        """Return True if a benchmark's result is at least as good as the bound."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """A benchmark, such as pymunk's time divided by ours, that is run in several rounds.
+    """A benchmark that runs in several rounds, such as a comparison of pymunk's time with ours.
 
-    ``what`` is its description in the report. ``once`` runs one round and returns the result.
+    ``what`` describes the benchmark in the report. ``once`` is a function that runs one round and
+    returns its result.
     """
 
     what: str

@@ -140,10 +140,10 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
 
 
 def _row(scene: Scene, point: Point) -> tuple[str, ...]:
-    """Format one measured point as a row of the table.
+    """Format a measured point as a row of a scene's table.
 
-    The columns are the model, its steps or its tolerance, the error, the median time, the quartiles
-    of the time, and the work.
+    The columns are the model, its number of steps or its tolerance, the error, the median time, the
+    quartiles of the time, and the amount of work.
     """
     model = next(model for model in scene.models if model.name == point.model)
     choice = "1 step" if point.steps == 1 else f"{point.steps:,} steps"

@@ -54,10 +54,10 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Return the value at which a row's mark is drawn on the axis, and the kind of the mark.
+    """Return the value to mark on the axis for a row of the table, and the kind of the mark.
 
-    The value is the ratio of pymunk's time to ours, or a bound on the ratio. If neither is known,
-    the value is None. The kind says how the value was found, and is explained in ``Ratio``.
+    The value is the ratio of pymunk's time to ours, or a bound on this ratio. If neither is known,
+    the value is None. The kinds are listed in ``Ratio``.
     """
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"

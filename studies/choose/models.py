@@ -58,10 +58,12 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Prepare a world for a run with one of the ``choices``, such as 4 steps per frame.
+        """Prepare a world to be simulated with this model.
 
-        Return a function that advances the world by one time step, and the number of steps per
-        frame.
+        ``choice`` is the number of time steps per frame, or the inverse of the tolerance.
+
+        Returns:
+            A function that advances the world by one time step, and the number of calls per frame.
         """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
@@ -89,9 +91,11 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """List the solvers for worlds whose contacts all come from links, or all from detectors.
+    """List the models that can be used only if all contacts are of the same kind.
 
-    The list is empty if a world mixes links and detectors, or if a rod or cable has a restitution.
+    If all contacts come from rods and cables without restitution, a solver can compute all tensions
+    at once. If all contacts come from collision detectors, time division can be used. Otherwise the
+    list is empty.
     """
     generators = world.contact_generators
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):

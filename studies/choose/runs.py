@@ -55,10 +55,11 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return True if a model needs no further runs with shorter time steps.
+        """Return True if the model does not need another run with shorter time steps.
 
-        That is the case if the last runs are exact. It is also the case if the estimates are
-        reliable and the errors of the last three runs are within ``tolerance``.
+        No further run is needed if the last runs are exact, or if the error is known to be small
+        enough. The latter requires that the estimates are reliable, and that the last three are
+        within ``tolerance``.
         """
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
@@ -69,9 +70,9 @@ class Tried:
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Convert the runs to the Points with which the accuracy study compares models.
+        """Convert the runs to points, so that they can be compared as in the accuracy study.
 
-        The attribute ``work`` of a point is its number of time steps.
+        The ``work`` of a point is its number of time steps.
         """
         return [
             Point(

@@ -164,7 +164,11 @@ def _run(path: Path) -> ModuleType:
 
 
 def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Return the function of this name in the user's file, or None if it does not exist."""
+    """Return the function called ``name`` from the user's file, or None if it is not defined.
+
+    Raises:
+        SceneError: The name is defined, but it is not a function.
+    """
     found = getattr(module, name, None)
     if found is not None and not callable(found):
         raise SceneError(f"{path}: {name} must be a function, got {found!r}")

@@ -51,10 +51,10 @@ Move = Callable[[float], object]
 
 @dataclass(frozen=True)
 class Bodies:
-    """A stack or a rope: its particles, the sources of its contacts, and its error.
+    """The particles and contacts of a stack or a rope, and a function that measures its error.
 
-    ``error`` is a function that takes the duration of a time step in s. It returns the current
-    error as a plain number without a unit.
+    ``error`` takes the duration of a time step in s, and returns the current error, which has no
+    unit.
     """
 
     particles: list[Particle]
@@ -162,8 +162,8 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
     """Create a scene that compares several contact solvers on the same stack or rope.
 
-    In a rope, SmallSteps uses an ordinary Rod for each link, because it does not need a
-    TwoSidedRod.
+    ``make`` builds the stack or the rope. The links of a rope are TwoSidedRods, except for
+    SmallSteps, which works with ordinary ones.
     """
     models = []
     for solver in solvers:

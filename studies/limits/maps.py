@@ -100,10 +100,10 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Predict and measure how many time steps each integrator takes to diverge beyond its limit.
+    """Predict and measure how many steps an unstable oscillation takes to grow by a factor of 1e6.
 
-    Return a row for each integrator and stiffness. The last three columns are the number of time
-    steps predicted from the eigenvalues, and the two numbers that ``steps_to_loss`` counts in a
+    Return a row for each integrator and stiffness. The prediction follows from the eigenvalues of a
+    time step. The last two columns are the numbers of steps that ``steps_to_loss`` counts in a
     simulation.
     """
     rows = []

@@ -96,12 +96,12 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Set up an integrator and a spring, to measure how fast oscillations grow.
+    """Create an integrator and a spring, to measure how fast oscillations grow.
 
-    The spring has the stiffness k at which k h^2 / m = ``kappa``, where h is the time step. For one
-    of our integrators, ``damping`` is d^h, the fraction of the velocity that the particle keeps in
-    a step. For any other method, it is c h / m, where c is the damping of the spring. Return the
-    integrator, the spring, and the damping d of the particle.
+    ``kappa`` is k h^2 / m, where k is the stiffness of the spring, h is the time step, and m is the
+    mass of the particle. For our integrators, the particle is damped, and ``damping`` is d^h, the
+    fraction of its velocity that is left after a step. For other methods, the spring is damped, and
+    ``damping`` is c h / m, where c is its damping. Return the integrator, the spring, and d.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -120,13 +120,12 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest k h^2 / m at which a spring is stable in theory, where h is the time step.
+    """Return the theoretical stability limit of a spring, as k h^2 / m.
 
-    ``damping`` is the same as in ``growth_at``. The step of pymunk's own spring is p' = p + v h and
-    v' = (v + a' h) e^(-c h / m). That is semi-implicit Euler with D = e^(-c h / m). With the force
-    applied by hand, the step is explicit Euler. The determinant of its matrix is 1 - c h / m +
-    kappa, where kappa = k h^2 / m. It reaches 1 at kappa = c h / m, which is the limit if c h / m
-    is at most 2.
+    The parameters are the same as in ``growth_at``. With pymunk's own spring, a step equals one of
+    semi-implicit Euler that keeps e^(-c h / m) of the velocity. With the force applied by hand, it
+    is an explicit Euler step. The determinant of its matrix, 1 - c h / m + k h^2 / m, reaches 1
+    when k h^2 / m equals c h / m. That is the limit if c h / m is at most 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -158,10 +157,10 @@ def spring_limits() -> list[Bound]:
 
 
 def spring_limit(name: str, damping: float, at: str) -> Bound:
-    """Measure the largest k h^2 / m at which a spring is stable with the integrator ``name``.
+    """Measure the stability limit of a spring with the integrator ``name``, as k h^2 / m.
 
-    ``damping`` is d^h for one of our integrators, and c h / m for any other method. ``at``
-    describes the damping in the result, such as "d^h = 0.5".
+    ``damping`` is the same as in ``growth_at``. ``at`` describes the damping in the result, such as
+    "d^h = 0.5".
     """
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
@@ -177,11 +176,11 @@ def ground_limit() -> Bound:
 
 
 def thrown(kappa: float) -> int:
-    """Count the time steps until a resting body leaves the ground of the penalty method.
+    """Count the time steps until an unstable penalty ground throws a resting body into the air.
 
-    At rest, the body would sink into the ground by a certain depth. It starts deeper than that, by
-    a fraction 1 / HUGE of the depth. It leaves the ground when this deviation has grown by a factor
-    of HUGE. Return 0 if that does not happen within 2000 steps.
+    The body starts slightly deeper than in equilibrium. The difference is 1 / HUGE of the
+    equilibrium depth, and the body leaves the ground when this difference has grown by a factor of
+    HUGE. Return 0 if the body is still on the ground after 2000 steps.
     """
     depth = 10.0 / (kappa / FRAME**2)
     heights = bounces(kappa / FRAME**2, -depth * (1.0 + 1.0 / HUGE), 2000)

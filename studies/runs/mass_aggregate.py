@@ -1,6 +1,7 @@
 """Run the bridge, the platform, the blob and the wheel of chapter 8, and record measurements.
 
-Plots, benchmarks and tests use them. Lengths are in m, masses in kg, times in s, and energies in J.
+Plots, benchmarks and tests use these simulations. Lengths are in m, masses in kg, times in s, and
+energies in J.
 """
 
 from __future__ import annotations
@@ -78,10 +79,9 @@ def loaded_platform() -> TiltingPlatform:
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Simulate a mass aggregate, such as the rope bridge, and record its energy over time.
+    """Simulate a mass aggregate, such as the rope bridge, and record its mechanical energy in J.
 
-    The value is the mechanical energy in J. To save time, the simulation uses a faster contact
-    resolver that computes the same results.
+    To save time, the simulation uses a faster contact resolver that computes the same results.
     """
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
@@ -154,9 +154,9 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return a copy of the positions of all particles of a world, as plain numbers.
+    """Return the positions of all particles of a world, as tuples of floats.
 
-    Later changes of the particles do not affect this copy.
+    The result is a copy, which does not change when the particles move.
     """
     return [numbers(particle.position) for particle in world.particles]
 

@@ -77,9 +77,10 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Insert a release of NaNs between two releases whose angles differ by more than ``degrees``.
+    """Insert placeholders into a list of releases, so that a plot of them has gaps.
 
-    A plot of the releases then has a gap there.
+    A placeholder is a Release of NaNs. It is inserted wherever the angle drops by more than
+    ``degrees`` from one release to the next.
     """
     shown = list(found[:1])
     for before, release in pairwise(found):

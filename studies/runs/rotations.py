@@ -70,7 +70,7 @@ def arrows(q: Components) -> Arrows:
 
 
 def arrows_by_engine(q: Quaternion) -> Arrows:
-    """Rotate the axes X, Y and Z by ``q`` with the engine, and return their new directions."""
+    """Return the directions of the axes X, Y and Z after the engine has rotated them by ``q``."""
     x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
     return x, y, z
 
@@ -87,10 +87,10 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Compute the angle in degrees between two orientations that are given as axis directions.
+    """Compute the angle in degrees between two orientations, each given as three axis directions.
 
-    Each of them consists of a body's three axes. The angle follows from the trace of the matrix
-    that rotates one to the other. Return NaN if an axis is not finite.
+    The angle follows from the trace of the matrix that rotates one orientation to the other. Return
+    NaN if a direction is not finite.
     """
     if not is_drawable(*a, *b):
         return math.nan
@@ -248,10 +248,10 @@ def coning_orientation(time: float) -> Components:
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Rotate a body step by step from START. Return all orientations and any error message.
+    """Rotate a body by time steps, and return its orientations and any error message.
 
-    Each step uses the angular velocity at a fraction ``share`` of the step. For example, 0 is the
-    start of the step, and 0.5 is its middle.
+    The body starts in the orientation START. ``share`` is the fraction of a step at which the
+    angular velocity is evaluated. For example, 0.5 is the middle of the step.
     """
     q = Quaternion(*START)
     found = [components(q)]

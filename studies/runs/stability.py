@@ -70,7 +70,7 @@ class Swing:
 
 
 def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrator:
-    """Turn a solver for one linear spring into an integrator that moves particles along X."""
+    """Build an integrator that moves particles along X with a solver for a single linear spring."""
 
     def step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
         del apply_forces

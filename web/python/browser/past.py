@@ -52,10 +52,10 @@ class Past:
 
 
 class Processes:
-    """Runs the checks for one request, without repeating those of an earlier web worker.
+    """Runs the checks of one request, and reuses the results of an earlier web worker.
 
     If a check never ends, the page terminates the worker and starts a new one. The new worker
-    replays the reports of the old one instead of running the same checks again.
+    replays the reports that the old worker had sent, instead of running the same checks again.
     """
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:

@@ -20,7 +20,7 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Reports student code that has not finished in time, and the line that it is on.
+    """Interrupts student code that runs for too long, and tells the page which line was running.
 
     Set `explain` to a function that turns a stack trace into an explanation for the page.
     """

@@ -90,11 +90,10 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List the optional features whose cost is measured.
+    """List the optional features whose cost is measured, such as gravity as a force generator.
 
-    An example is gravity as a force generator. Each feature is a tuple of its name and two
-    functions. The first function simulates a frame with the feature, and the second one simulates
-    the same frame without it.
+    Each feature is a tuple of its name and two functions. The first function simulates a frame with
+    the feature, and the second one simulates the same frame without it.
     """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3

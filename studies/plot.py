@@ -53,10 +53,10 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Record in a text file in ``folder`` which engine drew the plots there.
+    """Record which engine drew the plots in ``folder``, in a text file next to the plots.
 
-    `make check` reads this file when a student finishes a chapter. It refers to the plot only if
-    the student's own engine drew it.
+    `make check` reads this file when a student finishes a chapter. It mentions a plot only if the
+    student's own engine drew it.
     """
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")

@@ -52,7 +52,7 @@ class Model:
     takes_tolerance: bool = False
 
     def chosen(self, choice: int) -> str:
-        """Describe one of the ``choices`` in words, such as "4 steps per frame"."""
+        """Describe the steps per frame or the tolerance in words, such as "4 steps per frame"."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / choice:g}"
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
@@ -72,9 +72,9 @@ class Model:
 
 
 def models_of(world: ParticleWorld) -> list[Model]:
-    """List the models, or methods of simulation, that can be used for this world.
+    """List the simulation methods that can be used for a world.
 
-    They depend on its particles, forces and contacts.
+    The choice depends on the particles, forces and contacts of the world.
     """
     damped = any(p.damping != 1.0 for p in world.particles if p.inverse_mass)
     if type(world) is not ParticleWorld:  # a subclass may do more in its step
@@ -106,7 +106,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Create a model's ``step_of`` function from an integrator, for worlds without contacts."""
+    """Build a model's ``step_of`` function, which uses ``integrator`` and ignores contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

@@ -36,9 +36,9 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """The interface that the bridge, the platform, the blob and the wheel of chapter 8 share.
+    """The common interface of the bridge, the platform, the blob and the wheel of chapter 8.
 
-    Each of them has a world of particles, and a method that advances it by one time step.
+    Each of them has a world of particles, and a method that advances the world by one time step.
     """
 
     @property

@@ -41,11 +41,11 @@ class Release:
 def releases(design: Design) -> list[Release]:
     """Simulate a trebuchet that never releases its projectile, and list all possible throws.
 
-    A real sling releases the projectile in the first time step in which it flies at or below the
-    release angle. A step is therefore a possible release only if its direction of flight is lower
-    than in all earlier steps. The list ends when the projectile flies horizontally.
+    A real sling releases the projectile as soon as its direction of flight has dropped to the
+    release angle. A time step is therefore listed only if this direction is lower than in all
+    earlier steps. The list ends when the projectile flies horizontally.
 
-    Ranges and fractions are computed as in Trebuchet.throw, but with plain numbers.
+    Ranges and energies are computed as in Trebuchet.throw, but with plain numbers.
     """
     machine = Trebuchet(design)
     resolve_by_heap(machine.world)

@@ -82,7 +82,7 @@ class Runs:
         return self.memory(chapter, engine, **options)
 
     def show(self, engine: list[Path]) -> None:
-        """Send the first failure to the page right away, before the next chapter is checked."""
+        """Send the first failure to the page before any checks of other chapters are run."""
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]

@@ -1,7 +1,7 @@
-"""Run checks as if in a new process, although a browser cannot start one.
+"""Run checks as if in a new process, because a browser cannot start one.
 
-The end of a process discards its imported modules, its sys.path and its working folder. Each run
-therefore ends by removing the modules and by restoring sys.path and the working folder.
+When a process ends, its imported modules, its sys.path and its working folder are discarded. Each
+run therefore ends by removing the modules and by restoring sys.path and the working folder.
 """
 
 from __future__ import annotations
@@ -153,10 +153,7 @@ def forget_modules() -> None:
 
 
 def forget_folders() -> None:
-    """Clear the cache in which Python stores the contents of the course's folders.
-
-    The page may have changed the files in these folders.
-    """
+    """Clear Python's cache of the course's folders, because the page may have changed them."""
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):
             del sys.path_importer_cache[folder]

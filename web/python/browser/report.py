@@ -1,4 +1,4 @@
-"""Convert the results of checks to data for the page, in the words that make check uses."""
+"""Convert the results of checks to data for the page, with the same texts as in `make check`."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ def draw(lines: list[Line], png: Path) -> None:
     """Draw the cost of each feature as a bar, with the most expensive feature on top.
 
     The cost is the time per frame with the feature divided by the time without it. Whiskers show
-    the quartiles. If a feature cost nothing, its bar would end at the dashed line at 1.
+    the quartiles. A dashed line at 1 marks the cost of a feature that takes no extra time.
     """
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
@@ -182,10 +182,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that advances two hundred falling particles by one frame, without objects.
+    """Return a function that advances two hundred falling particles without using the engine.
 
-    The coordinates are plain floats. ``dimensions`` is 2 or 3, so that the cost of the third
-    dimension can be measured.
+    Each call simulates one frame with plain floats. ``dimensions`` is 2 or 3, so that the cost of
+    the third dimension can be measured.
     """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 

@@ -96,7 +96,7 @@ def statement_timer(code: str, setup: str) -> Timer:
 def both(first: Timer, second: Timer) -> tuple[float, float]:
     """Measure two times, one right after the other, and return both of them.
 
-    Which one comes first is random, so that the order favors neither of them.
+    The order is random, so that it does not favor one of them.
     """
     if random.random() < 0.5:
         a = warm(first)

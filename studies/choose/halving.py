@@ -88,7 +88,7 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
 
 
 def distance(a: Run, b: Run) -> float:
-    """Find the largest difference between two runs of a simulation, in any value and any frame."""
+    """Return the largest difference between two runs, over all measured values and all frames."""
     return max(
         abs(x - y)
         for mine, other in zip(a, b, strict=True)

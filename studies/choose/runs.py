@@ -58,7 +58,7 @@ class Tried:
         """Return True if the model does not need another run with shorter time steps.
 
         No further run is needed if the last runs are exact, or if the error is known to be small
-        enough. The latter requires that the estimates are reliable, and that the last three are
+        enough. In the second case, the estimates must be reliable, and the last three must be
         within ``tolerance``.
         """
         found = self.halved

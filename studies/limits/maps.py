@@ -187,11 +187,11 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
     """Plot how far the predicted numbers of steps to divergence are off, in percent.
 
-    Lines are for steady growth, and marks are for oscillations that are released from rest. These
-    are the sum of two eigenvectors, but only one of the two grows. Near a limit, the two are almost
-    parallel, so the growing part may be much larger than the sum, or only half as large. The
-    oscillation therefore reaches a million times its size sooner or later than predicted. Far
-    beyond the limit, the difference is caused by rounding to whole steps.
+    Lines are for steady growth, and marks are for oscillations that are released from rest. An
+    oscillation from rest is the sum of two eigenvectors, but only one of them grows. Near a limit,
+    the two are almost parallel, so the growing part may be much larger than the sum, or only half
+    as large. The oscillation therefore reaches a million times its size sooner or later than
+    predicted. Far beyond the limit, the difference is caused by rounding to whole steps.
     """
     for name in LOST:
         own = [row[2:] for row in losses if row[0] == name]

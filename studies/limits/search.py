@@ -138,7 +138,7 @@ def theory_at(name: str, damping: float) -> float:
 
 
 def spring_limits() -> list[Bound]:
-    """Measure how stiff a spring each integrator tolerates, with and without damping.
+    """Measure the largest stiffness that each integrator tolerates, with and without damping.
 
     The stiffness is given as k h^2 / m, where h is the time step.
     """
@@ -228,7 +228,7 @@ def drag_factor(name: str, z: float) -> float:
     """Compute the factor by which drag alone multiplies the velocity in one time step.
 
     ``z`` is k1 h / m, where k1 is the drag coefficient and h is the time step. Our integrators use
-    Drag of chapter 5. The other methods simulate a damped spring of stiffness 0.
+    the class Drag of chapter 5. The other methods simulate a damped spring of stiffness 0.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:

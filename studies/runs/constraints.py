@@ -57,7 +57,7 @@ class Track:
 
     @property
     def points(self) -> list[tuple[float, float]]:
-        """The recorded values, as a list of pairs of a time and a value."""
+        """The recorded data as a list of pairs, each with a time and the value at that time."""
         return [*zip(self.times, self.values, strict=True)]
 
 

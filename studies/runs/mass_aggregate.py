@@ -50,8 +50,8 @@ class MassAggregate(Protocol):
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
     """Simulate a mass aggregate, such as the rope bridge, and record several values over time.
 
-    The functions in ``measures`` return the values. They are called at the start and after every
-    time step. If the student's engine fails, the recording ends early.
+    Each function in ``measures`` returns one of the values. It is called at the start and after
+    every time step. If the student's engine fails, the recording ends early.
     """
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
@@ -195,15 +195,15 @@ def in_frames(
 
 
 def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Let a force drive a wheel, and record its spin in rad/s over time."""
+    """Simulate a wheel that is driven by a force, and record its spin in rad/s over time."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
 
 
 def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Let a force drive a wheel, and record how far its rods are deformed over time.
+    """Simulate a wheel that is driven by a force, and record how far its rods are deformed.
 
-    The value is the largest relative error in the length of a rod.
+    The recorded value is the largest relative error in the length of a rod.
     """
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)

@@ -75,7 +75,7 @@ def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Plac
 
 
 def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the exact sag in m of a rope that has this many links and hangs at rest."""
+    """Compute the exact sag in m of a rope that hangs at rest and has ``links`` links."""
     return -min(y for _, y in polygon(links, span, length))
 
 
@@ -91,7 +91,7 @@ def straight_v(links: int) -> list[Place]:
 
 
 def rope_particles(places: list[Place]) -> list[Particle]:
-    """Create the particles of a rope at ``places``. The first and the last cannot move."""
+    """Create the particles of a rope at the given positions. The first and the last cannot move."""
     particles = [
         Particle(Vector3(x, y), acceleration=GRAVITY, mass=1.0, damping=DAMPING) for x, y in places
     ]

@@ -39,7 +39,7 @@ TAU = math.tau
 
 
 def components(q: Any) -> Components:
-    """Convert an engine's quaternion to four floats. A part that is not a number becomes NaN."""
+    """Convert an engine's quaternion to four floats. Anything that is not a number becomes NaN."""
     r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
     return r, i, j, k
 
@@ -115,7 +115,7 @@ def off_directions(found: Arrows, wanted: Arrows) -> float:
 
 
 def largest(values: list[float]) -> float:
-    """Return the largest of several errors, or NaN if any of them is NaN or there are none."""
+    """Return the largest of several errors, or NaN if there are none or if one of them is NaN."""
     return max(values, default=math.nan) if not any(map(math.isnan, values)) else math.nan
 
 
@@ -248,7 +248,7 @@ def coning_orientation(time: float) -> Components:
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Rotate a body by time steps, and return its orientations and any error message.
+    """Simulate a rotation step by step, and return all orientations and any error message.
 
     The body starts in the orientation START. ``share`` is the fraction of a step at which the
     angular velocity is evaluated. For example, 0.5 is the middle of the step.

@@ -82,7 +82,7 @@ def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrato
 
 
 def methods(stiffness: float) -> dict[str, Integrator]:
-    """Return a dict of all integrators, including solvers wrapped for an undamped spring."""
+    """Return a dict of all integrators. Solvers are wrapped for a spring without damping."""
     return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
 
 
@@ -217,7 +217,7 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Return the largest error of a spring's positions, compared with cos(chi t) 64 times per s."""
+    """Return a spring's largest deviation from cos(chi t), sampled at most 64 times per second."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
@@ -233,7 +233,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Find the limit above which ``growth_at`` exceeds 1, by bisection from ``low`` to ``high``."""
+    """Find by bisection the value between ``low`` and ``high`` where ``growth_at`` exceeds 1."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:

@@ -58,10 +58,10 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Explain below a plot why some of its simulations stopped early.
+    """Write an explanation below a plot if some of its simulations stopped early.
 
     Each of the ``notes`` is the reason for one simulation, such as an error in the student's code.
-    At most three notes are shown, and a last line says how many others there are.
+    At most three notes are shown, followed by the number of remaining ones.
     """
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:

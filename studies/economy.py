@@ -68,7 +68,7 @@ def draw(lines: list[Line], png: Path) -> None:
     """Draw the cost of each feature as a bar, with the most expensive feature on top.
 
     The cost is the time per frame with the feature divided by the time without it. Whiskers show
-    the quartiles. If a feature cost nothing, its bar would end at the dashed line at 1.
+    the quartiles. A dashed line at 1 marks the cost of a feature that takes no extra time.
     """
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
@@ -90,11 +90,10 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List the optional features whose cost is measured.
+    """List the optional features whose cost is measured, such as gravity as a force generator.
 
-    An example is gravity as a force generator. Each feature is a tuple of its name and two
-    functions. The first function simulates a frame with the feature, and the second one simulates
-    the same frame without it.
+    Each feature is a tuple of its name and two functions. The first function simulates a frame with
+    the feature, and the second one simulates the same frame without it.
     """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
@@ -183,10 +182,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that moves two hundred falling particles by a frame with plain arithmetic.
+    """Return a function that advances two hundred falling particles without using the engine.
 
-    ``dimensions`` is the number of coordinates, 2 or 3, so that the cost of a third dimension can
-    be measured.
+    Each call simulates one frame with plain floats. ``dimensions`` is 2 or 3, so that the cost of
+    the third dimension can be measured.
     """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 

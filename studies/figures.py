@@ -129,9 +129,9 @@ def _shrunk(animation: Path) -> list[Image.Image]:
 
 
 def _still(animation: Path, seconds: float) -> Image.Image:
-    """Return the frame that an animation shows at ``seconds``, in full size.
+    """Return the frame that an animation shows after ``seconds`` seconds, in full size.
 
-    The lesson shows this frame, with a link to the animation.
+    A lesson shows this frame as a still picture that links to the animation.
     """
     left = 1000.0 * seconds
     with Image.open(animation) as frames:

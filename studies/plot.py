@@ -53,10 +53,10 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Record in a text file in ``folder`` which engine drew the plots there.
+    """Record which engine drew the plots in ``folder``, in a text file next to the plots.
 
-    `make check` reads this file when a student finishes a chapter. It refers to the plot only if
-    the student's own engine drew it.
+    `make check` reads this file when a student finishes a chapter. It mentions a plot only if the
+    student's own engine drew it.
     """
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
@@ -84,10 +84,10 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
-    """Draw a plot and save it as a PNG file, and its numbers in a CSV file of the same name.
+    """Draw a plot, save it as a PNG file, and save its numbers as a CSV file of the same name.
 
-    If the plot fails, print the reason and return False. Files of an earlier run are deleted first,
-    so that nobody mistakes them for the new plot. If the plot takes longer than ``limit`` seconds,
+    Files of an earlier run are deleted first, so that nobody mistakes them for the new plot. If the
+    plot fails, print the reason and return False. If the plot takes longer than ``limit`` seconds,
     the program ends.
     """
     name = plot.__name__

@@ -1,7 +1,7 @@
 """Read numbers and vectors from a student's engine, which may be wrong or unfinished.
 
-Vectors become tuples of floats. Plots can then compute with them without calling the student's
-code.
+Vectors are converted to tuples of floats, so that plots can compute with them without calling the
+student's code.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Return True if a student has already written all the functions that ``call`` runs.
+    """Return True if a student has already written the functions that ``call`` needs.
 
-    A function counts as unwritten as long as it raises NotImplementedError.
+    A function that raises NotImplementedError counts as not written yet.
     """
     try:
         call()
@@ -28,9 +28,10 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Run part of a simulation, and return the text of any error that stopped it.
+    """Run part of a simulation, and return the message of any arithmetic or value error.
 
-    An example is "ZeroDivisionError: division by zero". If there was no error, the text is empty.
+    The message has a form such as "ZeroDivisionError: division by zero". It is empty if there was
+    no error.
     """
     try:
         act()

@@ -42,15 +42,16 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return True if a benchmark's result meets the bound or is equal to it."""
+        """Return True if a benchmark's result is at least as good as the bound."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """A benchmark, such as pymunk's time divided by ours, that is run in several rounds.
+    """A benchmark that runs in several rounds, such as a comparison of pymunk's time with ours.
 
-    ``what`` is its description in the report. ``once`` runs one round and returns the result.
+    ``what`` describes the benchmark in the report. ``once`` is a function that runs one round and
+    returns its result.
     """
 
     what: str
@@ -71,7 +72,7 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """The verdict on the median: "met" or "missed", or an empty string without a target."""
+        """Whether the median meets the target: "met", "missed", or "" if there is no target."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
@@ -95,7 +96,7 @@ def statement_timer(code: str, setup: str) -> Timer:
 def both(first: Timer, second: Timer) -> tuple[float, float]:
     """Measure two times, one right after the other, and return both of them.
 
-    Which one comes first is random, so that the order favors neither of them.
+    The order is random, so that it does not favor one of them.
     """
     if random.random() < 0.5:
         a = warm(first)
@@ -164,11 +165,11 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Shuffle the rounds of all benchmarks, so that each benchmark is spread over the whole run.
+    """Return a random order for the rounds of all benchmarks, which spreads each of them evenly.
 
-    The result is a list of benchmark indices, in which index ``i`` occurs ``rounds[i]`` times. For
-    a benchmark with n rounds, the whole run is divided into n equal parts. Each part gets one of
-    the rounds, at a random time.
+    The result is a list of benchmark indices. Index ``i`` occurs ``rounds[i]`` times. For a
+    benchmark with n rounds, the whole run is divided into n equal parts. Each part gets one of the
+    rounds, at a random time.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
@@ -186,12 +187,12 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """Set up a benchmark for each library that compares it with our classes.
+    """Set up benchmarks that compare our classes with those of several libraries.
 
-    The result is the library's time divided by ours, as a geometric mean over all operations that
-    both support. ``name`` is what the report calls our classes. Each of the ``peers`` consists of
-    the library's module, its name in the report, and a target. A library that is not installed is
-    skipped, and a message on ``console`` shows how to install it.
+    The result of a benchmark is the library's time divided by ours, as a geometric mean over all
+    operations that both support. ``name`` is the name of our classes in the report. Each entry of
+    ``peers`` is a tuple of a library's module, its name in the report, and a target. A library that
+    is not installed is skipped, and a message on ``console`` shows how to install it.
     """
     ours = statements["ours"]
     found = []

@@ -1,4 +1,7 @@
-"""Build the course's website as static files: python -m web --out build/site [--with-solutions]."""
+"""Build the course's website as static files.
+
+Run this program as `python -m web --out build/site [--with-solutions]`.
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
-"""Draw the pictures that readers see before they start a scene: python -m web.stills FOLDER.
+"""Draw a picture of each scene, which readers see before they start the scene.
 
-Each picture shows its scene after a scripted player has briefly played on the reference engine. A
-lesson can also start a scene with settings, as in `make lab SCENE=... SET=...`. The picture then
-shows the start of the scene, so that it does not give away the outcome.
+Run this program as `python -m web.stills FOLDER`. In most pictures, a script has played the scene
+on the reference engine for a moment. A lesson can also start a scene with settings, as in `make lab
+SCENE=... SET=...`. The picture then shows the initial state, so that it does not give away the
+outcome.
 """
 
 from __future__ import annotations

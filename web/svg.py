@@ -18,7 +18,7 @@ HIDDEN = ("force", "contact")  # arrows that a page shows only on request
 
 
 class View:
-    """Converts the coordinates of a scene to pixels, as the page does.
+    """Converts the coordinates of a scene to pixels, in the same way as the lab's page.
 
     A scene has its own units, and its y axis points up.
     """

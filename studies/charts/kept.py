@@ -1,4 +1,4 @@
-"""Copy the results of a full `make charts` into the repository.
+"""Copy the results of a complete run of `make charts` into the repository.
 
 The results are the page with all charts, the overview picture, and a description of the picture.
 """
@@ -69,6 +69,6 @@ def described(rows: Sequence[Row]) -> str:
 
 
 def _rounded(value: float) -> str:
-    """Format a ratio to two significant digits, the precision of the overview picture."""
+    """Format a ratio to two significant digits, as in the overview picture."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"

@@ -31,7 +31,7 @@ COLUMNS = (
 def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
     """Write the page with all charts to ``index.html``, and all data points to ``points.csv``.
 
-    Both files are saved in the folder ``out``. The page quotes ``how``, a sentence that explains
+    Both files are saved in the folder ``out``. ``how`` is a sentence for the page, which explains
     how the times were measured.
     """
     own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
@@ -63,9 +63,9 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
 
 
 def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
-    """Format the measured points as CSV text, which readers can download from the page.
+    """Format the measured points of all scenes as CSV text, for download from the page.
 
-    ``own`` maps the name of each scene to its points.
+    ``own`` is a dict from the name of each scene to its points.
     """
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")

@@ -67,7 +67,7 @@ SIDES = {"pymunk": "pymunk", "the book": "the book's step"}  # our own models ne
 class Drawn:
     """The line of one model in the chart of a scene, with its color and its marks.
 
-    Each of the ``points`` is a tuple of x, y and the row of the table that belongs to it.
+    Each of the ``points`` is a tuple of x, y and the index of the point's row in the table.
     """
 
     name: str
@@ -80,7 +80,7 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Panel:
-    """One scene on the page of charts, with its descriptions, its chart and its table."""
+    """A scene's section of the page of charts, with a description, a chart and a table."""
 
     name: str
     id: str
@@ -140,10 +140,10 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
 
 
 def _row(scene: Scene, point: Point) -> tuple[str, ...]:
-    """Format one measured point as a row of the table.
+    """Format a measured point as a row of a scene's table.
 
-    The columns are the model, its steps or its tolerance, the error, the median time, the quartiles
-    of the time, and the work.
+    The first columns are the model, its number of steps or its tolerance, and the error. They are
+    followed by the median and the quartiles of the time, and by the amount of work.
     """
     model = next(model for model in scene.models if model.name == point.model)
     choice = "1 step" if point.steps == 1 else f"{point.steps:,} steps"

@@ -16,11 +16,11 @@ from studies.charts.axes import Axis, axis_for
 
 @dataclass(frozen=True)
 class Ratio:
-    """One row of a table: the comparison of pymunk's time with ours in a scene, at one tolerance.
+    """A row of the table that compares pymunk's time with ours, for one scene and one tolerance.
 
     ``at`` is the position of the row's mark on the axis in percent, or None if there is no mark.
-    ``kind`` is "exact" or "extrapolated". If the ratio is only a bound, ``kind`` is "more" or
-    "less".
+    ``kind`` is "exact" or "extrapolated" if the ratio is known. It is "more" for a lower bound,
+    "less" for an upper bound, and empty if nothing is known.
     """
 
     scene: str
@@ -33,9 +33,9 @@ class Ratio:
 
 
 def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
-    """Prepare the table that compares pymunk's times with ours.
+    """Build the table of the ratios of pymunk's times to ours, and the axis that shows them.
 
-    Return the axis on which the ratios are marked, and a Ratio for each row.
+    Return the axis, and a Ratio for each row.
     """
     marks = [_mark(row) for row in rows]
     axis = axis_for([1.0, *(value for value, _ in marks if value)], 0.0, 100.0)
@@ -54,10 +54,10 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Return the value at which a row's mark is drawn on the axis, and the kind of the mark.
+    """Return the value to mark on the axis for a row of the table, and the kind of the mark.
 
-    The value is the ratio of pymunk's time to ours, or a bound on the ratio. If neither is known,
-    the value is None. The kind says how the value was found, and is explained in ``Ratio``.
+    The value is the ratio of pymunk's time to ours, or a bound on this ratio. If neither is known,
+    the value is None. The kinds are listed in ``Ratio``.
     """
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"

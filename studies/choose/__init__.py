@@ -1,8 +1,8 @@
 """Find the fastest method that simulates a scene, such as a pendulum, accurately enough.
 
-The command tries integrators, closed forms and contact solvers, which it calls models. It measures
-how long each of them takes, and reports the fastest one whose error is small enough. For
-comparison, it also shows the next model that takes less time, and the error of that model.
+The command measures how long different models take. A model is an integrator, a closed form or a
+contact solver. The report shows the fastest model whose error is small enough. For comparison, it
+also shows the next faster model and its error.
 
 Choose a built-in scene by part of its name, such as "pendulum". You can also describe a scene of
 your own in a Python file, as in studies/choose/example.py. Such a scene has no exact solution, so

@@ -25,5 +25,5 @@ def build() -> ParticleWorld:
 
 
 def measure(world: ParticleWorld) -> Vector3:
-    """Return the position of the heavy ball."""
+    """Return the position of the heavy ball, which `make choose` compares between runs."""
     return world.particles[1].position

@@ -43,9 +43,9 @@ def halved(
     """Estimate the error of each run of a simulation by comparing the runs with one another.
 
     All runs simulate the same scene with the same method. From one run to the next, the time step
-    is divided by ``ratio``. The error of a run is its distance from the last run, plus the
-    estimated error of the last run. A run that failed is None. It has an infinite error, and so do
-    all runs before it.
+    is divided by ``ratio``. The error of the last run is estimated from the differences between the
+    runs. The error of any other run is this estimate plus the difference from the last run. A
+    failed run is given as None. Its error is infinite, and so is the error of every run before it.
 
     ``order`` is the method's order of convergence in theory. If the observed order is higher, that
     is a coincidence, and the estimate uses ``order``.
@@ -88,7 +88,7 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
 
 
 def distance(a: Run, b: Run) -> float:
-    """Find the largest difference between two runs of a simulation, in any value and any frame."""
+    """Return the largest difference between two runs, over all measured values and all frames."""
     return max(
         abs(x - y)
         for mine, other in zip(a, b, strict=True)

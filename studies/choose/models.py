@@ -52,16 +52,18 @@ class Model:
     takes_tolerance: bool = False
 
     def chosen(self, choice: int) -> str:
-        """Describe one of the ``choices`` in words, such as "4 steps per frame"."""
+        """Describe the steps per frame or the tolerance in words, such as "4 steps per frame"."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / choice:g}"
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Prepare a world for a run with one of the ``choices``, such as 4 steps per frame.
+        """Prepare a world to be simulated with this model.
 
-        Return a function that advances the world by one time step, and the number of steps per
-        frame.
+        ``choice`` is the number of time steps per frame, or the inverse of the tolerance.
+
+        Returns:
+            A function that advances the world by one time step, and the number of calls per frame.
         """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
@@ -70,9 +72,9 @@ class Model:
 
 
 def models_of(world: ParticleWorld) -> list[Model]:
-    """List the models, or methods of simulation, that can be used for this world.
+    """List the simulation methods that can be used for a world.
 
-    They depend on its particles, forces and contacts.
+    The choice depends on the particles, forces and contacts of the world.
     """
     damped = any(p.damping != 1.0 for p in world.particles if p.inverse_mass)
     if type(world) is not ParticleWorld:  # a subclass may do more in its step
@@ -89,9 +91,11 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """List the solvers for worlds whose contacts all come from links, or all from detectors.
+    """List the models that can be used only if all contacts are of the same kind.
 
-    The list is empty if a world mixes links and detectors, or if a rod or cable has a restitution.
+    If all contacts come from rods and cables without restitution, a solver can compute all tensions
+    at once. If all contacts come from collision detectors, time division can be used. Otherwise the
+    list is empty.
     """
     generators = world.contact_generators
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
@@ -102,7 +106,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Create a model's ``step_of`` function from an integrator, for worlds without contacts."""
+    """Build a model's ``step_of`` function, which uses ``integrator`` and ignores contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

@@ -39,7 +39,7 @@ class Tried:
     failure: str = ""
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Add the next run, which has shorter time steps, and update all estimated errors.
+        """Add the result of a run with shorter time steps, and update all estimated errors.
 
         ``run`` contains the measured values, or a message that says why the run failed. ``taken``
         is the processor time of the run in s.
@@ -55,10 +55,11 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return True if a model needs no further runs with shorter time steps.
+        """Return True if the model does not need another run with shorter time steps.
 
-        That is the case if the last runs are exact. It is also the case if the estimates are
-        reliable and the errors of the last three runs are within ``tolerance``.
+        No further run is needed if the last runs are exact, or if the error is known to be small
+        enough. In the second case, the estimates must be reliable, and the last three must be
+        within ``tolerance``.
         """
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
@@ -69,9 +70,9 @@ class Tried:
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Convert the runs to the Points with which the accuracy study compares models.
+        """Convert the runs to points, so that they can be compared as in the accuracy study.
 
-        The attribute ``work`` of a point is its number of time steps.
+        The ``work`` of a point is its number of time steps.
         """
         return [
             Point(
@@ -92,7 +93,7 @@ class Tried:
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
     """Simulate the scene with each model, and shorten the time step until the error is small.
 
-    A model is abandoned after a run that takes longer than SLOWEST, unless more runs are needed to
+    If a run takes longer than SLOWEST, the model gets no further runs, unless they are needed to
     judge its order of convergence. ``hear`` is called before each run with a description of the
     run, so that the caller can show the progress.
 
@@ -156,11 +157,11 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Repeat the timing of every run that the report may choose.
+    """Repeat the runs that the report may choose from, to measure their times more accurately.
 
-    For each model with reliable errors, the report chooses from the runs up to the first one that
-    is accurate enough. These runs are timed in several rounds, each in random order. If the
-    computer is busy for a moment, this affects several models rather than only one.
+    For each model with reliable errors, these are all runs up to the first one that is accurate
+    enough. They are repeated in several rounds, each in random order. If the computer is busy for a
+    moment, this affects several models rather than only one.
     """
     every = []
     for tried in found:
@@ -177,7 +178,7 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
 
 
 def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
-    """Measure the processor time of a run in s, as the mean of several runs if it is short."""
+    """Measure the processor time of a run in s, averaged over several runs if one is too short."""
     total, count = 0.0, 0
     while total < LEAST:
         total += run_once(scene, model, choice)[1]

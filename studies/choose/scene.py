@@ -29,8 +29,9 @@ class OwnScene:
     """A scene that a user of `make choose` has described in a Python file.
 
     ``build`` creates the scene in its initial state, and ``measure`` returns the values to compare.
-    Both are the user's own functions and may be wrong. Call ``built`` and ``measured`` instead,
-    which check the results. ``frames`` is the duration of the scene, at 60 frames per second.
+    Both are the user's own functions and may contain errors. The methods ``built`` and ``measured``
+    call them and check the results. ``frames`` is the duration of the scene, at 60 frames per
+    second.
     """
 
     path: Path
@@ -68,9 +69,10 @@ class OwnScene:
             raise SceneError(message) from None
 
     def check(self) -> Values:
-        """Check that the scene can be built twice, and that both copies start in the same state.
+        """Build the scene twice, and check that both copies start in the same state.
 
-        Different runs could not be compared otherwise. Return the values measured at the start.
+        Runs of a scene can be compared only if they start in the same state. Return the values
+        measured at the start.
 
         Raises:
             SceneError: The two copies differ or share a particle, nothing is measured, or a
@@ -164,7 +166,11 @@ def _run(path: Path) -> ModuleType:
 
 
 def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Return the function of this name in the user's file, or None if it does not exist."""
+    """Return the function called ``name`` from the user's file, or None if it is not defined.
+
+    Raises:
+        SceneError: The name is defined, but it is not a function.
+    """
     found = getattr(module, name, None)
     if found is not None and not callable(found):
         raise SceneError(f"{path}: {name} must be a function, got {found!r}")

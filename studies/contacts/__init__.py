@@ -27,7 +27,7 @@ QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest r
 def main(arguments: list[str]) -> int:
     """Measure all contact solvers, print a table, draw the picture, and save the measurements.
 
-    A quick run does not replace the measurements that are stored in the project.
+    With the option ``--quick``, the measurements that are stored in the project are not replaced.
     """
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
     parser.add_argument(

@@ -1,7 +1,7 @@
 """Compare the contact solvers of chapter 7 in a picture and a table.
 
-Both of them show measured points. Each point is for one solver with a certain number of steps per
-frame, and consists of its error and its computing time.
+Both show the error and the computing time of each solver, measured with different numbers of steps
+per frame.
 """
 
 from __future__ import annotations

@@ -51,10 +51,10 @@ Move = Callable[[float], object]
 
 @dataclass(frozen=True)
 class Bodies:
-    """A stack or a rope: its particles, the sources of its contacts, and its error.
+    """The particles and contacts of a stack or a rope, and a function that measures its error.
 
-    ``error`` is a function that takes the duration of a time step in s. It returns the current
-    error as a plain number without a unit.
+    ``error`` takes the duration of a time step in s, and returns the current error, which has no
+    unit.
     """
 
     particles: list[Particle]
@@ -63,7 +63,7 @@ class Bodies:
 
 
 class ColdStart(SequentialImpulses):
-    """Sequential impulses without warm starting, to show how much warm starting helps.
+    """A contact solver with sequential impulses but without warm starting, for comparison.
 
     Every time step starts with zero impulses rather than with the impulses of the previous step.
     """
@@ -74,10 +74,9 @@ class ColdStart(SequentialImpulses):
 
 
 def by_book(particles: list[Particle], generators: Iterable[ContactGenerator]) -> Move:
-    """Return a function that advances the particles with the book's contact resolver.
+    """Return a function that simulates the particles with the book's contact resolver.
 
-    This version of the resolver keeps its contacts in a heap, which is faster and gives the same
-    results.
+    To save time, a HeapResolver is used, which computes the same results.
     """
     world = ParticleWorld(particles, generators)
     world.resolver = HeapResolver()
@@ -132,7 +131,7 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Build a rope without an extra weight that is released at an angle and swings.
+    """Build a rope that starts at an angle and swings, with no extra weight at its end.
 
     The error is the change in mechanical energy, which an exact solver would conserve.
     """
@@ -162,8 +161,8 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
     """Create a scene that compares several contact solvers on the same stack or rope.
 
-    In a rope, SmallSteps uses an ordinary Rod for each link, because it does not need a
-    TwoSidedRod.
+    ``make`` builds the stack or the rope. The links of a rope are TwoSidedRods, except for
+    SmallSteps, which works with ordinary ones.
     """
     models = []
     for solver in solvers:
@@ -175,10 +174,10 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return 0, because an exact contact solver would have no error at any time.
+    """Return 0 as the exact solution, because the recorded value is an error.
 
-    A scene compares recorded values with their exact values. The only value recorded here is an
-    error.
+    A scene compares its recorded values with an exact solution. With an exact contact solver, the
+    error would be 0 at any time.
     """
     return (0.0,)
 
@@ -189,7 +188,7 @@ def named(name: str, ratio: int) -> str:
 
 
 def scenes() -> list[Scene]:
-    """List all stacks and ropes on which contact solvers are compared, in the table's order."""
+    """List all scenes on which contact solvers are compared, in the order of the table."""
     of_stacks = [BOOK, COLD, IMPULSES, SMALL]
     of_ropes = [BOOK, IMPULSES, SMALL, NET]
     return [

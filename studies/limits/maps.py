@@ -100,10 +100,10 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Predict and measure how many time steps each integrator takes to diverge beyond its limit.
+    """Predict and measure how many steps an unstable oscillation takes to grow by a factor of 1e6.
 
-    Return a row for each integrator and stiffness. The last three columns are the number of time
-    steps predicted from the eigenvalues, and the two numbers that ``steps_to_loss`` counts in a
+    Return a row for each integrator and stiffness. The prediction follows from the eigenvalues of a
+    time step. The last two columns are the numbers of steps that ``steps_to_loss`` counts in a
     simulation.
     """
     rows = []
@@ -118,14 +118,15 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the time steps in which the oscillation of an unstable spring grows by a factor of 1e6.
+    """Count the time steps that an unstable oscillation takes to grow by a factor of 1e6.
 
-    The size of an oscillation combines x and v / sqrt(k / m). ``predicted`` is the expected number
-    of steps, which decides how long the simulation runs.
+    The size of the oscillation is the length of (x, v / sqrt(k / m)), where x is the position and v
+    is the velocity. ``predicted`` is the expected number of steps, which determines how long the
+    simulation runs.
 
     Returns:
-        Two counts of steps. The first count begins at the release. The second count begins when the
-        oscillation has grown by a factor of 1e3, because the initial state no longer matters then.
+        The number of steps from the release, and the number of steps after the oscillation has
+        grown by a factor of 1e3. By then, the initial state no longer matters.
     """
     integrator, pull, d = stepping(name, kappa, damping)
     chi = math.sqrt(pull.stiffness)
@@ -184,13 +185,13 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Plot the difference between the simulated and predicted steps to divergence, in percent.
+    """Plot how far the predicted numbers of steps to divergence are off, in percent.
 
-    An oscillation that is released from rest is the sum of two eigenvectors, but only one of them
-    grows. Near a limit the two are almost parallel. The growing part may then be much larger than
-    the sum, or only half as large. The oscillation therefore reaches a million times its size
-    sooner or later than predicted. Far beyond the limit, the difference is caused by rounding to
-    whole steps.
+    Lines are for steady growth, and marks are for oscillations that are released from rest. An
+    oscillation from rest is the sum of two eigenvectors, but only one of them grows. Near a limit,
+    the two are almost parallel, so the growing part may be much larger than the sum, or only half
+    as large. The oscillation therefore reaches a million times its size sooner or later than
+    predicted. Far beyond the limit, the difference is caused by rounding to whole steps.
     """
     for name in LOST:
         own = [row[2:] for row in losses if row[0] == name]

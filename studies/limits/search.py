@@ -1,9 +1,9 @@
 """Find the limits beyond which integrators are unstable, and measure the energy within them.
 
-There are limits for springs, drag, and the ground of the penalty method. One time step multiplies
-position and velocity by a matrix. A spring is unstable if the larger eigenvalue of this matrix
-exceeds 1 in magnitude. Drag is unstable if a step multiplies the velocity by a factor above 1 in
-magnitude. The limits, including those of pymunk, are found by bisection.
+There are limits for springs, drag, and the ground of the penalty method. A time step multiplies the
+position and velocity on a spring by a matrix, and the velocity under drag by a factor. The motion
+is unstable if this factor, or an eigenvalue of the matrix, exceeds 1 in magnitude. The limits,
+including those of pymunk, are found by bisection.
 """
 
 from __future__ import annotations
@@ -43,10 +43,11 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The stability limit of an integrator for a spring or for drag, as measured and in theory.
+    """The measured and the theoretical stability limit of an integrator, for a spring or for drag.
 
-    Infinity means that there is no limit. ``steps`` is the number of time steps in which an
-    oscillation slightly beyond the limit grows by a factor of HUGE. It is NaN if nothing grows.
+    A limit of infinity means that there is none. ``steps`` is the number of time steps in which the
+    motion grows by a factor of HUGE slightly beyond the limit. It is NaN if there is no such
+    number.
     """
 
     method: str
@@ -61,8 +62,8 @@ def pymunk_step(
 ) -> State:
     """Take one time step of a pymunk body on a spring, and return its position and velocity.
 
-    If ``by_hand`` is true, the spring's force is computed here and applied as an ordinary force.
-    Otherwise pymunk's own spring is used.
+    If ``by_hand`` is true, the force of the spring is applied as an ordinary force. Otherwise
+    pymunk's own spring is used.
     """
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
@@ -78,7 +79,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Take one time step of a pymunk body without a spring, in a space with damping e^(-c / m)."""
+    """Take one time step of a pymunk body without a spring, slowed by the damping of its space."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -96,12 +97,12 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Set up an integrator and a spring, to measure how fast oscillations grow.
+    """Create an integrator and a spring, to measure how fast oscillations grow.
 
-    The spring has the stiffness k at which k h^2 / m = ``kappa``, where h is the time step. For one
-    of our integrators, ``damping`` is d^h, the fraction of the velocity that the particle keeps in
-    a step. For any other method, it is c h / m, where c is the damping of the spring. Return the
-    integrator, the spring, and the damping d of the particle.
+    ``kappa`` is k h^2 / m, where k is the stiffness, h is the time step, and m is the mass. For our
+    integrators, the particle is damped, and ``damping`` is d^h, the fraction of its velocity that
+    is left after a step. For other methods, the spring is damped, and ``damping`` is c h / m, where
+    c is its damping. Return the integrator, the spring, and the damping d of the particle.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -120,13 +121,12 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest k h^2 / m at which a spring is stable in theory, where h is the time step.
+    """Return the theoretical stability limit of a spring, as k h^2 / m.
 
-    ``damping`` is the same as in ``growth_at``. The step of pymunk's own spring is p' = p + v h and
-    v' = (v + a' h) e^(-c h / m). That is semi-implicit Euler with D = e^(-c h / m). With the force
-    applied by hand, the step is explicit Euler. The determinant of its matrix is 1 - c h / m +
-    kappa, where kappa = k h^2 / m. It reaches 1 at kappa = c h / m, which is the limit if c h / m
-    is at most 2.
+    The parameters are the same as in ``growth_at``. A step with pymunk's own spring equals a step
+    of semi-implicit Euler that keeps e^(-c h / m) of the velocity. A step with a force applied by
+    hand equals explicit Euler. Its matrix has the determinant 1 - c h / m + k h^2 / m. The limit is
+    reached when the determinant is 1, provided that c h / m is at most 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -138,7 +138,7 @@ def theory_at(name: str, damping: float) -> float:
 
 
 def spring_limits() -> list[Bound]:
-    """Measure how stiff a spring each integrator tolerates, with and without damping.
+    """Measure the largest stiffness that each integrator tolerates, with and without damping.
 
     The stiffness is given as k h^2 / m, where h is the time step.
     """
@@ -158,10 +158,10 @@ def spring_limits() -> list[Bound]:
 
 
 def spring_limit(name: str, damping: float, at: str) -> Bound:
-    """Measure the largest k h^2 / m at which a spring is stable with the integrator ``name``.
+    """Measure the stability limit of a spring with the integrator ``name``, as k h^2 / m.
 
-    ``damping`` is d^h for one of our integrators, and c h / m for any other method. ``at``
-    describes the damping in the result, such as "d^h = 0.5".
+    ``damping`` is the same as in ``growth_at``. ``at`` describes the damping in the result, such as
+    "d^h = 0.5".
     """
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
@@ -177,11 +177,11 @@ def ground_limit() -> Bound:
 
 
 def thrown(kappa: float) -> int:
-    """Count the time steps until a resting body leaves the ground of the penalty method.
+    """Count the time steps until the penalty ground throws a resting body into the air.
 
-    At rest, the body would sink into the ground by a certain depth. It starts deeper than that, by
-    a fraction 1 / HUGE of the depth. It leaves the ground when this deviation has grown by a factor
-    of HUGE. Return 0 if that does not happen within 2000 steps.
+    The body starts slightly deeper than in equilibrium, by 1 / HUGE of the equilibrium depth. It
+    leaves the ground when this difference has grown by a factor of HUGE. Return 0 if the body is
+    still on the ground after 2000 steps.
     """
     depth = 10.0 / (kappa / FRAME**2)
     heights = bounces(kappa / FRAME**2, -depth * (1.0 + 1.0 / HUGE), 2000)
@@ -227,8 +227,8 @@ def drag_limits() -> list[Bound]:
 def drag_factor(name: str, z: float) -> float:
     """Compute the factor by which drag alone multiplies the velocity in one time step.
 
-    ``z`` is the strength of the drag as k1 h / m. Our integrators use the force generator Drag of
-    chapter 5. The other methods simulate a damped spring, so its stiffness is set to 0.
+    ``z`` is k1 h / m, where k1 is the drag coefficient and h is the time step. Our integrators use
+    the class Drag of chapter 5. The other methods simulate a damped spring of stiffness 0.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:
@@ -238,9 +238,9 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find the smallest stiffness or drag that makes a motion unstable, and compare it with theory.
+    """Measure the stability limit of a stiffness or drag, and compare it with theory.
 
-    ``growth`` computes the factor by which the motion grows per time step for a given stiffness or
+    ``growth`` returns the factor by which the motion grows per time step for a given stiffness or
     drag. The result also contains the number of steps to divergence at 1.02 times the limit.
     """
     found = first(growth)
@@ -281,9 +281,9 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
     """Compute the energy of a spring after each number of oscillations in ``swings``.
 
-    It is a fraction of the initial energy, averaged over one oscillation. The energy of a
-    symplectic integrator oscillates, but its mean is constant. ``matrix`` multiplies (x, v h) in
-    each time step.
+    Each result is a fraction of the initial energy. It is averaged over one oscillation, because
+    with a symplectic integrator only this average is constant. ``matrix`` is the matrix by which a
+    time step multiplies (x, v h).
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

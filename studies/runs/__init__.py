@@ -1,1 +1,1 @@
-"""Simulations that work with any engine and return plain numbers, for plots and measurements."""
+"""Run simulations with any engine, and return plain numbers for plots and measurements."""

@@ -1,4 +1,4 @@
-"""Find a line on which a box of stones balances, both with a student's engine and exactly."""
+"""Compute balance lines of a box of stones with a student's engine, and measure their errors."""
 
 from __future__ import annotations
 

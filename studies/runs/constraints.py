@@ -38,7 +38,7 @@ Resolve = Callable[[list[Contact], float], object]
 
 
 class Link(Protocol):
-    """A class such as Rod or TwoSidedRod, which connects two particles at a given length."""
+    """A class whose instances keep two particles at a given distance, such as TwoSidedRod."""
 
     def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
 
@@ -57,7 +57,7 @@ class Track:
 
     @property
     def points(self) -> list[tuple[float, float]]:
-        """The recorded values, as a list of pairs of a time and a value."""
+        """The recorded data as a list of pairs, each with a time and the value at that time."""
         return [*zip(self.times, self.values, strict=True)]
 
 
@@ -79,7 +79,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Apply no forces, for particles whose own acceleration already includes gravity."""
+    """Do nothing, because gravity is already included in the particles' own acceleration."""
     del duration
 
 
@@ -91,9 +91,9 @@ def resolving(
     apply_forces: ApplyForces = no_forces,
     substeps: int = 1,
 ) -> Move:
-    """Build a function that advances particles by a frame and resolves their contacts.
+    """Build a function that simulates particles for one frame and resolves their contacts.
 
-    The frame is divided into ``substeps`` equal steps. In each of them, ``step`` moves the
+    A frame is divided into ``substeps`` equal time steps. In each time step, ``step`` moves the
     particles, the ``generators`` find the contacts, and ``resolve`` resolves them.
     """
     every = [*generators]
@@ -126,8 +126,8 @@ def by_resolver(
 def without_rule(contacts: list[Contact], duration: float) -> None:
     """Resolve contacts without the special rule for resting contacts.
 
-    Without this rule, the restitution also applies to the velocity that gravity adds in a time
-    step.
+    This rule keeps the restitution from being applied to the velocity that gravity adds in a time
+    step. A plot shows what happens without it.
     """
     del duration
     for contact in contacts:
@@ -136,9 +136,10 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Build a function that resolves contacts without any bounce at speeds below ``speed``.
+    """Build a function that resolves contacts without a bounce if they close slower than ``speed``.
 
-    As a rule for resting contacts, this is deliberately too strict.
+    ``speed`` is in m/s. A plot compares this rule with the engine's less strict rule for resting
+    contacts.
     """
 
     def resolve(contacts: list[Contact], duration: float) -> None:
@@ -160,8 +161,8 @@ def ball(
 ) -> Track:
     """Drop a ball, and record its height above the ground over time.
 
-    If ``generated`` is true, gravity is a force generator. Otherwise it is the particle's own
-    acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
+    If ``generated`` is true, a force generator applies gravity. Otherwise gravity is the particle's
+    own acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
     """
     down = Vector3(0.0, -GRAVITY)
     particle = Particle(Vector3(0.0, height), acceleration=None if generated else down)
@@ -177,10 +178,11 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Drop a ball, and record its height over time with the function time_division_step.
+    """Drop a ball, simulate it with time_division_step, and record its height over time.
 
-    This function stops a step at each impact. It raises TooManyImpacts when the ball comes to rest.
-    The recording then ends at the time that is stored in the exception.
+    The function time_division_step stops a time step at each impact. When the ball comes to rest,
+    the impacts follow too quickly, and the function raises TooManyImpacts. The recording ends at
+    the time that is stored in this exception.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)
@@ -234,7 +236,9 @@ def chain(
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
     """Release a chain that is simulated as a DirectChain, and record its errors in length.
 
-    The two results have the same meaning as those of ``chain``.
+    Returns:
+        The excess length of the whole chain over time, and the largest error in the length of a
+        single link over time.
     """
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)

@@ -62,7 +62,7 @@ class DragFlight:
 
 
 def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Simulate a flight by calling Particle.integrate of the current engine for every frame."""
+    """Simulate a flight frame by frame with the engine's Particle.integrate."""
     particle = make_particle(flight)
     states = [_state_of(particle)]
     for _ in range(frames):

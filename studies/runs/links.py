@@ -1,4 +1,4 @@
-"""Find the end points of cables and rods, and how far the worst cable is overstretched."""
+"""Find the ends of cables and rods, and measure how far cables are overstretched."""
 
 from __future__ import annotations
 

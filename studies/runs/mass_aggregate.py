@@ -1,6 +1,7 @@
 """Run the bridge, the platform, the blob and the wheel of chapter 8, and record measurements.
 
-Plots, benchmarks and tests use them. Lengths are in m, masses in kg, times in s, and energies in J.
+Plots, benchmarks and tests use these simulations. Lengths are in m, masses in kg, times in s, and
+energies in J.
 """
 
 from __future__ import annotations
@@ -35,9 +36,9 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """The interface that the bridge, the platform, the blob and the wheel of chapter 8 share.
+    """The common interface of the bridge, the platform, the blob and the wheel of chapter 8.
 
-    Each of them has a world of particles, and a method that advances it by one time step.
+    Each of them has a world of particles, and a method that advances the world by one time step.
     """
 
     @property
@@ -49,8 +50,8 @@ class MassAggregate(Protocol):
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
     """Simulate a mass aggregate, such as the rope bridge, and record several values over time.
 
-    The functions in ``measures`` return the values. They are called at the start and after every
-    time step. If the student's engine fails, the recording ends early.
+    Each function in ``measures`` returns one of the values. It is called at the start and after
+    every time step. If the student's engine fails, the recording ends early.
     """
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
@@ -78,10 +79,9 @@ def loaded_platform() -> TiltingPlatform:
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Simulate a mass aggregate, such as the rope bridge, and record its energy over time.
+    """Simulate a mass aggregate, such as the rope bridge, and record its mechanical energy in J.
 
-    The value is the mechanical energy in J. To save time, the simulation uses a faster contact
-    resolver that computes the same results.
+    To save time, the simulation uses a faster contact resolver that computes the same results.
     """
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
@@ -154,9 +154,9 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return a copy of the positions of all particles of a world, as plain numbers.
+    """Return the positions of all particles of a world, as tuples of floats.
 
-    Later changes of the particles do not affect this copy.
+    The result is a copy, which does not change when the particles move.
     """
     return [numbers(particle.position) for particle in world.particles]
 
@@ -195,15 +195,15 @@ def in_frames(
 
 
 def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Let a force drive a wheel, and record its spin in rad/s over time."""
+    """Simulate a wheel that is driven by a force, and record its spin in rad/s over time."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
 
 
 def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Let a force drive a wheel, and record how far its rods are deformed over time.
+    """Simulate a wheel that is driven by a force, and record how far its rods are deformed.
 
-    The value is the largest relative error in the length of a rod.
+    The recorded value is the largest relative error in the length of a rod.
     """
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)

@@ -92,10 +92,10 @@ def _sweep(
     wants: Callable[[Contact], bool],
     resolve: Callable[[Contact], object],
 ) -> None:
-    """Resolve contacts in list order, in repeated passes, up to ``limit`` times in total.
+    """Make repeated passes over the contacts in list order, and resolve those that need it.
 
-    ``wants`` returns True if a contact needs to be resolved, and ``resolve`` resolves it. The
-    passes end early if no contact needs to be resolved.
+    A contact needs to be resolved if ``wants`` returns True. The passes end after ``limit`` calls
+    of ``resolve``, or earlier if no contact needs to be resolved.
     """
     used = 0
     while True:

@@ -41,11 +41,11 @@ class Release:
 def releases(design: Design) -> list[Release]:
     """Simulate a trebuchet that never releases its projectile, and list all possible throws.
 
-    A real sling releases the projectile in the first time step in which it flies at or below the
-    release angle. A step is therefore a possible release only if its direction of flight is lower
-    than in all earlier steps. The list ends when the projectile flies horizontally.
+    A real sling releases the projectile as soon as its direction of flight has dropped to the
+    release angle. A time step is therefore listed only if this direction is lower than in all
+    earlier steps. The list ends when the projectile flies horizontally.
 
-    Ranges and fractions are computed as in Trebuchet.throw, but with plain numbers.
+    Ranges and energies are computed as in Trebuchet.throw, but with plain numbers.
     """
     machine = Trebuchet(design)
     resolve_by_heap(machine.world)
@@ -77,9 +77,10 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Insert a release of NaNs between two releases whose angles differ by more than ``degrees``.
+    """Insert placeholders into a list of releases, so that a plot of them has gaps.
 
-    A plot of the releases then has a gap there.
+    A placeholder is a Release of NaNs. It is inserted wherever the angle drops by more than
+    ``degrees`` from one release to the next.
     """
     shown = list(found[:1])
     for before, release in pairwise(found):

@@ -1,7 +1,8 @@
 """Simulate a rope that hangs between two nails, and compute its exact shape.
 
-The simulated rope is a chain of rods or a DirectChain. Its length is LENGTH, and there is a
-particle of 1 kg wherever two links meet. The nails are at height 0, at a distance of SPAN.
+The rope has the length LENGTH, and is simulated as a chain of rods or as a DirectChain. Neighboring
+links are connected by particles of 1 kg. Both nails are at height 0, and the distance between them
+is SPAN.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ class Hanging:
 
 
 def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the exact sag in m of a rope with infinitely many links, a (cosh(span / 2a) - 1)."""
+    """Compute the exact sag in m of a rope with infinitely many links, which forms a catenary."""
     a = catenary_radius(span, length)
     return a * (math.cosh(0.5 * span / a) - 1.0)
 
@@ -74,14 +75,15 @@ def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Plac
 
 
 def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Compute the exact sag in m of a rope that has this many links and hangs at rest."""
+    """Compute the exact sag in m of a rope that hangs at rest and has ``links`` links."""
     return -min(y for _, y in polygon(links, span, length))
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the positions of a rope's particles if its middle is pulled down into a V.
+    """Compute the positions of a rope's particles when its middle is pulled straight down.
 
-    From this start, a simulated rope has to find its position of rest by itself.
+    The rope then has the shape of a V. A simulation can start from this shape to test whether the
+    rope comes to rest in its exact shape.
     """
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
@@ -89,7 +91,7 @@ def straight_v(links: int) -> list[Place]:
 
 
 def rope_particles(places: list[Place]) -> list[Particle]:
-    """Create the particles of a rope at ``places``. The first and the last cannot move."""
+    """Create the particles of a rope at the given positions. The first and the last cannot move."""
     particles = [
         Particle(Vector3(x, y), acceleration=GRAVITY, mass=1.0, damping=DAMPING) for x, y in places
     ]

@@ -39,7 +39,7 @@ TAU = math.tau
 
 
 def components(q: Any) -> Components:
-    """Convert an engine's quaternion to four floats. A part that is not a number becomes NaN."""
+    """Convert an engine's quaternion to four floats. Anything that is not a number becomes NaN."""
     r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
     return r, i, j, k
 
@@ -70,7 +70,7 @@ def arrows(q: Components) -> Arrows:
 
 
 def arrows_by_engine(q: Quaternion) -> Arrows:
-    """Rotate the axes X, Y and Z by ``q`` with the engine, and return their new directions."""
+    """Return the directions of the axes X, Y and Z after the engine has rotated them by ``q``."""
     x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
     return x, y, z
 
@@ -87,10 +87,10 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Compute the angle in degrees between two orientations that are given as axis directions.
+    """Compute the angle in degrees between two orientations, each given as three axis directions.
 
-    Each of them consists of a body's three axes. The angle follows from the trace of the matrix
-    that rotates one to the other. Return NaN if an axis is not finite.
+    The angle follows from the trace of the matrix that rotates one orientation to the other. Return
+    NaN if a direction is not finite.
     """
     if not is_drawable(*a, *b):
         return math.nan
@@ -115,7 +115,7 @@ def off_directions(found: Arrows, wanted: Arrows) -> float:
 
 
 def largest(values: list[float]) -> float:
-    """Return the largest of several errors, or NaN if any of them is NaN or there are none."""
+    """Return the largest of several errors, or NaN if there are none or if one of them is NaN."""
     return max(values, default=math.nan) if not any(map(math.isnan, values)) else math.nan
 
 
@@ -133,9 +133,9 @@ TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
 
 @dataclass(frozen=True)
 class Throw:
-    """The flight of a thrown disc: the axes that the engine computed, and the exact ones.
+    """The flight of a thrown disc, with the computed and the exact directions of its axes.
 
-    If an error in the engine ended the flight early, ``message`` is its text.
+    If an error in the engine ended the flight early, ``message`` is the text of the error.
     """
 
     times: list[float]
@@ -144,7 +144,7 @@ class Throw:
     message: str
 
     def worst(self, measure: Callable[[Arrows], float]) -> float:
-        """Compute an error at every time of the flight with ``measure``, and return the largest."""
+        """Return the largest error that ``measure`` finds at any time of the flight."""
         return largest([measure(found) for found in self.found])
 
     def worst_direction(self) -> float:
@@ -154,7 +154,7 @@ class Throw:
 
 
 def disc_place(time: float) -> Numbers:
-    """Compute the position of the thrown disc, which lands 6 m away at its initial height."""
+    """Compute the position of the thrown disc, which flies along a parabola and lands 6 m away."""
     return 6.0 * time / FLIGHT, 0.5 * GRAVITY * time * (FLIGHT - time), 0.0
 
 
@@ -173,7 +173,7 @@ def disc_acceleration(time: float) -> Numbers:
 
 
 def throw_disc(rate: int) -> Throw:
-    """Throw a spinning disc, and let the engine's integrate_rotation compute its orientation.
+    """Simulate the rotation of a thrown disc with the engine's integrate_rotation.
 
     ``rate`` is the number of time steps per second.
     """
@@ -248,10 +248,10 @@ def coning_orientation(time: float) -> Components:
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Rotate a body step by step from START. Return all orientations and any error message.
+    """Simulate a rotation step by step, and return all orientations and any error message.
 
-    Each step uses the angular velocity at a fraction ``share`` of the step. For example, 0 is the
-    start of the step, and 0.5 is its middle.
+    The body starts in the orientation START. ``share`` is the fraction of a step at which the
+    angular velocity is evaluated. For example, 0.5 is the middle of the step.
     """
     q = Quaternion(*START)
     found = [components(q)]
@@ -266,10 +266,10 @@ def turn_by_steps(
 
 
 def worst_axis(distance: float, z: float) -> Numbers:
-    """Find the axis about which a rotation changes the Euler angles fastest, near gimbal lock.
+    """Find the rotation axis for which the Euler angles change fastest near gimbal lock.
 
-    Gimbal lock occurs when the Euler angle y is 90 degrees. ``distance`` is how far y is below
-    that, in radians. The axis lies halfway between the world's Z axis and the rotated X axis.
+    Gimbal lock occurs when the Euler angle y is 90 degrees. ``distance`` is how far y is below 90
+    degrees, in radians. The axis lies halfway between the world's Z axis and the rotated X axis.
     """
     up = math.sin(0.5 * distance)
     along = math.cos(0.5 * distance)
@@ -277,7 +277,7 @@ def worst_axis(distance: float, z: float) -> Numbers:
 
 
 def columns(matrix: Any) -> Arrows:
-    """Return the columns of an engine's Matrix3. They are the axes of a rotated body."""
+    """Return the columns of an engine's Matrix3, which are the axes of a rotated body."""
     a, b, c, d, e, f, g, h, i = nine(matrix)
     return (a, d, g), (b, e, h), (c, f, i)
 
@@ -295,6 +295,6 @@ def singular_values(matrix: Any) -> Numbers:
 
 
 def nine(matrix: Any) -> list[float]:
-    """Return the nine entries of an engine's Matrix3 row by row, or NaNs if there are not nine."""
+    """Return the entries of an engine's Matrix3 row by row, or nine NaNs if there are not nine."""
     found = [number(entry) for entry in getattr(matrix, "entries", ())]
     return found if len(found) == 9 else [math.nan] * 9

@@ -1,7 +1,6 @@
 """Simulate a spring with different integrators, and measure when it becomes unstable.
 
-A spring pulls a particle of 1 kg toward 0 along X. Methods that can only solve for a single linear
-spring are wrapped as integrators of chapter 6.
+A spring pulls a particle of 1 kg along X. Solvers for a single spring are wrapped as integrators.
 """
 
 from __future__ import annotations
@@ -45,9 +44,9 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring that pulls toward 0, and is not affected by bugs in the engine's springs.
+    """A spring that pulls toward 0, and does not use the engine's springs, which may have bugs.
 
-    It computes with plain numbers. ``count`` is the number of times its force was evaluated.
+    ``count`` is the number of times that the force was evaluated.
     """
 
     def __init__(self, stiffness: float) -> None:
@@ -62,7 +61,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """The positions and velocities of an oscillating body, and the error that ended it, if any."""
+    """The recorded motion of an oscillating body, with the message of any error that ended it."""
 
     places: list[float]
     velocities: list[float]
@@ -70,7 +69,7 @@ class Swing:
 
 
 def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrator:
-    """Turn a solver for one linear spring into an integrator that moves particles along X."""
+    """Build an integrator that moves particles along X with a solver for a single linear spring."""
 
     def step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
         del apply_forces
@@ -83,15 +82,14 @@ def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrato
 
 
 def methods(stiffness: float) -> dict[str, Integrator]:
-    """Return all integrators by name, including the solvers wrapped for an undamped spring."""
+    """Return a dict of all integrators. Solvers are wrapped for a spring without damping."""
     return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
     """Return an integrator that raises an error if a particle's speed exceeds ``limit`` in m/s.
 
-    The student's function ``watched`` adds this check. If it is not written yet, return the
-    integrator itself. Particles then still reject forces that are not finite.
+    If the student's function ``watched`` is not written yet, return ``integrator`` unchanged.
     """
     try:
         step = watched(integrator, limit)
@@ -155,7 +153,8 @@ def step_matrix(
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
     """Compute the factor by which the oscillations of a spring grow in one time step.
 
-    ``kappa`` is k h^2 / m. ``damping`` is d^h for an integrator, and c h / m for a solver.
+    ``kappa`` is k h^2 / m, where k is the stiffness and h is the time step. ``damping`` is d^h for
+    an integrator, and c h / m for a solver.
     """
     k = kappa / duration**2
     if name in SOLVERS:
@@ -176,9 +175,9 @@ def true_place(k: float, c: float, time: float) -> float:
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Compute the factor by which oscillations of a FakeStiffSpring grow per time step.
+    """Compute the factor by which the oscillations of a FakeStiffSpring grow in one time step.
 
-    ``angle`` is h sqrt(k / m). ``share`` is the damping, as a fraction of critical damping.
+    ``angle`` is the phase per step in radians. ``share`` is the fraction of critical damping.
     """
     chi = angle / duration
     fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
@@ -186,7 +185,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Return how many steps pass until a cloth particle exceeds 1000 m/s, and any error message."""
+    """Return the number of steps until a cloth particle exceeds 1000 m/s, and any error message."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -218,7 +217,7 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Compare a spring 64 times per second with the exact cos(chi t). Return the largest error."""
+    """Return a spring's largest deviation from cos(chi t), sampled at most 64 times per second."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
@@ -234,7 +233,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Bisect between low and high to find the k h^2 / m above which oscillations grow."""
+    """Find by bisection the value between ``low`` and ``high`` where ``growth_at`` exceeds 1."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:
@@ -263,8 +262,8 @@ def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
 def theory(name: str, kept: float) -> float:
     """Return the theoretical stability limit k h^2 / m of a spring, where h is the time step.
 
-    ``kept`` is D = d^h, the fraction of the velocity that remains after a step. Each limit follows
-    from the matrix of a step. Verlet and Runge-Kutta apply the damping at the end of a step.
+    ``kept`` is D = d^h, the fraction of the velocity that is left after a step. Verlet and
+    Runge-Kutta apply the damping at the end of a step.
     """
     if name == "explicit Euler":
         return 1.0 / kept - 1.0

@@ -43,7 +43,10 @@ def packed(folder: Path, place: str, prefix: str = "", optimize: int = 0) -> dic
 
 
 def compiled(source: bytes, place: str, optimize: int) -> bytes:
-    """Compile a module that will be at the path `place`, and return the bytes of its .pyc file."""
+    """Compile the source code of a module, and return the contents of its .pyc file.
+
+    `place` is the path of the module at run time.
+    """
     code = compile(source, place, "exec", dont_inherit=True, optimize=optimize)
     return MAGIC + importlib.util.source_hash(source) + marshal.dumps(code)
 

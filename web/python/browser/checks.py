@@ -1,4 +1,4 @@
-"""Check a student's chapter or exercise in the browser, just as make check does on a computer."""
+"""Check a student's chapter or exercise in the browser, as `make check` does in a terminal."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ class Progress(ProgressBar):
         self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, done: int, of: int) -> None:
-        """Tell the page how many checks have finished.
+        """Send the number of finished checks to the page.
 
-        While the reports of an earlier worker are being replayed, nothing is sent.
+        Nothing is sent while the reports of an earlier web worker are being replayed.
         """
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
@@ -44,11 +44,14 @@ class Progress(ProgressBar):
 
 
 class Runs:
-    """Runs the checks that a student requested, and remembers the results of other chapters.
+    """Runs the checks for a report, and sends the first failure to the page as early as possible.
 
-    Checking the other chapters takes seconds, so the page first shows the failure found in the
-    requested chapter. After an endless loop, no other chapter is checked. The failure already shows
-    the line, and the other chapters would run into the same loop.
+    The report may also need the results of other chapters, whose checks take seconds. The page
+    therefore gets the first failure in the requested chapter before the other chapters are checked.
+    The results of other chapters are remembered for later reports.
+
+    After an endless loop, the other chapters are not checked, because they would run into the same
+    loop.
     """
 
     def __init__(
@@ -66,8 +69,8 @@ class Runs:
     def __call__(self, chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
         """Run the checks of a chapter, and return a verdict for each of them.
 
-        An object of this class replaces the function ``run_checks``, so its results have the same
-        form.
+        A report calls this method instead of ``run_checks``. After an endless loop, it returns no
+        verdicts for other chapters.
         """
         if chapter == self.chapter:
             self.found = self.run(chapter, engine, seed=self.seed, **options)
@@ -79,7 +82,7 @@ class Runs:
         return self.memory(chapter, engine, **options)
 
     def show(self, engine: list[Path]) -> None:
-        """Send the first failure to the page right away, before the next chapter is checked."""
+        """Send the first failure to the page before any checks of other chapters are run."""
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]

@@ -1,4 +1,4 @@
-"""Write the student's files to a folder from which the checks and scenes import them."""
+"""Write the student's files to the folder from which the checks and scenes import them."""
 
 from __future__ import annotations
 

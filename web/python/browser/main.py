@@ -24,8 +24,8 @@ links: dict[int, Link] = {}
 def start() -> None:
     """Prepare Python for running student code, and tell the page that it is ready.
 
-    The page also gets two explanations to show when Python can no longer answer. One is for an
-    endless loop, and the other for a process that has ended.
+    The message also contains two explanations for students, which the page shows when Python can no
+    longer answer. One is for an endless loop, and the other is for a process that has ended.
     """
     os.chdir(ROOT)
     watchdog.install()

@@ -17,10 +17,10 @@ def post(kind: str, **values: Any) -> None:
 
 
 def start_clock(seconds: float) -> None:
-    """Ask the web worker to send the signal SIGALRM to Python after this many seconds."""
+    """Tell the web worker to send the signal SIGALRM to Python in ``seconds`` seconds."""
     worker.startClock(seconds)
 
 
 def stop_clock() -> None:
-    """Cancel the signal SIGALRM that was requested with start_clock."""
+    """Tell the web worker not to send the signal SIGALRM any more."""
     worker.stopClock()

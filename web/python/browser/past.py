@@ -1,8 +1,8 @@
-"""Resume a run of checks that was stopped because one check never ended.
+"""Resume a run of checks after its web worker was terminated.
 
-The page has to end the web worker that runs the endless check, but it keeps the results that the
-worker has sent. A new worker then starts the run again. It uses the stored results instead of
-running those checks a second time.
+If a check never ends, the page terminates the web worker, but it keeps the results that the worker
+has sent. A new worker then starts the run again. It uses the stored results instead of running
+those checks a second time.
 """
 
 from __future__ import annotations
@@ -52,10 +52,10 @@ class Past:
 
 
 class Processes:
-    """Runs the checks for one request, without repeating those of an earlier web worker.
+    """Runs the checks of one request, and reuses the results of an earlier web worker.
 
     If a check never ends, the page terminates the worker and starts a new one. The new worker
-    replays the reports of the old one instead of running the same checks again.
+    replays the reports that the old worker had sent, instead of running the same checks again.
     """
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
@@ -64,7 +64,7 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """True if checks are running now, False if an earlier web worker's reports are replayed."""
+        """True while checks are being run, and False while earlier reports are replayed."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
@@ -92,7 +92,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Replay the reports of a process that an earlier web worker ran, as if they were new."""
+        """Replay the reports of a process that an earlier web worker ran, and return its ending."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
@@ -103,7 +103,7 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Describe a check that never finished as a failure that the page can show at once.
+    """Build the failure that the page shows for a check that never finished.
 
     Return None if no check was running.
     """

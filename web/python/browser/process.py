@@ -1,7 +1,7 @@
-"""Run checks as if in a new process, although a browser cannot start one.
+"""Run checks as if in a new process, because a browser cannot start one.
 
-The end of a process discards its imported modules, its sys.path and its working folder. Each run
-therefore ends by removing the modules and by restoring sys.path and the working folder.
+When a process ends, its imported modules, its sys.path and its working folder are discarded. Each
+run therefore ends by removing the modules and by restoring sys.path and the working folder.
 """
 
 from __future__ import annotations
@@ -60,9 +60,10 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """Imports the student's modules in a browser, without a separate process that could be killed.
+    """Imports the student's modules in a browser.
 
-    Instead, a watchdog reports code that runs for too long.
+    A browser cannot start a separate process for them and kill it when the time is up. Instead, a
+    watchdog reports code that runs for too long, and the page then ends the web worker.
     """
 
     def surround(self) -> None:
@@ -73,7 +74,7 @@ class InBrowser(InProcess):
     def after_collection(self) -> None:
         """Do nothing, because a browser cannot fork a process.
 
-        Outside a browser, this method lets forked copies of the process share more memory.
+        The method that is overridden here prepares a process for forking.
         """
 
     def start_clock(self) -> None:
@@ -85,9 +86,9 @@ class InBrowser(InProcess):
 
 
 class BrowserRecorder(Recorder):
-    """Records the results of checks, but reads only the test files that it needs.
+    """Records the results of checks, and skips test files that are not needed.
 
-    Skipping the others saves time, because files load slowly in a browser.
+    Reading fewer files saves time, because files load slowly in a browser.
     """
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
@@ -100,10 +101,10 @@ class BrowserRecorder(Recorder):
 
 
 def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
-    """Run the checks listed in ``config`` in this interpreter, and send an event for each step.
+    """Run the checks listed in ``config`` in the current interpreter, and report each step.
 
-    Some browsers have a small stack. If ``shallow`` is true, the student's code gets a lower
-    recursion limit than in the grader.
+    Each report is an event that is passed to ``send``. If ``shallow`` is true, the student's code
+    gets a lower recursion limit than in the grader, because some browsers have a small stack.
     """
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
@@ -152,10 +153,7 @@ def forget_modules() -> None:
 
 
 def forget_folders() -> None:
-    """Clear the cache in which Python stores the contents of the course's folders.
-
-    The page may have changed the files in these folders.
-    """
+    """Clear Python's cache of the course's folders, because the page may have changed them."""
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):
             del sys.path_importer_cache[folder]

@@ -1,4 +1,4 @@
-"""Convert the results of checks to data for the page, in the words that make check uses."""
+"""Convert the results of checks to data for the page, with the same texts as in `make check`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,10 @@ from autograder.student.screen import (
 def report_to_page(
     report: Report, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> dict[str, Any]:
-    """Convert the report that make check would print to data that the page can display."""
+    """Convert a report on a student's work to data that the page can display.
+
+    The page shows the same report that `make check` prints in a terminal.
+    """
     chapter, reports = report.chapter, [report]
     first = first_open(reports, exercise)
     failure = failure_of(*first, engine) if first else None

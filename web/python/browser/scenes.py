@@ -1,8 +1,8 @@
 """Run several scenes of a page in one Python interpreter, each with its own engine.
 
 The modules of all engines have the same names, so sys.modules can hold only one engine at a time.
-Each Link therefore keeps the modules that its scene has imported. It adds them to sys.modules
-before it answers a message, and removes them afterward.
+For each scene, an object of the class Link keeps the modules that the scene has imported. It adds
+them to sys.modules before it answers a message, and removes them afterward.
 """
 
 from __future__ import annotations
@@ -86,7 +86,10 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Make the scene's engine importable in a with block, under the limits for student code."""
+        """Make the scene's engine importable within a with block.
+
+        Student code in this block runs under the usual limits.
+        """
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

@@ -20,7 +20,7 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Reports student code that has not finished in time, and the line that it is on.
+    """Interrupts student code that runs for too long, and tells the page which line was running.
 
     Set `explain` to a function that turns a stack trace into an explanation for the page.
     """
@@ -29,18 +29,18 @@ class Watchdog:
         self.explain: Callable[[str], dict[str, Any]] = lambda _: {}
 
     def install(self) -> None:
-        """Make `hear` the handler of SIGALRM, which the web worker sends when time is up."""
+        """Install `hear` as the handler of SIGALRM, which the web worker sends when time is up."""
         signal.signal(signal.SIGALRM, self.hear)
 
     def start(self, seconds: float) -> None:
-        """Start the clock. When it runs out, the web worker sends the signal SIGALRM."""
+        """Start the clock, so that the web worker sends SIGALRM in ``seconds`` seconds."""
         start_clock(seconds)
 
     def stop(self) -> None:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report the running line to the page, then wait until the page terminates the worker."""
+        """Send a stack trace to the page, then wait until the page terminates the web worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:
@@ -48,7 +48,7 @@ class Watchdog:
 
 
 def stack_of(frame: FrameType | None) -> str:
-    """Format the calls in progress like a stack trace from faulthandler, innermost call first."""
+    """Format a frame and its callers like a stack trace from faulthandler, innermost call first."""
     lines = []
     while frame is not None:
         code = frame.f_code

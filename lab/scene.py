@@ -67,7 +67,7 @@ class Scene:
         self.build()
 
     def build(self) -> None:
-        """Create the scene's objects, such as particles and springs, in their state at time 0."""
+        """Create the scene's objects, such as particles and springs, as they are at the start."""
         raise NotImplementedError
 
     def step(self, duration: float) -> None:

@@ -26,7 +26,7 @@ MOMENT = 0.4  # s
 
 
 def main() -> None:
-    """Draw the pictures of all scenes into a folder, and list the scenes in scenes.json."""
+    """Draw a picture of each scene into a folder, and list the scenes in scenes.json."""
     parser = argparse.ArgumentParser(prog="python -m web.stills", description=__doc__)
     parser.add_argument("folder", type=Path)
     folder: Path = parser.parse_args().folder

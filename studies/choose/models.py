@@ -52,7 +52,7 @@ class Model:
     takes_tolerance: bool = False
 
     def chosen(self, choice: int) -> str:
-        """Describe the steps per frame or the tolerance in words, such as "4 steps per frame"."""
+        """Return the number of steps per frame, or the tolerance, as in "4 steps per frame"."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / choice:g}"
         return "once per frame" if choice == 1 else f"{choice} steps per frame"

@@ -44,7 +44,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring that pulls toward 0, and does not use the engine's springs, which may have bugs.
+    """A spring that pulls toward 0, independent of the engine's own springs and their bugs.
 
     ``count`` is the number of times that the force was evaluated.
     """

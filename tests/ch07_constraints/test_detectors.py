@@ -45,7 +45,8 @@ def test_a_particle_on_the_ground_has_a_contact(rng: Random) -> None:
             (
                 0.125,
                 [],
-                "The particle is above the ground and doesn't touch it. Return an empty list.",
+                "The particle is above the ground and doesn't touch it. Compare y - radius with "
+                "the height of the ground, and return an empty list here.",
             ),
             (
                 1e-6,

@@ -72,8 +72,7 @@ def test_a_mass_is_stored_as_its_inverse(rng: Random) -> None:
         cause="The inverse mass must be 1 / mass. Store it in the mass setter.",
     )
     p = Particle(mass=first)
-    if p.inverse_mass == first:
-        about.cause = getter if p.mass == first else setter
+    blame(p.inverse_mass, [(first, setter if p.mass == 1.0 / first else getter)])
     expect_close(p.inverse_mass, 1.0 / first)
     for mass in (second, 4):  # an int is a number too
         about.cause = (

@@ -133,7 +133,7 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Draw a heat map of the factors by which oscillations grow in one time step.
+    """Draw a heat map of how much oscillations grow in one time step.
 
     ``grown`` has one row of factors for each value in ``y``. A factor above 1 means that the
     simulation explodes, and is drawn in red. Pass the result to ``growth_bar``, which draws the

@@ -111,7 +111,7 @@ def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull,
 
 
 def growth_at(name: str, damping: float, kappa: float) -> float:
-    """Compute the factor by which oscillations grow in one time step of the integrator ``name``.
+    """Compute how much oscillations grow in one time step of the integrator ``name``, as a factor.
 
     ``kappa`` is the stiffness of the spring as k h^2 / m, where h is the time step. ``damping`` is
     d^h for one of our integrators, and c h / m for any other method.
@@ -225,7 +225,7 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Compute the factor by which drag alone multiplies the velocity in one time step.
+    """Compute the velocity after one time step with drag alone, divided by the velocity before.
 
     ``z`` is k1 h / m, where k1 is the drag coefficient and h is the time step. Our integrators use
     the class Drag of chapter 5. The other methods simulate a damped spring of stiffness 0.
@@ -282,8 +282,8 @@ def energies_after(matrix: tuple[float, float, float, float], swings: list[int])
     """Compute the energy of a spring after each number of oscillations in ``swings``.
 
     Each result is a fraction of the initial energy. It is averaged over one oscillation, because
-    with a symplectic integrator only this average is constant. ``matrix`` is the matrix by which a
-    time step multiplies (x, v h).
+    with a symplectic integrator only this average is constant. A time step multiplies (x, v h)
+    by ``matrix``.
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

@@ -135,7 +135,7 @@ def growth(
 def step_matrix(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> tuple[float, float, float, float]:
-    """Measure the matrix by which one time step of an integrator multiplies (x, v h).
+    """Measure the matrix of one time step of an integrator, which multiplies (x, v h).
 
     A step is linear, so the columns of the matrix are its results for (1, 0) and (0, 1). Return the
     four entries row by row, or four NaNs if the engine fails.

@@ -192,8 +192,8 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
     """Return the errors of Eq. 9.5 that the student's function first_order_drift predicts.
 
     The errors are reported as two numbers. The first is the final length of the quaternion, which
-    should be 1. The second is the angle in degrees by which the rotation lags behind. Both are NaN
-    if the student has not written the function yet.
+    should be 1. The second is how far the rotation lags behind, as an angle in degrees. Both are
+    NaN if the student has not written the function yet.
     """
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):

@@ -11,8 +11,16 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import SequenceMatcher
+from itertools import pairwise
 from pathlib import Path
 
+from autograder.accepted_files import (
+    LARGEST_FILE,
+    NotTakenError,
+    check_text,
+    read_file,
+    rejection,
+)
 from autograder.manifest import ROOT, Chapter, Exercise
 
 PLACE = "_Write your answer here._"
@@ -121,8 +129,7 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
     known = {*ids}
     lines = text.splitlines()
     starts = [i for i, line in enumerate(lines) if _begins(line, known)]
-    ends = [*starts[1:], len(lines)]
-    return [_section(lines, start, end) for start, end in zip(starts, ends, strict=True)]
+    return [_section(lines, start, end) for start, end in pairwise([*starts, len(lines)])]
 
 
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
@@ -140,8 +147,13 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
     sections: dict[str, list[Section]] = {exercise_id: [] for exercise_id in ids}
     strangers: dict[str, list[Section]] = {"": []}  # keyed by the preceding question
     last = ""
+    rejected = ""
     if file.is_file():
-        for section in sections_of(file.read_text(encoding="utf-8-sig", errors="replace"), ids):
+        try:
+            text = check_text(read_file(file, LARGEST_FILE)).decode("utf-8-sig")
+        except NotTakenError as error:
+            text, rejected = "", rejection(chapter.name, FILE, error)
+        for section in sections_of(text, ids):
             if section.id in ids:
                 last = section.id
                 sections[last].append(section)
@@ -153,7 +165,7 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
         own = sections[exercise.id]
         after = strangers.get(exercise.id, []) if all(sections.values()) else []
         maybe = after if own else [section for group in strangers.values() for section in group]
-        problems = _problems(exercise, own, maybe, file)
+        problems = [rejected] if rejected else _problems(exercise, own, maybe, file)
         questions.append(Question(exercise, file, own[0] if own else None, problems))
     return questions
 

@@ -8,9 +8,13 @@ from __future__ import annotations
 import argparse
 import atexit
 import sys
+from collections.abc import Sequence
 from contextlib import ExitStack
+from importlib.abc import MetaPathFinder
 from pathlib import Path
+from types import ModuleType
 
+from autograder.accepted_files import rejected_modules
 from autograder.at_home.allowed_acts import limit_acts
 from autograder.at_home.allowed_imports import limit_imports
 from autograder.at_home.students_code import StudentsCode, graded_files
@@ -18,6 +22,25 @@ from autograder.commands import find_engine
 from autograder.diagnosis.given import with_given
 from autograder.manifest import load_chapters, select_chapters
 
+
+class RejectedFileError(ImportError):
+    """Raised when a scene or a plot imports a file that the grader would reject."""
+
+
+class RejectedFiles(MetaPathFinder):
+    """An import hook that refuses the modules whose files the grader would reject."""
+
+    def __init__(self) -> None:
+        self.reasons: dict[str, str] = {}  # keyed by the module's name
+
+    def find_spec(self, name: str, _: Sequence[str] | None, __: ModuleType | None = None) -> None:
+        """Raise RejectedFileError with the reason, or let Python search for the module."""
+        if name in self.reasons:
+            raise RejectedFileError(self.reasons[name], name=name)
+
+
+rejected = RejectedFiles()
+sys.meta_path.insert(0, rejected)
 _given = ExitStack()  # temporary folders with given chapters, deleted at exit
 atexit.register(_given.close)
 _limited: set[tuple[Path, ...]] = set()
@@ -53,3 +76,4 @@ def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") ->
         code = StudentsCode(folders, graded_files(chapters), ours)
         limit_imports(code)
         limit_acts(code)
+        rejected.reasons = rejected_modules(chapters, folders)

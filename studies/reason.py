@@ -10,6 +10,7 @@ from autograder.commands import advice
 from autograder.diagnosis.faults import is_inside
 from autograder.diagnosis.slips import slip_of
 from autograder.manifest import ROOT
+from studies.engine import RejectedFileError
 
 
 def reason(error: BaseException) -> str:
@@ -20,6 +21,8 @@ def reason(error: BaseException) -> str:
     """
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
+    if isinstance(error, RejectedFileError):
+        return str(error)
     if isinstance(error, SyntaxError) and error.filename:
         file, line, words = error.filename, error.lineno, error.msg
     else:

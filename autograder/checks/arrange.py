@@ -6,6 +6,7 @@ A check process runs the checks of one chapter on the code of one student.
 from __future__ import annotations
 
 import shutil
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -98,9 +99,17 @@ class Config:
 
 
 def arrange(
-    folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
+    folder: Path,
+    chapter: Chapter,
+    engine: list[Path],
+    root: Path,
+    behind: Behind | None,
+    rejected: Collection[str],
 ) -> Arranged:
-    """Prepare ``folder`` for a check process, and return the paths and settings to use."""
+    """Prepare ``folder`` for a check process, and return the paths and settings to use.
+
+    ``rejected`` names the files that the grader would not take, such as ch07_constraints.drops.csv.
+    """
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
@@ -113,7 +122,10 @@ def arrange(
         edits={exercise.id: exercise.edit for exercise in chapter.exercises},
         modules=_modules(chapter, chapters, engine, root),
         complete=[f"{c.name}/{file}" for c in chapters for file in c.complete],
-        graded=graded_files(load_chapters(root)),
+        graded={
+            package: [file for file in files if f"{package}.{file}" not in rejected]
+            for package, files in graded_files(load_chapters(root)).items()
+        },
         worker=_workers(folder, chapter, root, behind),
     )
 

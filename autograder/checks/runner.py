@@ -9,16 +9,17 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from autograder.accepted_files import rejected_modules
 from autograder.checks import events
 from autograder.checks.arrange import Behind, Config, arrange
 from autograder.checks.events import Event, read_event
 from autograder.checks.judge import Ending, is_stopped, judge
 from autograder.checks.verdict import Verdict, mark_blocked, needs_of, with_needs
 from autograder.diagnosis.missing import while_imported
-from autograder.manifest import ROOT, Chapter
+from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.message import Kind, Message
 from autograder.text.clean import clean
 
@@ -123,7 +124,7 @@ class Run:
         self.on_verdict = on_verdict or (lambda *_: None)
         self.checks: dict[str, events.Check] = {}
         self.verdicts: dict[str, Verdict] = {}
-        self.broken = dict(order.behind.missing) if order.behind else {}
+        self.broken = dict(order.behind.missing) if order.behind else _rejected(order)
         self.deadline = time.monotonic() + order.limits.run
         self.current: events.Importing | events.Started | None = None  # what the process is doing
         self.finished = False
@@ -183,7 +184,9 @@ class Run:
         """Configure the next check process to skip all checks that already have a verdict."""
         order = self.order
         return Config(
-            arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
+            arranged=arrange(
+                folder, order.chapter, order.engine, order.root, order.behind, self.broken
+            ),
             exercises=order.exercises,
             seed=order.seed,
             time_limit=self.limit,
@@ -243,6 +246,8 @@ class Run:
             # Any other part of the message could reveal what is checked, and how.
             words = {"failed": check.rationale, "error": "the grader failed on this check"}
             message = Message(words.get(status, ""))
+        else:
+            message = self._with_rejected_data(message)
         self.verdicts[check.name] = Verdict(
             check.name,
             check.exercise,
@@ -254,6 +259,14 @@ class Run:
             check.robust,
         )
         self.on_verdict(len(self.verdicts), len(self.checks))
+
+    def _with_rejected_data(self, message: Message) -> Message:
+        """Explain a failure to read a file of measurements that was rejected, such as drops.csv."""
+        for module, why in self.broken.items():
+            name = module.partition(".")[2]
+            if "." in name and name in message.title + message.got:
+                return replace(message, likely=why.title)
+        return message
 
     def give_up(self) -> None:
         """Fail all remaining checks, because the run has exceeded its overall time limit."""
@@ -278,6 +291,13 @@ class Run:
                 if name not in self.verdicts and check.exercise == exercise:
                     self._decide(events.Decided(name, "failed", why))
         self.hung.add(exercise)
+
+
+def _rejected(order: Order) -> dict[str, Message]:
+    """Find the files that the grader would reject, so that students learn about them at home."""
+    chapters = [*chapters_below(order.chapter, order.root), order.chapter]
+    reasons = rejected_modules(chapters, order.engine)
+    return {module: Message(why, kind=Kind.BROKEN) for module, why in reasons.items()}
 
 
 def presentable(message: Message) -> Message:

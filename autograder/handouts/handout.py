@@ -17,8 +17,8 @@ from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py commands.py definitions.py files.py local_server.py "
-        "make_venv.py manifest.py message.py records.py scores.py"
+        "__init__.py __main__.py accepted_files.py answers.py commands.py definitions.py files.py "
+        "local_server.py make_venv.py manifest.py message.py records.py scores.py"
     ),
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",

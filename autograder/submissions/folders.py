@@ -5,7 +5,6 @@ The folder may contain anything, so nothing in it is trusted.
 
 from __future__ import annotations
 
-import errno
 import itertools
 import os
 import stat
@@ -14,18 +13,11 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-# If one of these errors occurs, the machine is to blame and not the submission.
-OURS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EIO, errno.ESTALE)
+from autograder.accepted_files import LINKED_FOLDER, NotTakenError, cause, read_file
+
 DEEPEST = 3  # a chapter's folder may be at most this many levels below the submission
 MOST_OTHERS = 200  # entries of a chapter's folder, where students have about twenty
 MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of one submission
-
-
-class NotTakenError(Exception):
-    """Raised when a submitted file or a whole submission is rejected.
-
-    The message gives the reason as part of a sentence, such as "it is a symbolic link".
-    """
 
 
 @dataclass(frozen=True)
@@ -91,29 +83,6 @@ def search_folder(
     return found, notes
 
 
-def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Read a submitted file, but only if it is a regular file of at most ``largest`` bytes.
-
-    Error messages refer to the file as ``what``, for example "the zip".
-
-    Raises:
-        NotTakenError: The file is not a regular file, is too large, or cannot be read.
-    """
-    try:
-        _check_kind(path.lstat(), largest, what)
-        with open(path, "rb", opener=_open) as file:
-            # We look again, since another file may have taken its place in the meantime.
-            _check_kind(os.fstat(file.fileno()), largest, what)
-            content = file.read(largest + 1)
-    except OSError as error:
-        if error.errno == errno.ELOOP:
-            raise NotTakenError(f"{what} is a symbolic link") from error
-        raise NotTakenError(f"{what} cannot be read: {cause(error)}") from error
-    if len(content) > largest:
-        raise too_large(what, largest)
-    return content
-
-
 def refuse(reason: str) -> Callable[[int], bytes]:
     """Create a function that rejects a submitted file for the given reason.
 
@@ -144,11 +113,6 @@ def other_file(place: tuple[str, ...], name: str) -> Found:
     return Found(place, name, refuse("it is not a file of this chapter"), other=True)
 
 
-def too_large(what: str, largest: int) -> NotTakenError:
-    """Create the error for a submitted file or zip that is larger than ``largest`` bytes."""
-    return NotTakenError(f"{what} is larger than {largest:,} bytes")
-
-
 def is_skipped(name: str) -> bool:
     """Return True if a folder in a student's submission should be ignored.
 
@@ -167,7 +131,7 @@ def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) 
     try:
         mode = _mode(folder)
         if stat.S_ISLNK(mode):
-            return refuse_all(place, files, "its folder is a symbolic link")
+            return refuse_all(place, files, LINKED_FOLDER)
         if stat.S_ISDIR(mode):
             for file in files:
                 if _mode(folder / file):
@@ -198,34 +162,3 @@ def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
         seen = list(itertools.islice(entries, most))
         names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
     return sorted(name for name in names if not is_skipped(name)), len(seen)
-
-
-def _open(path: str, flags: int) -> int:
-    """Open a submitted file without following a link or waiting for a pipe.
-
-    A link could lead to a file outside the submission, and a pipe could keep the grader waiting
-    forever.
-    """
-    return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
-
-
-def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
-    if stat.S_ISLNK(status.st_mode):
-        raise NotTakenError(f"{what} is a symbolic link")
-    if stat.S_ISDIR(status.st_mode):
-        raise NotTakenError(f"{what} is a folder")
-    if not stat.S_ISREG(status.st_mode):
-        raise NotTakenError(f"{what} is not a regular file")
-    if status.st_size > largest:
-        raise too_large(what, largest)
-
-
-def cause(error: OSError) -> str:
-    """Return the reason why a submitted file cannot be read, such as "Permission denied".
-
-    The error is raised again if the submission is not to blame, for example because the grader has
-    run out of memory.
-    """
-    if error.errno in OURS:
-        raise error
-    return error.strerror or type(error).__name__

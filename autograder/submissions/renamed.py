@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
-import re
 from collections.abc import Iterable, Sequence
 
+from autograder.accepted_files import renamed_file, similar_name
 from autograder.submissions.folders import Found, refuse
-
-HARMLESS = re.compile(r"[\w .()+-]{1,80}")  # names that can be shown in a report
-SIMILAR = 0.8  # least similarity, from 0 to 1; "vector (1).py" and "vector.py" have 0.82
 
 
 def renamed(place: tuple[str, ...], files: Sequence[str], there: Iterable[str]) -> list[Found]:
@@ -20,14 +16,8 @@ def renamed(place: tuple[str, ...], files: Sequence[str], there: Iterable[str]) 
     files in it. ``files`` contains the names that the grader expects.
     """
     names = set(there)
-    others = [name for name in sorted(names - {*files}) if HARMLESS.fullmatch(name)]
     found = []
     for file in files:
-        if file in names:
-            continue
-        ending = f".{file.rpartition('.')[2]}"
-        alike = [name for name in others if name.endswith(ending)]
-        for name in difflib.get_close_matches(file, alike, 1, SIMILAR):
-            reason = f"it was handed in as '{name}', so rename it and hand it in again"
-            found.append(Found(place, file, refuse(reason)))
+        if file not in names and (other := similar_name(file, names - {*files})):
+            found.append(Found(place, file, refuse(str(renamed_file(file, other)))))
     return found

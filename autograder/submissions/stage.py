@@ -11,14 +11,20 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
+from autograder.accepted_files import (
+    LARGEST_FILE,
+    NotTakenError,
+    cause,
+    check_text,
+    module_of,
+    rejection,
+)
 from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter
 from autograder.submissions.find import printable
-from autograder.submissions.folders import Found, NotTakenError, cause, refuse_all, search_folder
+from autograder.submissions.folders import Found, refuse_all, search_folder
 from autograder.submissions.renamed import renamed
 from autograder.submissions.zips import search_zip, search_zips_in
-
-LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten thousand
 
 
 @dataclass(frozen=True)
@@ -65,11 +71,11 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
                 continue
             content, reason = b"", ""
             try:
-                content = _text(files[name].read(LARGEST_FILE))
+                content = check_text(files[name].read(LARGEST_FILE))
                 _write(target / name, content)
             except NotTakenError as error:
-                reason = f"{chapter.name}/{name} was rejected: {error}"
-                missing[f"{chapter.name}.{name.removesuffix('.py')}"] = reason
+                reason = rejection(chapter.name, name, error)
+                missing[module_of(chapter.name, name)] = reason
             digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode() + content)
     return Staged(missing, [printable(note) for note in notes], digest.hexdigest())
 
@@ -121,24 +127,10 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
         path = "/".join(place)
         notes.append(f"there are {several} folders called {chapter.name}: '{path}' was used")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
-    there = [file.file for file in all_of_it if file.place == place]
+    given = chapter.complete  # these may be in the folder too
+    there = [file.file for file in all_of_it if file.place == place and file.file not in given]
     chosen += renamed(place, chapter.handed_in, there)
     return {file.file: file for file in chosen}, notes
-
-
-def _text(content: bytes) -> bytes:
-    """Make sure that a submitted file is a text file, and return its contents unchanged.
-
-    Raises:
-        NotTakenError: It is not a text file.
-    """
-    try:
-        content.decode()
-    except UnicodeDecodeError as error:
-        raise NotTakenError("it is not UTF-8: save it as UTF-8 in your editor") from error
-    if b"\0" in content:
-        raise NotTakenError("it contains NUL bytes, so it is not a text file")
-    return content
 
 
 def _write(path: Path, content: bytes) -> None:

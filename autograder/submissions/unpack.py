@@ -18,11 +18,11 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import track
 
+from autograder.accepted_files import NotTakenError
 from autograder.files import is_new
 from autograder.records import from_json, to_json
 from autograder.reports.texts import replace_file
 from autograder.submissions.find import SILENT, printable
-from autograder.submissions.folders import NotTakenError
 from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_zip, read_entry
 from autograder.text.wrapping import plain_console
 

@@ -17,17 +17,15 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from autograder.accepted_files import LINKED_FOLDER, NotTakenError, read_file, too_large
 from autograder.submissions.folders import (
     DEEPEST,
     MOST_ENTRIES,
     Found,
-    NotTakenError,
     is_skipped,
     other_file,
-    read_file,
     refuse,
     refuse_all,
-    too_large,
 )
 
 # This limit is in bytes. A normal submission is well below 100,000. If somebody builds a zip of
@@ -72,7 +70,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
         name = path_in_zip(entry)
         *above, last = name.rsplit("/", 2)
         if last in wanted and stat.S_ISLNK(entry.external_attr >> 16):
-            doubtful += refuse_all((last,), wanted[last], "its folder is a symbolic link")
+            doubtful += refuse_all((last,), wanted[last], LINKED_FOLDER)
         if not above or above[-1] not in wanted:
             continue
         is_graded = last in wanted[above[-1]]

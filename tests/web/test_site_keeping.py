@@ -19,6 +19,7 @@ from autograder.manifest import ROOT, load_chapters
 from copies import reference
 from course_site import BELOW, Served
 from site_page import accessible, check, turn, upload, visit, write
+from staging import NO_UTF8, TOO_LARGE
 
 VECTOR = "ch02_vectors/vector.py"
 STUB = (ROOT / "chapters" / VECTOR).read_text(encoding="utf-8")
@@ -206,8 +207,8 @@ def test_an_upload_asks_before_it_overwrites_and_refuses_what_is_no_zip(
     for name, text, words in (
         ("other/file.py", b"", "contains no file of the course"),
         ("constructor", b"", "contains no file of the course"),
-        (VECTOR, b"\xff\xfe", "not a text in UTF-8"),
-        (VECTOR, b"x" * 200_001, "too large"),
+        (VECTOR, b"\xff\xfe", f"{VECTOR} was rejected: {NO_UTF8}"),
+        (VECTOR, b"x" * 1_000_001, f"{VECTOR} was rejected: {TOO_LARGE}"),
     ):
         with zipfile.ZipFile(tmp_path / "bad.zip", "w", zipfile.ZIP_DEFLATED) as archive:
             archive.writestr(name, text)

@@ -13,8 +13,9 @@ from typing import Any
 
 import pytest
 
+from autograder.accepted_files import LARGEST_FILE
 from autograder.manifest import ROOT
-from autograder.submissions.stage import LARGEST_FILE, stage
+from autograder.submissions.stage import stage
 from copies import copy_tree
 from staging import (
     CHAPTERS,
@@ -102,7 +103,7 @@ def test_a_file_under_a_similar_name_is_named(
     hand_in: HandIn, name: str, beside: dict[str, bytes]
 ) -> None:
     submission = hand_in({f"ch02_vectors/{name}": CODE, **beside})
-    why = f"it was handed in as '{name}', so rename it and hand it in again"
+    why = f"its name is '{name}', so rename it to vector.py"
     assert boxed(submission) == (beside, {VECTOR: why}, [])
 
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from autograder.submissions.stage import LARGEST_FILE
+from autograder.accepted_files import LARGEST_FILE
 from autograder.submissions.zips import LARGEST_ZIP
 from staging import (
     CODE,

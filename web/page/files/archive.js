@@ -6,7 +6,7 @@ import {allStubs} from "../course.js";
 import {workspace} from "./workspace.js";
 
 const LARGEST = 5_000_000; // bytes of a zip, the same limit as in make grade
-const LARGEST_FILE = 200_000; // bytes of one text
+const LARGEST_FILE = 1_000_000; // bytes of one text, the same limit as in autograder/accepted_files.py
 const MOST = 5_000; // entries
 
 // Return a zip of every chapter in which the student has written something, or null if there is none.
@@ -29,14 +29,15 @@ export async function unzipped(file) {
     if (++entries > MOST) throw new Error(`The zip has more than ${MOST} files in it.`);
     if (/(^|\/)(\.|__MACOSX\/|__pycache__\/)|\/$/.test(name)) return false;
     const path = pathOf(name, stubs);
-    if (path && originalSize > LARGEST_FILE) throw new Error(`${name} in the zip is too large to be a file of the course.`);
+    if (path && originalSize > LARGEST_FILE) throw new Error(`${path} was rejected: it is larger than ${LARGEST_FILE.toLocaleString("en-US")} bytes`);
     if (!path) others.push(name);
     else if (seen.has(path)) throw new Error(`${path} is in the zip twice. Remove one of them.`);
     else seen.add(path);
     return Boolean(path);
   };
   for (const [name, bytes] of Object.entries(opened(new Uint8Array(await file.arrayBuffer()), filter))) {
-    texts[pathOf(name, stubs)] = decoded(bytes, name);
+    const path = pathOf(name, stubs);
+    texts[path] = decoded(bytes, path);
   }
   if (!Object.keys(texts).length) {
     throw new Error("The zip contains no file of the course, such as ch02_vectors/vector.py. Zip the folders of the chapters.");
@@ -58,11 +59,12 @@ function opened(bytes, filter) {
   }
 }
 
-export function decoded(bytes, name) {
+// Return the text of a file. If it is not UTF-8, throw an Error in the same words as make check.
+export function decoded(bytes, path) {
   try {
     return new TextDecoder("utf-8", {fatal: true}).decode(bytes).replaceAll("\r\n", "\n");
   } catch {
-    throw new Error(`${name} is not a text in UTF-8. Save it again with that encoding.`);
+    throw new Error(`${path} was rejected: it is not UTF-8: save it as UTF-8 in your editor`);
   }
 }
 

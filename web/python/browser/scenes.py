@@ -14,11 +14,13 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import ModuleType
 
+from autograder.accepted_files import rejected_modules
 from autograder.at_home.students_code import graded_files
 from autograder.diagnosis.given import with_given
 from autograder.manifest import load_chapters
 from lab.broken_off import TIME_LIMIT, why_it_broke_off
 from lab.host import Host, Message
+from studies.engine import rejected
 from studies.reason import reason
 from web.python.browser.folder import CHAPTERS, Folder
 from web.python.browser.process import SHALLOW, code, forget_folders
@@ -38,6 +40,7 @@ class Link:
         self.modules: dict[str, ModuleType] = {}
         self.engine: list[Path] = []
         self.known: tuple[list[Path], dict[str, list[str]], list[str]] = ([], {}, [])
+        self.rejected: dict[str, str] = {}
         self.loaded: tuple[dict[str, str], list[int]] | None = None
         self.given = ExitStack()  # the reference's modules, kept until the link is closed
 
@@ -82,6 +85,7 @@ class Link:
         self.engine = self.given.enter_context(with_given(given, [CHAPTERS]))
         ours = [f"{chapter.name}/{file}" for chapter in chapters for file in chapter.complete]
         self.known = self.engine, graded_files(chapters), ours
+        self.rejected = rejected_modules(chapters, self.engine)
         self.loaded = files, numbers
 
     @contextmanager
@@ -91,6 +95,7 @@ class Link:
         Student code in this block runs under the usual limits.
         """
         code.change(*self.known)
+        rejected.reasons = self.rejected
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]
         sys.dont_write_bytecode = True  # stale bytecode could hide a quick change

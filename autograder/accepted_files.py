@@ -90,7 +90,7 @@ def check_text(content: bytes) -> bytes:
     except UnicodeDecodeError as error:
         raise NotTakenError("it is not UTF-8: save it as UTF-8 in your editor") from error
     if b"\0" in content:
-        raise NotTakenError("it contains NUL bytes, so it is not a text file")
+        raise NotTakenError("it contains NUL bytes: save it as UTF-8 in your editor")
     return content
 
 

@@ -1,12 +1,12 @@
 """Keep a student's code from writing files, starting programs or threads, and opening sockets.
 
-The grader's sandbox blocks all of these operations. Students run the checks at home without a
-sandbox, so this module uses Python's audit events instead. For example, Python raises an audit
-event just before it opens a file. If the student's code caused the event, this module raises the
-same error that the sandbox would cause.
+This module uses Python's audit events. For example, Python raises an audit event just before it
+opens a file. If the student's code caused the event, this module raises an error. It is used at
+home and in the grader, so a student sees the same error in both, whatever the system would say.
 
-The purpose is to warn students early about operations that the grader will block. This does not
-stop hostile code, because some operations, such as os.pipe, have no audit event.
+The purpose is to warn students early about operations that are not allowed. This does not stop
+hostile code, because some operations, such as os.pipe, have no audit event. In the grader, the
+sandbox does that.
 """
 
 from __future__ import annotations
@@ -42,10 +42,9 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """Block every operation of the student's code that the grader's sandbox would not allow.
+    """Block the operations of a student's code that an engine does not need, such as writing files.
 
-    For example, the code cannot write files or start threads. The operations stay blocked until the
-    process ends.
+    The operations stay blocked until the process ends.
     """
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
@@ -73,35 +72,49 @@ def limit_acts(code: StudentsCode) -> None:
 def _open(code: StudentsCode, path: Any, _: str | None, flags: int) -> None:
     if isinstance(path, int):
         return  # it is the descriptor of a file that is already open
-    file = os.path.realpath(path)
     if flags & WRITING:
-        if os.path.isdir(os.path.dirname(file)):  # noqa: PTH112, PTH120 - it may be bytes
-            raise PermissionError(*DENIED, path)
-    elif not os.path.exists(file):  # noqa: PTH110
-        if sys.platform == "emscripten":
+        raise PermissionError(*DENIED, path)
+    file = Path(os.fsdecode(os.path.realpath(path)))
+    if inside := _inside_engine(code, file):
+        if not (len(inside) == 2 and code.is_graded(*inside)):
             raise FileNotFoundError(*NOT_FOUND, path)
-    elif is_inside(os.fsdecode(file), code.folders):
-        package, name = Path(os.fsdecode(file)).parts[-2:]
-        if not code.is_graded(package, name):
-            raise FileNotFoundError(*NOT_FOUND, path)
-    else:
-        _allow_reading(file, path)
+    elif not is_inside(str(file), READABLE) and file != Path(os.devnull):
+        raise _outside(path)
+    if not file.exists():
+        raise FileNotFoundError(*NOT_FOUND, path)  # as on Linux, also in a browser
 
 
 def _list(code: StudentsCode, path: Any) -> None:
-    folder = os.path.realpath("." if path is None else path) if not isinstance(path, int) else "/"
-    if os.path.isdir(folder):  # noqa: PTH112
-        _allow_reading(folder, path, code.folders)
+    if path is None or isinstance(path, int):
+        path = "/"  # the current folder, or a descriptor, which may belong to any folder
+    folder = Path(os.fsdecode(os.path.realpath(path)))
+    if folder in code.folders or is_inside(str(folder / "x"), READABLE):
+        return
+    inside = _inside_engine(code, folder)
+    if not inside:
+        raise _outside(path)
+    if len(inside) > 1:  # the grader does not copy the subfolders of a chapter
+        raise FileNotFoundError(*NOT_FOUND, path)
 
 
-def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
-    """Raise a PermissionError if the sandbox would not let the student's code read this file.
+def _inside_engine(code: StudentsCode, path: Path) -> tuple[str, ...]:
+    """Return the parts of a path below the engine's folder, or () if it is somewhere else."""
+    for folder in code.folders:
+        if path.is_relative_to(folder):
+            return path.relative_to(folder).parts
+    return ()
 
-    The code may read only Python's library and files inside the folders listed in ``more``.
+
+def _outside(path: Any) -> OSError:
+    """Return the error for reading a path outside the engine and Python's library.
+
+    The sandbox may hide a file or only refuse to read it, depending on the machine. The error must
+    not depend on that, so it is chosen by the path alone. The current folder is /, so the file with
+    a relative path counts as missing.
     """
-    inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
-    if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):
-        raise PermissionError(*DENIED, path)
+    if os.path.isabs(path) or os.fsdecode(path) == ".":  # noqa: PTH117 - it may be bytes
+        return PermissionError(*DENIED, path)
+    return FileNotFoundError(*NOT_FOUND, path)
 
 
 def _not_permitted(one: Any = None, two: Any = None) -> None:

@@ -110,7 +110,7 @@ class InProcess:
         """
         return read_definitions(file)
 
-    def start(self) -> None:
+    def start(self, *, hidden: bool = False) -> None:  # noqa: ARG002 - nothing is hidden at home
         """Start the time limit of a check, and begin to capture what the student's code prints."""
         self.depth.adapt(CALLS)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - closed by stop

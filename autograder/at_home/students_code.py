@@ -17,7 +17,8 @@ from autograder.manifest import Chapter
 LIBRARY = [Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "platstdlib")]
 # The library may also be in a zip file beside that folder, as it is in a browser.
 LIBRARY.append(LIBRARY[0].with_name(f"python{''.join(map(str, sys.version_info[:2]))}.zip"))
-PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library's folder
+# These folders may be inside the library's folder, but they hold other packages.
+PACKAGES = [folder / name for folder in LIBRARY for name in ("site-packages", "dist-packages")]
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
@@ -86,7 +87,7 @@ class StudentsCode:
             return False if file.startswith("<frozen importlib") else None
         if is_inside(file, self.folders):
             return short(file) not in self.ours
-        library = is_inside(file, LIBRARY) and not any(name in file for name in PACKAGES)
+        library = is_inside(file, LIBRARY) and not is_inside(file, PACKAGES)
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:

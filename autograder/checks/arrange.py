@@ -43,7 +43,9 @@ class Workers:
 
     Attributes:
         probes: The folder of our probes. A probe is a part of a check that has to run in the same
-            process as the student's code.
+            process as the student's code, which can therefore read it.
+        hidden_probes: A folder that contains the probes of hidden checks as well. Only the workers
+            of hidden checks may use it, because their output is never shown.
         compiled: The folder that caches compiled code.
     """
 
@@ -51,6 +53,7 @@ class Workers:
     fresh: bool
     for_instructor: bool
     probes: str
+    hidden_probes: str
     compiled: str
 
 
@@ -178,22 +181,27 @@ def _put_hidden_checks(
 def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
     """Create the folders for the sandboxed worker processes, and return the workers' settings.
 
-    One folder holds copies of our probes, which are the parts of checks that run in the same
-    process as the student's code. The other folder caches compiled code. Return None if there is no
-    sandbox.
+    Return None if there is no sandbox.
     """
     if behind is None:
         return None
-    probes = folder / "probes" / chapter.name
-    probes.mkdir(parents=True)
-    for tests in (root / "tests", behind.hidden):
-        for file in (tests / chapter.name).glob("*probes.py") if tests else ():
-            shutil.copyfile(file, probes / file.name)
+    public = _put_probes(folder / "probes", chapter, [root / "tests"])
+    hidden = public
+    if behind.hidden:
+        hidden = _put_probes(folder / "hidden_probes", chapter, [root / "tests", behind.hidden])
     compiled = behind.compiled or folder / "compiled"
     compiled.mkdir(exist_ok=True)
     return Workers(
-        behind.level, behind.fresh, behind.for_instructor, str(probes.parent), str(compiled)
+        behind.level, behind.fresh, behind.for_instructor, str(public), str(hidden), str(compiled)
     )
+
+
+def _put_probes(folder: Path, chapter: Chapter, tests: list[Path]) -> Path:
+    """Copy the chapter's probes from folders of checks into a new folder, and return it."""
+    (folder / chapter.name).mkdir(parents=True)
+    for file in (file for of in tests for file in (of / chapter.name).glob("*probes.py")):
+        shutil.copyfile(file, folder / chapter.name / file.name)
+    return folder
 
 
 def _modules(

@@ -86,7 +86,7 @@ class Recorder:
                 raise pytest.UsageError(f"{item.nodeid} belongs to an unknown exercise")
         items[:] = [item for item in items if exercise_of(item) in order]
         items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
-        hidden = [item for item in items if "/hidden/" in item.path.as_posix()]
+        hidden = [item for item in items if self._is_hidden(item)]
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
             worker = self.config.arranged.worker
@@ -106,6 +106,10 @@ class Recorder:
         left_out = [item for item in items if item.name in self.config.done]
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if item not in left_out]
+
+    def _is_hidden(self, item: pytest.Item) -> bool:
+        """Return True if an instructor supplied this check, and students may not see it."""
+        return item.path.is_relative_to(Path(self.config.arranged.root) / "tests/hidden")
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
@@ -130,7 +134,8 @@ class Recorder:
         """
         self.send(Started(item.name))
         about.forget()
-        self.engine.start()  # stopped after the report, since an exception's str() may hang
+        # It is stopped after the report, since an exception's str() may hang.
+        self.engine.start(hidden=self._is_hidden(item))
         try:
             return (yield)
         except KeyboardInterrupt as error:  # from student code; pytest would end the run

@@ -86,8 +86,6 @@ SLIPS = (
         "Your code uses a method as if it were the method's result. Add parentheses after the "
         "name to call it.",
     ),
-    ("can't decode", "Save the file as UTF-8 in your editor."),
-    ("null bytes", "Save the file as UTF-8 in your editor."),
 )
 # These errors may come from a mistake in Python, or they may follow from one in the physics. So we
 # also show the mistake that the check suggests.

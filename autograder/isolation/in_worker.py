@@ -56,18 +56,21 @@ class InWorker:
         self.engine = [Path(folder).resolve() for folder in engine]
         self.stack_file = Path(stack_file)
         self.complete = complete
-        level = Level(**worker.level)
-        folders = [str(folder) for folder in self.engine]
         self.probes = Path(worker.probes)
         self.compiled = Path(worker.compiled)
-        self.template = Template(
-            level,
-            folders,
-            worker.probes,
-            self.stack_file.parent,
-            time_limit,
-            fresh=worker.fresh,
-        )
+        probes = dict.fromkeys([worker.probes, worker.hidden_probes])
+        self.templates = [
+            Template(
+                Level(**worker.level),
+                [str(folder) for folder in self.engine],
+                folder,
+                self.stack_file.parent,
+                time_limit,
+                fresh=worker.fresh,
+            )
+            for folder in probes
+        ]
+        self.template = self.templates[0]  # the one that forks the current worker
         self.template.warm_up()  # starts while pytest collects the checks
         self.modules: list[str] = []
         self.broken: dict[str, Message] = {}
@@ -94,7 +97,8 @@ class InWorker:
             if module not in self.broken and (code := self._code_of(module, file)):
                 compiled[module] = code
         self.stop()  # from here on the workers run the student's code
-        self.template.hand_over(compiled)
+        for template in self.templates:
+            template.hand_over(compiled)
         for module in self.modules:
             if module not in self.broken:
                 self._import(module)
@@ -188,12 +192,16 @@ class InWorker:
         self.session.deadline = time.monotonic() + self.template.seconds
         return self.session
 
-    def start(self) -> None:
+    def start(self, *, hidden: bool = False) -> None:
         """Start a sandboxed worker process that runs the student's code for one check.
+
+        Only the worker of a ``hidden`` check can read the probes of hidden checks.
 
         Raises:
             TemplateError: The worker did not start.
         """
+        self.stop()
+        self.template = self.templates[-1 if hidden else 0]
         self.session = self.template.start_worker(self._on_hang, self.broken)
         if self.broken:
             self.session.ask("begin", list(self.broken))

@@ -33,6 +33,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from autograder.at_home.allowed_acts import limit_acts
+from autograder.at_home.students_code import StudentsCode
 from autograder.checks.printed import CappedText
 from autograder.isolation import sandbox
 from autograder.isolation.compiled import CompiledFinder
@@ -112,6 +114,7 @@ def run_template(config: dict[str, Any]) -> None:
     for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
         importlib.import_module(folder)  # it has no code, but Python then remembers where it is
         importlib.util.find_spec(f"{folder}.nothing")
+    limit_acts(StudentsCode(map(Path, config["engine"]), {}))
     if level.landlock:
         os.dup2(sandbox.landlock_rules(config["readable"]), RULES)
     sandbox.confine(level, RULES if level.landlock else None)

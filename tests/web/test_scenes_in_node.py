@@ -90,7 +90,7 @@ def test_a_stub_and_a_mistake_are_told_as_by_make_lab(engines: NodeEngines) -> N
 
 def test_a_file_that_the_grader_rejects_is_rejected_by_a_scene_too(engines: NodeEngines) -> None:
     (answer,) = load(engines, 1, "one-spring", files=RIGHT | {SPRINGS: RIGHT[SPRINGS] + "# \0\n"})
-    why = f"{SPRINGS} was rejected: it contains NUL bytes, so it is not a text file"
+    why = f"{SPRINGS} was rejected: it contains NUL bytes: save it as UTF-8 in your editor"
     assert answer == {"kind": "stopped", "why": why}
     assert load(engines, 1, "one-spring")[-1]["kind"] == "frame"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from html import unescape
 from pathlib import Path
 
 import pytest
@@ -130,3 +131,75 @@ def test_hidden_checks_of_no_chapter_are_refused(
 ) -> None:
     with pytest.raises(ValueError, match="--checks must be a folder with one of ch90_small"):
         grade(submissions, tmp_path / "out", root, hidden=tmp_path / "nowhere")
+
+
+SPY = """
+import importlib
+import inspect
+import sys
+from pathlib import Path
+
+
+def found():
+    try:
+        module = importlib.import_module("ch90_small.hidden_probes")
+        text = inspect.getsource(module) if module.__spec__.origin else "compiled"
+    except ImportError:
+        text = "nothing"
+    folders = [Path(path) for path in importlib.import_module("ch90_small").__path__]
+    files = sorted(file.name for folder in folders for file in folder.glob("*probes.py"))
+    loaded = [name for name in sys.modules if "hidden" in name]
+    return f"found {text}, {files}, {loaded}"
+
+
+def double(x):
+    raise RuntimeError(found())
+
+
+def quadruple(x):
+    print(found())
+    return 4 * x + 1
+"""
+
+
+@pytest.mark.parametrize("when", ["in a function", "at import"])
+def test_hidden_probes_are_not_where_public_checks_run(
+    when: str, submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    """The spy's public checks show what it found, and its hidden checks must not."""
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(
+        HIDDEN_PROBES + '    "secret of a probe"\n', encoding="utf-8"
+    )
+    (root / "tests/ch90_small/probes.py").write_text("PUBLIC = 1\n", encoding="utf-8")
+    hand_in(
+        submissions, "eve", SPY if when == "in a function" else f"{SPY}\nprint(found())\n1 / 0\n"
+    )
+    out = tmp_path / "out"
+    grade(submissions, out, root, hidden=tmp_path / "hidden")
+    assert scores(out)["ann"] == 6.0  # her hidden checks can use their probes
+    pages = unescape(everything_in(out))
+    assert "secret" not in pages
+    assert "double(double" not in pages
+    if when == "in a function":
+        assert "found nothing, ['probes.py'], []" in pages
+
+
+def test_a_folder_called_hidden_hides_no_public_check(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    plain, inside = tmp_path / "grades", tmp_path / "hidden/grades"
+    checks = tmp_path / "own/ch90_small"
+    checks.mkdir(parents=True)
+    (checks / "test_more.py").write_text(HIDDEN, encoding="utf-8")
+    (checks / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    moved = root.rename(root.parent / "hidden")
+    for out in (plain, inside):
+        out.parent.mkdir(exist_ok=True)
+        grade(submissions, out, moved / ".", hidden=tmp_path / "own", seed="1")
+    for one, other in zip(results(plain).values(), results(inside).values(), strict=True):
+        names = [[c["name"] for c in e["checks"]] for e in one["exercises"]]
+        assert names == [[c["name"] for c in e["checks"]] for e in other["exercises"]]
+        assert sum(name.startswith("hidden check") for of in names for name in of) == 3

@@ -160,7 +160,7 @@ def test_each_chapter_has_its_own_folder_and_one_without_edited_files_does_not_c
     [
         (b"#" * LARGEST_FILE, None),
         (b"#" * (LARGEST_FILE + 1), TOO_LARGE),
-        (b"x = 1\0", "it contains NUL bytes, so it is not a text file"),
+        (b"x = 1\0", "it contains NUL bytes: save it as UTF-8 in your editor"),
         (b"x = '\xe9'", NO_UTF8),
         ("x = 1".encode("utf-16"), NO_UTF8),
         (b"x = '\xed\xa0\x80'", NO_UTF8),

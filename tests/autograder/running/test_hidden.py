@@ -135,21 +135,16 @@ def test_hidden_checks_of_no_chapter_are_refused(
 
 SPY = """
 import importlib
-import inspect
 import sys
-from pathlib import Path
 
 
 def found():
     try:
         module = importlib.import_module("ch90_small.hidden_probes")
-        text = inspect.getsource(module) if module.__spec__.origin else "compiled"
+        text = module.double_twice.__code__.co_consts
     except ImportError:
         text = "nothing"
-    folders = [Path(path) for path in importlib.import_module("ch90_small").__path__]
-    files = sorted(file.name for folder in folders for file in folder.glob("*probes.py"))
-    loaded = [name for name in sys.modules if "hidden" in name]
-    return f"found {text}, {files}, {loaded}"
+    return f"found {text}, {[name for name in sys.modules if 'hidden' in name]}"
 
 
 def double(x):
@@ -173,7 +168,6 @@ def test_hidden_probes_are_not_where_public_checks_run(
     (hidden / "hidden_probes.py").write_text(
         HIDDEN_PROBES + '    "secret of a probe"\n', encoding="utf-8"
     )
-    (root / "tests/ch90_small/probes.py").write_text("PUBLIC = 1\n", encoding="utf-8")
     hand_in(
         submissions, "eve", SPY if when == "in a function" else f"{SPY}\nprint(found())\n1 / 0\n"
     )
@@ -182,9 +176,8 @@ def test_hidden_probes_are_not_where_public_checks_run(
     assert scores(out)["ann"] == 6.0  # her hidden checks can use their probes
     pages = unescape(everything_in(out))
     assert "secret" not in pages
-    assert "double(double" not in pages
     if when == "in a function":
-        assert "found nothing, ['probes.py'], []" in pages
+        assert "found nothing, []" in pages
 
 
 def test_a_folder_called_hidden_hides_no_public_check(

@@ -242,6 +242,10 @@ def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
         os.close(rules)
     if allowed is not None:
         _control(_SET_SECCOMP, 2, allowed.program)
+    elif sys.platform == "linux":
+        # The privilege to read any file lets open_by_handle_at pass by Landlock. Only the filter
+        # refuses this call.
+        _keep_capabilities(0)
 
 
 def _apply(rules: int) -> None:
@@ -262,7 +266,7 @@ def drop_privileges() -> None:
 
     The process keeps one of root's privileges: it may read any file, because Python may be
     installed in a folder that only root can read, such as /root. Landlock then restricts reading to
-    the listed folders.
+    the listed folders. A worker without our seccomp filter loses this privilege too.
     """
     if os.geteuid() != 0:
         return
@@ -273,8 +277,12 @@ def drop_privileges() -> None:
         os.setreuid(UNPRIVILEGED, UNPRIVILEGED)
     except OSError as error:
         raise SandboxError(f"root cannot become an unprivileged user: {error}") from error
+    _keep_capabilities(1 << _CAN_READ_ALL)
+
+
+def _keep_capabilities(kept: int) -> None:
+    """Give up all of root's privileges except those in the bit mask ``kept``."""
     header = struct.pack("Ii", 0x20080522, 0)
-    kept = 1 << _CAN_READ_ALL
     if _libc.capset(header, struct.pack("6I", kept, kept, 0, 0, 0, 0)) < 0:
         raise SandboxError(f"capset: {os.strerror(ctypes.get_errno())}")
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Collection
 from datetime import UTC, datetime
 from pathlib import Path
 
 from autograder.course.choose import add_options, work_of
 from autograder.course.late import clock
-from autograder.course.model import Work
+from autograder.course.model import Course
+from autograder.course.reading import read_course
 from autograder.manifest import load_chapters
 
 
@@ -41,9 +43,10 @@ def run_release(arguments: argparse.Namespace) -> int:
 
     work = work_of(arguments, handed_out=True)
     exercises = [name for name in arguments.exercises.replace(",", " ").split() if name]
+    assigned = [exercise.id for chapter in work.chapters for exercise in chapter.exercises]
+    if arguments.assignment or arguments.course.is_file():
+        refuse_early(read_course(arguments.course), exercises or assigned, datetime.now(UTC))
     if arguments.assignment:
-        refuse_early(work, datetime.now(UTC))
-        assigned = [exercise.id for chapter in work.chapters for exercise in chapter.exercises]
         exercises = exercises or assigned
     numbers = [chapter.number for chapter in work.chapters]
     chapters = [chapter for chapter in load_chapters() if chapter.number in numbers]
@@ -52,16 +55,21 @@ def run_release(arguments: argparse.Namespace) -> int:
     return release(chapters, exercises, submissions, arguments.grades, arguments.out, roster=roster)
 
 
-def refuse_early(work: Work, now: datetime) -> None:
-    """Raise ValueError if any student may still hand in work for this assignment.
+def refuse_early(course: Course, released: Collection[str], now: datetime) -> None:
+    """Raise ValueError if any student may still hand in work for one of these exercises.
 
-    This keeps students from copying the released solution.
+    This keeps students from copying the released solution. An exercise may belong to several
+    assignments.
     """
-    if work.deadline is None:
-        return
-    dues = [work.deadline.due, *work.deadline.extensions.values()]
-    last = max(dues, key=lambda due: due.astimezone(UTC))
-    if now < last.astimezone(UTC):
-        raise ValueError(
-            f"{work.name} is due {clock(last)}, counting extensions. Release its reference later"
-        )
+    for work in course.assignments:
+        ids = [exercise.id for chapter in work.chapters for exercise in chapter.exercises]
+        both = [name for name in ids if name in released]
+        if work.deadline is None or not both:
+            continue
+        dues = [work.deadline.due, *work.deadline.extensions.values()]
+        last = max(dues, key=lambda due: due.astimezone(UTC))
+        if now < last.astimezone(UTC):
+            raise ValueError(
+                f"{work.name} is due {clock(last)}, counting extensions. Release its reference "
+                f"later, or name other exercises: {', '.join(both)} must wait"
+            )

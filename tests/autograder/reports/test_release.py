@@ -195,3 +195,42 @@ def test_an_assignment_is_released_after_its_last_due_date(tmp_path: Path) -> No
     module = (out / "reference/ch02_vectors/vector.py").read_text(encoding="utf-8")
     assert "return Vector3(self.x, self.y, self.z)" in module
     assert "Exercise B2.2: Length" in module, "it is not assigned, so it stays a stub"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--assignment", "lab1", "--exercises", "2.3"], "lab2 is due"),
+        (["--assignment", "lab1", "--exercises", "B2.1,2.3"], "2.3 must wait"),
+        (["2"], "lab2 is due"),  # without an assignment, the course file still counts
+        (["2", "--exercises", "B2.3"], "lab3 is due"),
+        (["--assignment", "lab1"], ""),
+        (["2", "--exercises", "B2.1,B2.2"], ""),
+    ],
+)
+def test_an_exercise_waits_for_every_assignment_that_contains_it(
+    arguments: list[str], words: str, tmp_path: Path
+) -> None:
+    past, coming = "2020-01-01T12:00:00+00:00", "2999-01-01T12:00:00+00:00"
+    (tmp_path / "course.toml").write_text(
+        "\n".join(
+            f'[[assignment]]\nname = "{name}"\nexercises = {ids}\ndue = {due}\n'
+            for name, ids, due in (
+                ("lab1", ["B2.1"], past),
+                ("lab2", ["2.3"], coming),
+                ("lab0", ["B2.3"], past),
+                ("lab3", ["B2.3"], coming),
+            )
+        ),
+        encoding="utf-8",
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "autograder", "release", *arguments, "--out", "out"],
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert words in done.stderr
+    assert (done.returncode, (tmp_path / "out").exists()) == ((2, False) if words else (0, True))

@@ -56,6 +56,32 @@ def test_a_sandbox_works_however_many_files_its_runner_has_open(level: Level, mo
         assert what_fails(level) == ""
 
 
+CAPABILITIES = """
+import ctypes
+import struct
+
+
+def of_this_process():
+    header, data = struct.pack("Ii", 0x20080522, 0), ctypes.create_string_buffer(24)
+    if ctypes.CDLL(None).capget(header, data):
+        return "the filter refuses to tell"
+    return struct.unpack("6I", data.raw)[0]
+"""
+
+
+@pytest.mark.skipif(
+    landlock_version() == 0 or os.geteuid() != 0, reason="only root has privileges to lose"
+)
+def test_a_worker_without_the_filter_keeps_no_privilege_of_root(tmp_path: Path) -> None:
+    """With it, open_by_handle_at would read any file. The filter refuses that call."""
+    (tmp_path / "ch90_small").mkdir()
+    (tmp_path / "ch90_small/small.py").write_text(CAPABILITIES, encoding="utf-8")
+    template = Template(Level(landlock=True), [str(tmp_path)], str(tmp_path), tmp_path, 5.0)
+    with contextlib.closing(template):
+        session = template.start_worker(hang)
+        assert session.ask("name", "ch90_small.small", "of_this_process")() == 0
+
+
 def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("autograder.isolation.template.python_folders", lambda: ["/"])
     assert what_fails(Level(landlock=True)), "everything can be read"
@@ -98,8 +124,9 @@ def test_the_filter_refuses_what_it_does_not_name() -> None:
     for number in (read, write, exit_group, statx):
         assert verdict(x86_64, number) == allow
     # ioctl, socket, clone, fork, vfork, execve, kill, ptrace, fcntl, prlimit64, memfd_create,
-    # execveat, clone3, and the 32-bit way in.
-    for number in (16, 41, 56, 57, 58, 59, 62, 101, 72, 302, 319, 322, 435, 0x40000000 | 1):
+    # execveat, clone3, name_to_handle_at, open_by_handle_at, and the 32-bit way in.
+    refused = (16, 41, 56, 57, 58, 59, 62, 101, 72, 302, 319, 322, 435, 303, 304, 0x40000000 | 1)
+    for number in refused:
         assert verdict(x86_64, number) == refuse
     assert verdict(0x40000003, read) == kill, "another architecture"
 

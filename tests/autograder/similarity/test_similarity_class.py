@@ -61,7 +61,7 @@ def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
 HOSTILE = f"""
 
 def helper(a, b):
-    text = "</pre></mark><script>alert(1)</script><img src=x onerror=alert(1)>{SHOUT}"
+    text = '''</pre></mark><script>alert(1)</script><img src=x onerror=alert(1)>{SHOUT} '''
     more = a['{{{{ 7 * 7 }}}}'] + b["\\x1b[31m\x1b[31m\N{RIGHT-TO-LEFT OVERRIDE}"]
     return text + more + {"a * b + " * 100} a
 """

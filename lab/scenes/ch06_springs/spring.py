@@ -103,14 +103,14 @@ class OneSpring(Stepped):
     def let_go(self, x: float, v: float) -> None:
         """Give the ball a new position and velocity, and restart the exact solution from there."""
         self.ball.position.x, self.ball.velocity.x = x, v
-        self.since, self.x0, self.v0 = self.time, x, v
+        self.since, self.x0, self.v0 = self.simulated, x, v
 
 
 class ExactSpring(OneSpring):
     """A version of the ``OneSpring`` scene in which the ball follows the exact solution."""
 
     def step(self, duration: float) -> None:
-        passed = self.time + duration - self.since
+        passed = self.simulated - self.since
         self.ball.position.x, self.ball.velocity.x = damped_spring_state(
             self.x0, self.v0, self.stiffness, self.damping, self.mass, passed
         )
@@ -123,7 +123,7 @@ class PymunkSpring(OneSpring):
         import pymunk  # not needed by the other scenes
 
         super().build()
-        self.space, self.owed = pymunk.Space(), 0.0
+        self.space = pymunk.Space()
         self.body = pymunk.Body(self.mass, 1.0)
         groove = pymunk.GrooveJoint(self.space.static_body, self.body, (-5, 0), (5, 0), (0, 0))
         # The spring begins so far away that the ball cannot pass its fixed end.
@@ -134,10 +134,7 @@ class PymunkSpring(OneSpring):
         self.body.position, self.body.velocity = (self.x0, 0.0), (0.0, 0.0)
 
     def step(self, duration: float) -> None:
-        self.owed += duration
-        while self.owed > 0.5 / self.rate:
-            self.owed -= 1.0 / self.rate
-            self.space.step(1.0 / self.rate)
+        self.space.step(duration)
         self.ball.position.x, self.ball.velocity.x = self.body.position.x, self.body.velocity.x
 
     def let_go(self, x: float, v: float) -> None:

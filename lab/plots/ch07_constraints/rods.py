@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 
 from matplotlib import pyplot
 
-from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import Rod, TwoSidedRod
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
 from studies.readings import written
@@ -34,15 +33,13 @@ def rope_by_method() -> Picture:
     """
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     frames = 120
-    ten = by_resolver(20, HeapResolver)
-    more = by_resolver(None, HeapResolver)
     colors = (RED, ORANGE, PINK, SKY, BLUE, GREEN)
     scenes: dict[str, Callable[[], tuple[Track, Track]]] = {
         "Rod": lambda: chain(LINKS, Rod, by_resolver(), frames, 30.0),
-        "Rod, 10 times the iterations": lambda: chain(LINKS, Rod, ten, frames, 30.0),
-        "Rod, 8 substeps": lambda: chain(LINKS, Rod, more, frames, 30.0, 8),
-        "TwoSidedRod": lambda: chain(LINKS, TwoSidedRod, more, frames, 30.0),
-        "TwoSidedRod, 8 substeps": lambda: chain(LINKS, TwoSidedRod, more, frames, 30.0, 8),
+        "Rod, 10 times the iterations": lambda: chain(LINKS, Rod, by_resolver(20), frames, 30.0),
+        "Rod, 8 substeps": lambda: chain(LINKS, Rod, by_resolver(), frames, 30.0, 8),
+        "TwoSidedRod": lambda: chain(LINKS, TwoSidedRod, by_resolver(), frames, 30.0),
+        "TwoSidedRod, 8 substeps": lambda: chain(LINKS, TwoSidedRod, by_resolver(), frames, 30.0, 8),
         "DirectChain": lambda: chain_by_direct_solve(LINKS, frames, 30.0),
     }
     found = written(scenes)
@@ -166,7 +163,7 @@ def _hanging(
     """
 
     def scene() -> tuple[float, str]:
-        resolve = by_resolver(iterations, HeapResolver)
+        resolve = by_resolver(iterations)
         _, worst = chain(count, link, resolve, 120, substeps=substeps)
         return max(worst.values[90:], default=math.inf), worst.message
 

@@ -84,7 +84,7 @@ def fall_in_air(h: float) -> Errors:
 
 @cache
 def kepler() -> Any:
-    """Return the solution by SciPy for mu = 4, a semi-major axis of 1.5 and an eccentricity of 0.4."""
+    """Return the orbit by SciPy for mu = 4, a semi-major axis of 1.5, and eccentricity 0.4."""
 
     def rates(_: float, s: Any) -> list[float]:
         pull = -4.0 / math.hypot(s[0], s[1]) ** 3

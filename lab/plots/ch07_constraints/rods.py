@@ -22,7 +22,7 @@ from studies.runs.constraints import (
     pendulum,
 )
 
-LINKS = 30
+LINKS = 15
 KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
@@ -39,7 +39,9 @@ def rope_by_method() -> Picture:
         "Rod, 10 times the iterations": lambda: chain(LINKS, Rod, by_resolver(20), frames, 30.0),
         "Rod, 8 substeps": lambda: chain(LINKS, Rod, by_resolver(), frames, 30.0, 8),
         "TwoSidedRod": lambda: chain(LINKS, TwoSidedRod, by_resolver(), frames, 30.0),
-        "TwoSidedRod, 8 substeps": lambda: chain(LINKS, TwoSidedRod, by_resolver(), frames, 30.0, 8),
+        "TwoSidedRod, 8 substeps": lambda: chain(
+            LINKS, TwoSidedRod, by_resolver(), frames, 30.0, 8
+        ),
         "DirectChain": lambda: chain_by_direct_solve(LINKS, frames, 30.0),
     }
     found = written(scenes)
@@ -79,9 +81,9 @@ def rods_hold() -> Picture:
     # Cases that take longer than all other cases together are left out.
     ways = {
         "default iterations": (None, 1, 30, RED),
-        "x 10": (20, 1, 30, ORANGE),
+        "x 10": (20, 1, 10, ORANGE),
         "x 100": (200, 1, 3, GREEN),
-        "4 substeps": (None, 4, 30, SKY),
+        "4 substeps": (None, 4, 10, SKY),
         "16 substeps": (None, 16, 10, BLUE),
     }
     found = written(

@@ -6,7 +6,7 @@ number, or not a Vector3 where a vector is expected.
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Any, Self
 
 from ch02_vectors.arguments import finite_vector
 from ch02_vectors.vector import Vector3
@@ -49,7 +49,8 @@ class Particle(particle.Particle):
         A force that you later add to one of the two particles does not affect the other.
         """
         other = self.__new__(type(self))
-        own, slots = object.__getstate__(self)  # the attributes of a subclass, and of __slots__
+        state: Any = object.__getstate__(self)  # the attributes of a subclass, and of __slots__
+        own, slots = state
         for name, value in {**(own or {}), **slots}.items():
             setattr(other, name, value)
         other._forces = [*self._forces]

@@ -143,7 +143,8 @@ def hanging_rope() -> Picture:
             right.loglog(work, errors, style, color=color, label=label)
             for spent, error, name in points:
                 words = name.removeprefix(f"{kind}, ").replace(", from", "\nfrom")
-                offset = (6, 4) if kind == "rods" else (-2, -24 if "\n" in words else -16)
+                above = kind == "rods" or ("\n" in words and links == MANY)
+                offset = (6, 4) if above else (-2, -24 if "\n" in words else -16)
                 right.annotate(
                     words, (spent, error), offset, textcoords="offset points", fontsize=7.5
                 )
@@ -164,7 +165,7 @@ def hanging_rope() -> Picture:
     right.set(xlabel="work: contacts resolved, or rods solved")
     right.set_ylabel("error of the sag, m (1e-10 or less at the edge)")
     left.set(xlim=(-0.6, 2.6), ylim=(-4.0, 1.5))
-    right.set(xlim=(3e2, 4e6), ylim=(1e-11, 1e4))
+    right.set(xlim=(1.5e2, 1e6), ylim=(1e-11, 1e3))
     for axes in (left, right):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)

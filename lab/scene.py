@@ -11,6 +11,7 @@ from lab.drawing.pen import Pen
 from lab.parameters import Parameter
 
 FRAME = 1.0 / 60.0  # s per frame
+ROUNDING = 1e-9  # s, far more than the rounding errors of adding up frames and steps
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,7 @@ class Scene:
     error_unit: ClassVar[str] = "m"
     compare: ClassVar[tuple[str, ...]] = ("integrator", "rate")  # parameters offered to compare
     cost: float | None = None  # microseconds per frame, if the scene measures it itself
+    rate: Any = 60  # steps per second, unless the scene has a parameter of this name
 
     def __init__(self, **values: object) -> None:
         """Build the scene with the given parameter values, and with defaults for all others.
@@ -63,7 +65,8 @@ class Scene:
             name: parameter.checked(values.get(name, parameter.default))
             for name, parameter in known.items()
         }
-        self.time = 0.0
+        self.time = 0.0  # s, the total length of all frames
+        self.simulated = 0.0  # s, the time that the scene's state belongs to
         self.build()
 
     def build(self) -> None:
@@ -71,7 +74,7 @@ class Scene:
         raise NotImplementedError
 
     def step(self, duration: float) -> None:
-        """Advance the scene by one frame that lasts ``duration`` s."""
+        """Advance the scene by one time step of ``duration`` s."""
         raise NotImplementedError
 
     def draw(self, pen: Pen) -> None:
@@ -90,7 +93,11 @@ class Scene:
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact values of ``state`` at ``time``, or None if no exact solution exists."""
+        """Return the exact values of ``state`` at ``time``, or None if no exact solution exists.
+
+        ``time`` is a simulated time, because below 60 steps per second the state lags behind the
+        frame.
+        """
         return None
 
     def say(self) -> str:
@@ -117,16 +124,23 @@ class Scene:
         """
 
     def advance(self, duration: float = FRAME) -> None:
-        """Advance the scene by one frame and update the time."""
-        self.step(duration)
+        """Advance the scene by one frame, which lasts ``duration`` s.
+
+        This makes every time step that ends by the end of the frame. A frame may need several
+        steps, or none.
+        """
         self.time += duration
+        length = 1.0 / self.rate
+        while self.simulated + length <= self.time + ROUNDING:
+            self.simulated += length
+            self.step(length)
 
     def error(self) -> float | None:
         """Compute the largest difference between a simulated coordinate and its exact value.
 
         If the scene has no exact solution, return None.
         """
-        exact = self.exact(self.time)
+        exact = self.exact(self.simulated)
         if exact is None:
             return None
         off = [abs(a - b) for a, b in zip(self.state(), exact, strict=True)]

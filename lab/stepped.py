@@ -31,16 +31,7 @@ class Stepped(Scene):
 
     particles: Sequence[Particle]
     registry: ForceRegistry
-    owed = 0.0  # s that have passed but have not been simulated yet
 
     def step(self, duration: float) -> None:
-        """Advance the scene by a frame of ``duration`` s, at the step rate that the reader chose.
-
-        A frame is not always a whole number of steps. The remaining time is carried over to the
-        next frame.
-        """
-        length = 1.0 / self.rate
-        self.owed += duration
-        while self.owed > 0.5 * length:
-            self.owed -= length
-            STEPS[self.integrator](self.particles, self.registry.update_forces, length)
+        """Advance the scene by one step of ``duration`` s, with the integrator that was chosen."""
+        STEPS[self.integrator](self.particles, self.registry.update_forces, duration)

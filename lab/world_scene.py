@@ -33,23 +33,10 @@ class WorldScene(Scene):
         them.
         """
         self.make_step = step
-        self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)
         world.resolver = self.contacts
 
     def step(self, duration: float) -> None:
-        """Advance the scene by a frame of ``duration`` s, at the step rate that the reader chose.
-
-        A frame is not always a whole number of steps. The remaining time is carried over to the
-        next frame.
-        """
-        length = 1.0 / self.rate
-        self.owed += duration
-        while self.owed > 0.5 * length:
-            self.owed -= length
-            self.one_step(length)
-
-    def one_step(self, duration: float) -> None:
         """Advance the world by one time step of ``duration`` s."""
         self.contacts.forget()
         self.contacts.iterations = self.iterations

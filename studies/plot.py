@@ -23,7 +23,7 @@ from studies.drawing import Picture
 from studies.engine import add_engine_options, use_engine
 from studies.reason import reason, shown
 
-TIME_LIMIT = 30.0  # s for one plot, which normally takes about 1 s
+TIME_LIMIT = 120.0  # s for one plot, which takes a few seconds, or longer with a slow resolver
 
 
 def main(arguments: list[str]) -> int:

@@ -6,6 +6,8 @@ number, or not a Vector3 where a vector is expected.
 
 from __future__ import annotations
 
+from typing import Any, Self
+
 from ch02_vectors.arguments import finite_vector
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
@@ -40,14 +42,17 @@ class Particle(particle.Particle):
         super().__init__(position, velocity, acceleration, mass=mass, damping=damping)
         self._forces = [None, None]
 
-    def __copy__(self) -> Particle:
+    def __copy__(self) -> Self:
         """Return a copy of the particle that has a separate force accumulator.
 
-        The copy starts with the same sum of forces. A force that you later add to one of the two
-        particles does not affect the other.
+        The copy has the same class and the same attributes, and starts with the same sum of forces.
+        A force that you later add to one of the two particles does not affect the other.
         """
-        other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
-        other.inverse_mass = self.inverse_mass
+        other = self.__new__(type(self))
+        state: Any = object.__getstate__(self)  # the attributes of a subclass, and of __slots__
+        own, slots = state
+        for name, value in {**(own or {}), **slots}.items():
+            setattr(other, name, value)
         other._forces = [*self._forces]
         return other
 

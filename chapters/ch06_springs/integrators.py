@@ -12,8 +12,8 @@ particles do not move. The orders are given for d = 1, because for any other d t
 Stability limits apply to k h^2 / m, for a mass m on an undamped spring k, and d = 1 unless noted.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
-not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
-is passed on, and the particles are left in the middle of the step.
+not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the particles
+are left in the middle of the step.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ def explicit_euler(
 
     The step is p' = p + v h, and then v' = (v + a h) d^h. The method has order 1, is not
     symplectic, and evaluates the forces once. At d = 1 every undamped spring is unstable. For
-    d < 1, undamped springs below ``max_stable_stiffness`` are stable. A spring with a damper c is
-    stable if k h < c and c h / m < 2. The book names the method differently (3.3.2, erratum E-17).
+    d < 1, undamped springs below ``max_stable_stiffness`` are stable. With a damper c, a spring is
+    stable if k h < c and 2 c h / m < 4 + k h^2 / m. The book names the method otherwise (E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -81,8 +81,9 @@ def velocity_verlet(
     estimate v + a h to compute b.
 
     The method has order 2 and evaluates the forces twice. It is symplectic if d = 1 and no force
-    depends on the velocity. It is stable for k h^2 / m < 4, even if d < 1. A damper in the spring
-    lowers this limit. Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
+    depends on the velocity. It is stable for k h^2 / m < 4, even if d < 1. A damper c in the spring
+    lowers this limit to 4 - 2 r + r^2 with r = c h / m, and r must be less than 2. Source: Swope
+    and others, Journal of Chemical Physics 76 (1982), 637.
     """
     raise NotImplementedError("Exercise B6.7: Velocity Verlet")
 
@@ -100,7 +101,8 @@ def runge_kutta_4(
 
     The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
     drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, or more if d < 1.
-    Source: Kutta, Zeitschrift für Mathematik und Physik 46 (1901), 435.
+    With a damper c, |1 + z + z^2 / 2 + z^3 / 6 + z^4 / 24| must be below 1 for both roots z of
+    z^2 + (c h / m) z + k h^2 / m = 0. Source: Kutta, Zeitschr. Math. Phys. 46 (1901), 435.
     """
     raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
 
@@ -142,9 +144,8 @@ def trapezoidal(
 class SimulationDiverged(ArithmeticError):  # noqa: N818
     """Raised when a particle moves faster than any particle in its scene should.
 
-    The usual cause is a time step that is too long for such strong forces. ``particle`` is the
-    index of the particle. ``step`` is the number of the step, counted from 1, after which the
-    particle was too fast. ``speed`` and ``limit`` are in m/s.
+    ``particle`` is the index of the particle. ``step`` is the number of the step, counted from 1,
+    after which the particle was too fast. ``speed`` and ``limit`` are in m/s.
     """
 
     def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:
@@ -158,9 +159,9 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     """Return an integrator that also checks the speed of every particle after each step.
 
-    Use it to detect an unstable simulation at once. The new integrator takes the same arguments and
-    counts its steps. It raises SimulationDiverged for the first particle whose speed is NaN or
-    above ``speed_limit`` in m/s. A step in which ``integrator`` raises an exception does not count.
+    The new integrator takes the same arguments and counts its steps. It raises SimulationDiverged
+    for the first particle whose speed is NaN or above ``speed_limit`` in m/s. A step in which
+    ``integrator`` raises an exception does not count.
 
     Raises ValueError if the limit is not positive and finite.
     """

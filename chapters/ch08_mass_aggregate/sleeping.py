@@ -17,7 +17,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator
 from ch08_mass_aggregate.joints import Pair
-from ch08_mass_aggregate.world import ParticleWorld
+from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 
 LOOK_EVERY = 10  # steps between two checks of the forces on sleeping particles
 # J/kg. A body that loses contact for one step of 1/60 s by rounding falls freely and gets
@@ -88,6 +88,17 @@ class SleepingWorld(ParticleWorld):
         starts from 0 again. If ``particle`` was already awake, only its count restarts.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
+
+    def mechanical_energy(self) -> float:
+        """Add up the mechanical energy of all particles in J, whether they are awake or asleep.
+
+        The function ``mechanical_energy`` leaves out immovable particles, and so it leaves out the
+        potential energy of sleeping ones.
+        """
+        asleep = [(one, sleep) for one, sleep in self.asleep.items() if not one.inverse_mass]
+        return mechanical_energy(self.particles) - sum(
+            one.acceleration.dot(one.position) / sleep.inverse_mass for one, sleep in asleep
+        )
 
     def wake_moved(self) -> None:
         """Wake every sleeping particle that code outside the world has changed.

@@ -18,7 +18,7 @@ from ch05_forces.particle import NO_FORCE, Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator
 from ch08_mass_aggregate.joints import Pair, joined, touching
-from ch08_mass_aggregate.world import ParticleWorld
+from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 
 LOOK_EVERY = 10  # steps between two checks of the forces on sleeping particles
 # J/kg. A body that loses contact for one step of 1/60 s by rounding falls freely and gets
@@ -97,6 +97,17 @@ class SleepingWorld(ParticleWorld):
                 if not one.inverse_mass:
                     one.inverse_mass = sleep.inverse_mass
                 waking += [other for other in sleep.neighbors if other in self.asleep]
+
+    def mechanical_energy(self) -> float:
+        """Add up the mechanical energy of all particles in J, whether they are awake or asleep.
+
+        The function ``mechanical_energy`` leaves out immovable particles, and so it leaves out the
+        potential energy of sleeping ones.
+        """
+        asleep = [(one, sleep) for one, sleep in self.asleep.items() if not one.inverse_mass]
+        return mechanical_energy(self.particles) - sum(
+            one.acceleration.dot(one.position) / sleep.inverse_mass for one, sleep in asleep
+        )
 
     def wake_moved(self) -> None:
         """Wake every sleeping particle that code outside the world has changed.

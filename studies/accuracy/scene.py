@@ -58,6 +58,8 @@ class Model:
     - ``by``: who wrote the model, "ours", "the book" or "pymunk".
     - ``takes_tolerance``: True if the model chooses its own steps. Each number in ``steps`` is then
       1 / tolerance, so a larger number still means a more accurate run.
+    - ``per``: the number of frames in which the steps are counted. It is 1, unless the steps are
+      longer than a frame.
     """
 
     name: str
@@ -65,6 +67,7 @@ class Model:
     steps: Sequence[int] = STEPS
     by: str = "ours"
     takes_tolerance: bool = False
+    per: int = 1
 
 
 @dataclass(frozen=True)

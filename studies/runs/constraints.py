@@ -107,9 +107,7 @@ def resolving(
     return move
 
 
-def by_resolver(
-    iterations: int | None = None, kind: type[ContactResolver] = ContactResolver
-) -> Resolve:
+def by_resolver(iterations: int | None = None) -> Resolve:
     """Build a function that resolves contacts with a limited number of iterations.
 
     The limit is ``iterations`` per contact, or 2 by default.
@@ -118,7 +116,7 @@ def by_resolver(
     def resolve(contacts: list[Contact], duration: float) -> None:
         if contacts:
             limit = None if iterations is None else iterations * len(contacts)
-            kind(limit).resolve_contacts(contacts, duration)
+            ContactResolver(limit).resolve_contacts(contacts, duration)
 
     return resolve
 

@@ -14,7 +14,6 @@ from typing import Protocol
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
-from ch07_constraints.heap_resolver import HeapResolver
 from ch08_mass_aggregate.blob import Blob, spread
 from ch08_mass_aggregate.bridge import Bridge
 from ch08_mass_aggregate.fixed_step import FixedStep
@@ -66,11 +65,6 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
     return [Track(times, [*values], message) for values in zip(*found, strict=True)]
 
 
-def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a faster contact resolver that computes the same results."""
-    world.resolver = HeapResolver(world.resolver.iterations)
-
-
 def loaded_platform() -> TiltingPlatform:
     """Create a platform with a 5 kg weight at x = 3 m, so that it tips to the right."""
     platform = TiltingPlatform()
@@ -79,11 +73,7 @@ def loaded_platform() -> TiltingPlatform:
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Simulate a mass aggregate, such as the rope bridge, and record its mechanical energy in J.
-
-    To save time, the simulation uses a faster contact resolver that computes the same results.
-    """
-    resolve_by_heap(aggregate.world)
+    """Simulate a mass aggregate, such as the rope bridge, and record its mechanical energy in J."""
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
     return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
 
@@ -119,7 +109,7 @@ def load_on_bridge(
         The excess length is infinite once the ball has fallen through.
     """
     bridge = Bridge(mass)
-    bridge.world.resolver = HeapResolver(iterations)
+    bridge.world.resolver.iterations = iterations
     work = 0
 
     def move(duration: float) -> None:
@@ -173,7 +163,6 @@ def in_frames(
         The measured values over time, and a list with an entry for each frame. An entry is a
         tuple of the number of steps so far and the positions of all particles.
     """
-    resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
     times, values = [0.0], [number(measure())]
     states = [(0, places(aggregate.world))]
@@ -271,7 +260,6 @@ def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
 
 
 def _driven(wheel: Wheel, measure: Measure, rate: int, seconds: float) -> Track:
-    resolve_by_heap(wheel.world)
     return tracks(wheel.step, [measure], round(rate * seconds), 1.0 / rate)[0]
 
 

@@ -20,7 +20,6 @@ from ch08_mass_aggregate.trebuchet import (
     Trebuchet,
 )
 from studies.readings import numbers, stopped
-from studies.runs.mass_aggregate import resolve_by_heap
 
 
 @dataclass(frozen=True)
@@ -48,7 +47,6 @@ def releases(design: Design) -> list[Release]:
     Ranges and energies are computed as in Trebuchet.throw, but with plain numbers.
     """
     machine = Trebuchet(design)
-    resolve_by_heap(machine.world)
     start, high = numbers(machine.projectile.position)[1], numbers(machine.weight.position)[1]
     found: list[Release] = []
 

@@ -14,8 +14,8 @@ from itertools import pairwise
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
+from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.direct_chain import DirectChain
-from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.readings import numbers
@@ -99,17 +99,19 @@ def rope_particles(places: list[Place]) -> list[Particle]:
     return particles
 
 
-def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
+def hang_by_rods(
+    links: int, rate: int, substeps: int, seconds: float, resolver: ContactResolver | None = None
+) -> Hanging:
     """Simulate a hanging rope with a TwoSidedRod for each link, and measure its sag.
 
     The rope starts in its exact shape at rest, so it should not sag any further. There are ``rate``
-    time steps per second, each divided into ``substeps``. Contacts are resolved by a HeapResolver,
-    which is faster than a ContactResolver and computes the same results.
+    time steps per second, each divided into ``substeps``. If ``resolver`` is None, the world's own
+    ContactResolver resolves the contacts.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
     world = ParticleWorld(particles, rods)
-    world.resolver = HeapResolver()
+    world.resolver = resolver or world.resolver
     work = 0
     for _ in range(round(seconds * rate) * substeps):
         world.step(1.0 / (rate * substeps))

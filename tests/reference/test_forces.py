@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion import particle
 from ch05_forces.forces import (
     Airbrake,
     Drag,
@@ -56,6 +57,43 @@ def test_a_copied_particle_has_forces_of_its_own(how: Any) -> None:
     assert tuple(twin.position) == (0.0, 2.0, 0.0)
     assert (twin.mass, twin.damping) == (4.0, 0.5)
     assert how(Particle(mass=INF)).mass == INF
+
+
+class Charged(Particle):
+    """A particle with an attribute in a slot, and with a constructor of its own."""
+
+    __slots__ = ("charge",)
+
+    def __init__(self, charge: float) -> None:
+        super().__init__(UP, mass=2.0)
+        self.charge = charge
+
+
+class Named(particle.Particle):
+    """A particle of chapter 3 with an attribute in its dict."""
+
+
+class NamedWithForces(Particle):
+    """A particle of chapter 5 with an attribute in its dict."""
+
+
+@pytest.mark.parametrize("how", [copy.copy, copy.deepcopy])
+def test_a_copy_of_a_subclass_has_its_class_and_attributes(how: Any) -> None:
+    charged = Charged(3.0)
+    charged.add_force(UP)
+    twin = how(charged)
+    assert type(twin) is Charged
+    assert (twin.charge, twin.mass, tuple(twin.position)) == (3.0, 2.0, (0.0, 1.0, 0.0))
+    twin.add_force(UP)
+    twin.position.y = 5.0
+    assert tuple(charged.force_accumulator) == tuple(charged.position) == (0.0, 1.0, 0.0)
+    for kind in (Named, NamedWithForces):
+        named: Any = kind(UP)
+        named.name = "ball"
+        twin = how(named)
+        assert (type(twin), twin.name) == (kind, "ball")
+        twin.name = "twin"
+        assert named.name == "ball"
 
 
 def test_forces_that_are_taken_leave_none_and_keep_the_last_step() -> None:

@@ -15,7 +15,7 @@ from matplotlib import pyplot
 
 from ch08_mass_aggregate.blob import Blob
 from ch08_mass_aggregate.bridge import Bridge
-from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture, tell
+from studies.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, tell
 from studies.readings import Numbers, numbers, written
 from studies.runs.constraints import Track
 from studies.runs.mass_aggregate import (
@@ -31,18 +31,18 @@ from studies.runs.mass_aggregate import (
     variation,
 )
 
-SETTLED = 10.0  # s, after which scenes should be at rest
+SETTLED = 5.0  # s, after which scenes should be at rest
 STEADY = 0.1  # %, by which the energy of a scene at rest may vary
-SECONDS = 15.0  # s, the length of each run; the energies vary no more in longer runs
-COLORS = {30: RED, 60: BLUE, 120: GREEN}  # by frame rate in Hz
+SECONDS = 7.5  # s, the length of each run; the energies vary no more in longer runs
+COLORS = {30: RED, 60: BLUE}  # by frame rate in Hz
 
 Way = tuple[Callable[[], MassAggregate], int, str]  # with the frame rate and the color
 
 
 def energy_of_bridge() -> Picture:
-    """Plot the energy of the rope bridge at three frame rates, as it comes to rest under a ball.
+    """Plot the energy of the rope bridge at two frame rates, as it comes to rest under a ball.
 
-    A fourth curve shows a run at 30 Hz with the default number of iterations.
+    A third curve shows a run at 30 Hz with the default number of iterations.
     """
     ways: dict[str, Way] = {f"{rate} Hz": (Bridge, rate, color) for rate, color in COLORS.items()}
     ways["30 Hz, default iterations"] = (default_bridge, 30, ORANGE)
@@ -50,7 +50,7 @@ def energy_of_bridge() -> Picture:
 
 
 def energy_of_platform() -> Picture:
-    """Plot the energy of a loaded, tilting platform that comes to rest, at three frame rates."""
+    """Plot the energy of a loaded, tilting platform that comes to rest, at two frame rates."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (loaded_platform, rate, color) for rate, color in COLORS.items()
     }
@@ -64,7 +64,7 @@ def variable_frames() -> Picture:
     uneven frames into steps of equal length.
     """
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
-    spikes, seconds = (1.0, 2.5), 4.0
+    spikes, seconds = (0.75, 1.75), 3.0
     rows: list[Sequence[object]] = []
     notes: list[str] = []
     colors = {"even frames": BLACK, "uneven frames, run 1": RED, "uneven frames, run 2": ORANGE}

@@ -56,7 +56,8 @@ class Throw(Scene):
     )
 
     def build(self) -> None:
-        self.throws = self.score = self.steps = self.passed = 0
+        self.throws = self.score = self.passed = 0
+        self.start = self.end = 0.0  # s, when the last throw began and ended
         self.flies, self.rest, self.message = False, 0.0, "Aim and throw."
         self.old: list[Point] = []
         self.path: list[Point] = []
@@ -93,7 +94,8 @@ class Throw(Scene):
         self.thrown = self.flight()
         self.ball = self.new_ball()
         self.passed = self.score
-        self.duration, self.due, self.steps = 1.0 / self.rate, 0.0, 0
+        self.start = self.simulated = self.time
+        self.end = math.inf
         self.old = [*self.old, *self.path][-400:]
         self.path, self.truth = [self.HAND], self.exact_path()
         self.throws += 1
@@ -113,21 +115,17 @@ class Throw(Scene):
             if self.rest < 0.0:
                 self.passed = self.score
             return
-        self.due += duration / self.duration
-        while self.due > 0.5 and self.flies:
-            self.ball.integrate(self.duration)
-            self.due -= 1.0
-            self.steps += 1
-            self.path.append((self.ball.position.x, self.ball.position.y))
-            if self.path[-1][1] <= self.BALL or self.steps * self.duration > self.LONGEST:
-                self.land()
+        self.ball.integrate(duration)
+        self.path.append((self.ball.position.x, self.ball.position.y))
+        if self.path[-1][1] <= self.BALL or self.simulated - self.start > self.LONGEST:
+            self.land()
 
     def land(self) -> None:
         """End the throw, and report how far the ball and the exact path missed the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)
-        self.flies, self.rest = False, self.REST
+        self.flies, self.rest, self.end = False, self.REST, self.simulated
 
     def past_hoop(self, path: list[Point]) -> float | None:
         """Compute how far beyond the hoop's center a path comes down to the hoop's height, in m.
@@ -176,7 +174,7 @@ class Throw(Scene):
         pen.line(self.truth, "gray", 1.5, dashed=True)
         pen.dots(self.path, "blue")
         if self.flies:
-            true = self.exact(self.time)
+            true = self.exact(self.simulated)
             pen.circle((true[0], true[1]), self.BALL, "gray", fill=False)
             pen.segments([(self.path[-1], (true[0], true[1]))], "red", 1.5)
         else:
@@ -195,8 +193,7 @@ class Throw(Scene):
         return [*(self.path[-1] if self.path else self.HAND)]
 
     def exact(self, time: float) -> list[float]:
-        passed = self.steps / self.rate if not self.throws else self.steps * self.duration
-        return [*self.thrown.exact(passed).position[:2]]
+        return [*self.thrown.exact(min(time, self.end) - self.start).position[:2]]
 
     def facts(self) -> str:
         return f"{self.score} of {self.throws} went in; {self.rate} steps per second"

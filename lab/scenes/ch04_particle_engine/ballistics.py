@@ -194,7 +194,8 @@ class Artillery(Scene):
     def build(self) -> None:
         self.shell, self.flies = self.shot(self.elevation), True
         self.path = [(0.0, 0.0)]
-        self.steps, self.fired = 0, self.time
+        self.fired = self.simulated = self.time
+        self.end = math.inf  # s, when the shell lands
         self.length, self.flight = self.landing(self.elevation)
         self.predicted = [
             self.place_after(self.flight * i / 60.0, self.elevation) for i in range(61)
@@ -227,12 +228,12 @@ class Artillery(Scene):
         return self.place_after(low, elevation)[0], low
 
     def step(self, duration: float) -> None:
-        now = self.time + duration - self.fired
-        while (self.steps + 1) / self.rate <= now + 1e-9 and self.flies:
-            self.shell.integrate(1.0 / self.rate)
-            self.steps += 1
-            self.path.append((self.shell.position.x, self.shell.position.y))
-            self.flies = self.steps / self.rate < self.flight
+        if not self.flies:
+            return
+        self.shell.integrate(duration)
+        self.path.append((self.shell.position.x, self.shell.position.y))
+        if self.simulated - self.fired >= self.flight:
+            self.flies, self.end = False, self.simulated
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
@@ -250,7 +251,7 @@ class Artillery(Scene):
         return [self.shell.position.x, self.shell.position.y]
 
     def exact(self, time: float) -> list[float]:
-        return [*self.place_after(self.steps / self.rate, self.elevation)]
+        return [*self.place_after(min(time, self.end) - self.fired, self.elevation)]
 
     def facts(self) -> str:
         return f"lands {self.length:.2f} m away after {self.flight:.2f} s, as calculated in advance"

@@ -10,7 +10,7 @@ from ch05_forces.forces import Drag, ForceRegistry, InverseSquareGravity
 from ch05_forces.particle import Particle
 from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.scene import Question, Scene
+from lab.scene import FRAME, Question, Scene
 
 G = 9.81  # m/s^2
 
@@ -18,10 +18,12 @@ G = 9.81  # m/s^2
 def lands_first(scene: FallInAir) -> int:
     """Predict which ball lands first: 0 for the left, 1 for the right, or 2 for a tie.
 
-    The ball with the higher terminal speed wins.
+    The ball with the higher terminal speed wins. Without air, there is no such limit.
     """
-    heavy, light = (terminal_speed(mass * G, 0.0, k2) for mass, k2, _ in scene.balls())
-    return 0 if heavy > 1.001 * light else 1 if light > 1.001 * heavy else 2
+    left, right = (
+        terminal_speed(mass * G, 0.0, k2) if k2 else math.inf for mass, k2, _ in scene.balls()
+    )
+    return 0 if left > 1.001 * right else 1 if right > 1.001 * left else 2
 
 
 class FallInAir(Scene):
@@ -63,19 +65,15 @@ class FallInAir(Scene):
             if k2 > 0.0:
                 self.registry.add(ball, Drag(0.0, k2))
             self.fallers.append(ball)
-        self.steps = 0
         self.landed = [math.inf, math.inf]
 
     def step(self, duration: float) -> None:
-        h = 1.0 / self.rate
-        while (self.steps + 1) * h <= self.time + duration + 1e-9:
-            self.registry.update_forces(h)
-            self.steps += 1
-            for i, ball in enumerate(self.fallers):
-                if ball.position.y > 0.0:
-                    ball.integrate(h)
-                    if ball.position.y <= 0.0:
-                        self.landed[i] = self.steps * h
+        self.registry.update_forces(duration)
+        for i, ball in enumerate(self.fallers):
+            if ball.position.y > 0.0:
+                ball.integrate(duration)
+                if ball.position.y <= 0.0:
+                    self.landed[i] = self.simulated
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
@@ -105,8 +103,7 @@ class FallInAir(Scene):
         for ball, landed, (mass, k2, _) in zip(
             self.fallers, self.landed, self.balls(), strict=True
         ):
-            passed = self.steps / self.rate
-            fallen = quadratic_fall(mass, G, k2, passed)[1] if k2 else 0.5 * G * passed * passed
+            fallen = quadratic_fall(mass, G, k2, time)[1] if k2 else 0.5 * G * time * time
             heights.append(self.TOP - fallen if landed == math.inf else ball.position.y)
         return heights
 
@@ -156,26 +153,25 @@ class Orbit(Scene):
         self.planet = Particle(Vector3(near), Vector3(0.0, speed))
         self.registry = ForceRegistry()
         self.registry.add(self.planet, InverseSquareGravity(Vector3(), self.MU))
-        self.steps = 0
         self.path = [(near, 0.0)]
 
-    def step(self, duration: float) -> None:
-        h = 1.0 / self.rate
-        while (self.steps + 1) * h <= self.time + duration + 1e-9:
-            self.registry.update_forces(h)
-            if self.order == "position first":
-                self.planet.integrate(h)
-            else:
-                self.planet.kick(h)
-                self.planet.drift(h)
-            self.steps += 1
+    def advance(self, duration: float = FRAME) -> None:
+        super().advance(duration)
         self.path = [*self.path[-600:], (self.planet.position.x, self.planet.position.y)]
+
+    def step(self, duration: float) -> None:
+        self.registry.update_forces(duration)
+        if self.order == "position first":
+            self.planet.integrate(duration)
+        else:
+            self.planet.kick(duration)
+            self.planet.drift(duration)
 
     def draw(self, pen: Pen) -> None:
         pen.line([self.kepler(i / 90.0 * self.period()) for i in range(91)], "gray", dashed=True)
         pen.line(self.path, "blue")
         pen.circle((0.0, 0.0), 0.14, "orange")
-        pen.circle(self.kepler(self.steps / self.rate), 0.08, "gray", fill=False)
+        pen.circle(self.kepler(self.simulated), 0.08, "gray", fill=False)
         pen.circle(self.planet.position, 0.08, "blue")
         p = self.planet.position
         pen.arrow(p, self.planet.velocity * 0.2, "green", "velocity")
@@ -207,7 +203,7 @@ class Orbit(Scene):
         return [self.planet.position.x, self.planet.position.y]
 
     def exact(self, time: float) -> list[float]:
-        return [*self.kepler(self.steps / self.rate)]
+        return [*self.kepler(time)]
 
     def facts(self) -> str:
         return f"one orbit takes {self.period():.2f} s, or {self.period() * self.rate:.0f} steps"

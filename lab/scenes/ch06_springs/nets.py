@@ -11,7 +11,7 @@ from ch06_springs.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.stepped import STEPS, Stepped
+from lab.stepped import Stepped
 
 
 class SpringBridge(Stepped):
@@ -43,19 +43,12 @@ class SpringBridge(Stepped):
         ]
         self.registry = ForceRegistry()
         hang_bridge(self.registry, self.particles, self.HEIGHT, self.stiffness, self.DAMPING)
-        self.x, self.owed = 0.5, 0.0
+        self.x = 0.5
 
     def step(self, duration: float) -> None:
-        """Advance the bridge by ``duration`` s, at the step rate that the reader chose.
-
-        Before each step, the person's weight is added to the nearest planks.
-        """
-        length = 1.0 / self.rate
-        self.owed += duration
-        while self.owed > 0.5 * length:
-            self.owed -= length
-            load_bridge(self.particles, self.x, self.WEIGHT)
-            STEPS[self.integrator](self.particles, self.registry.update_forces, length)
+        """Add the person's weight to the nearest planks, and advance the bridge by one step."""
+        load_bridge(self.particles, self.x, self.WEIGHT)
+        super().step(duration)
 
     def draw(self, pen: Pen) -> None:
         places = [plank.position for plank in self.particles]
@@ -128,7 +121,6 @@ class Cloth(Stepped):
 
     def build(self) -> None:
         self.particles, self.registry = make_cloth(self.damping)
-        self.owed = 0.0
 
     def draw(self, pen: Pen) -> None:
         places = [oblique(knot.position) for knot in self.particles]

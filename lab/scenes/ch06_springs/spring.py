@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 from ch02_vectors.vector import Vector3
@@ -15,17 +16,28 @@ from lab.scene import Question
 from lab.stepped import Stepped
 
 
-def explodes(scene: OneSpring) -> int:
-    """Predict whether the ball will swing wider and wider.
+def is_stable(integrator: str, kappa: float, drag: float) -> bool:
+    """Return True if an integrator is stable for a damped spring.
 
-    The prediction uses the stability limits of the integrators in chapter 6.
-
-    Returns:
-        1 if the swings will grow, 0 otherwise.
+    ``kappa`` is k h^2 / m and ``drag`` is c h / m, for a stiffness k, a damping c, a mass m and a
+    time step h. These are the limits in the docstrings of the integrators.
     """
-    number = scene.stiffness / scene.rate**2 / scene.mass
-    limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}
-    return 1 if number > limits.get(scene.integrator, 4.0) else 0
+    if integrator == "explicit Euler":
+        return kappa < drag and 2.0 * drag < 4.0 + kappa
+    if integrator == "velocity Verlet":
+        return drag < 2.0 and kappa < 4.0 - 2.0 * drag + drag * drag
+    if integrator == "Runge-Kutta 4":
+        root = cmath.sqrt(0.25 * drag * drag - kappa)
+        return all(grown_by_runge_kutta(-0.5 * drag + sign * root) <= 1.0 for sign in (1, -1))
+    return kappa + 2.0 * drag < 4.0
+
+
+def grown_by_runge_kutta(z: complex) -> float:
+    """Compute by which factor a step h of Runge-Kutta 4 multiplies the solution of x' = z x / h.
+
+    Differences from 1 that are within the rounding error are left out.
+    """
+    return round(abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))), 13)
 
 
 class OneSpring(Stepped):
@@ -39,10 +51,11 @@ class OneSpring(Stepped):
     exact_from = "the closed form"
     predict = Question(
         "The ball starts 1 m from the middle. What will it do?",
-        ["It swings and stays within about 1 m.", "Each swing is wider than the last."],
-        explodes,
-        "The number k h^2 / m decides. Explicit Euler explodes at any stiffness, and "
-        "semi-implicit Euler explodes if the number is greater than 4.",
+        ["It keeps swinging, or comes to rest.", "Each swing is wider than the last."],
+        lambda scene: int(not scene.is_stable()),
+        "The numbers k h^2 / m and c h / m decide. Without damping, explicit Euler explodes at any "
+        "stiffness, and semi-implicit Euler explodes if k h^2 / m is greater than 4. Damping helps "
+        "explicit Euler, but it lowers the limit of semi-implicit Euler.",
     )
     keys = {"p": "push the ball to the right"}
     stiffness = Slider(100.0, "stiffness k", "N/m", 1.0, 20_000.0, log=True)
@@ -84,10 +97,20 @@ class OneSpring(Stepped):
         )
         return [x]
 
+    def per_step(self) -> tuple[float, float]:
+        """Return k h^2 / m and c h / m, where h is the length of a time step."""
+        h = 1.0 / self.rate
+        return self.stiffness * h * h / self.mass, self.damping * h / self.mass
+
+    def is_stable(self) -> bool:
+        """Predict whether the method keeps the ball from getting farther and farther away."""
+        return is_stable(self.integrator, *self.per_step())
+
     def facts(self) -> str:
-        number = self.stiffness / self.rate**2 / self.mass
+        kappa, drag = self.per_step()
+        judged = "stable" if self.is_stable() else "unstable"
         period = 2.0 * math.pi * math.sqrt(self.mass / self.stiffness)
-        return f"k h²/m = {number:.4g} (semi-implicit Euler: stable below 4); period {period:.3g} s"
+        return f"k h²/m = {kappa:.4g} and c h/m = {drag:.3g}: {judged}; period {period:.3g} s"
 
     def say(self) -> str:
         x, v = self.ball.position.x, self.ball.velocity.x
@@ -103,17 +126,20 @@ class OneSpring(Stepped):
     def let_go(self, x: float, v: float) -> None:
         """Give the ball a new position and velocity, and restart the exact solution from there."""
         self.ball.position.x, self.ball.velocity.x = x, v
-        self.since, self.x0, self.v0 = self.time, x, v
+        self.since, self.x0, self.v0 = self.simulated, x, v
 
 
 class ExactSpring(OneSpring):
     """A version of the ``OneSpring`` scene in which the ball follows the exact solution."""
 
     def step(self, duration: float) -> None:
-        passed = self.time + duration - self.since
+        passed = self.simulated - self.since
         self.ball.position.x, self.ball.velocity.x = damped_spring_state(
             self.x0, self.v0, self.stiffness, self.damping, self.mass, passed
         )
+
+    def is_stable(self) -> bool:
+        return True
 
 
 class PymunkSpring(OneSpring):
@@ -123,7 +149,7 @@ class PymunkSpring(OneSpring):
         import pymunk  # not needed by the other scenes
 
         super().build()
-        self.space, self.owed = pymunk.Space(), 0.0
+        self.space = pymunk.Space()
         self.body = pymunk.Body(self.mass, 1.0)
         groove = pymunk.GrooveJoint(self.space.static_body, self.body, (-5, 0), (5, 0), (0, 0))
         # The spring begins so far away that the ball cannot pass its fixed end.
@@ -134,11 +160,17 @@ class PymunkSpring(OneSpring):
         self.body.position, self.body.velocity = (self.x0, 0.0), (0.0, 0.0)
 
     def step(self, duration: float) -> None:
-        self.owed += duration
-        while self.owed > 0.5 / self.rate:
-            self.owed -= 1.0 / self.rate
-            self.space.step(1.0 / self.rate)
+        self.space.step(duration)
         self.ball.position.x, self.ball.velocity.x = self.body.position.x, self.body.velocity.x
+
+    def is_stable(self) -> bool:
+        """Predict whether pymunk's spring is stable.
+
+        Pymunk's step is that of semi-implicit Euler, and its damper multiplies the velocity by
+        D = exp(-c h / m). The limit of k h^2 / m is therefore 2 (1 + D) / D.
+        """
+        kappa, drag = self.per_step()
+        return kappa < 2.0 * (1.0 + math.exp(drag))
 
     def let_go(self, x: float, v: float) -> None:
         super().let_go(x, v)

@@ -32,7 +32,7 @@ def rises(scene: Bounce) -> int:
     The result is 0 if they are equal to within 2 %, 1 if the bounces are higher, or 2 if they are
     lower.
     """
-    share = max(y for _, y in scene.path) / scene.HEIGHT
+    share = max(scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 
 
@@ -66,42 +66,40 @@ class Bounce(Scene):
         self.view_of_contacts = ContactView(ContactResolver())
         rest = heights_in_frames(self.HEIGHT, 0.0, self.restitution, FRAME, self.LONGEST, G)
         self.heights = [self.HEIGHT, *rest]
-        self.owed, self.ended = 0.0, ""
-        self.path: list[tuple[float, float]] = []
+        self.ended = ""
+        self.path = [self.HEIGHT]
+
+    def advance(self, duration: float = FRAME) -> None:
+        super().advance(duration)
+        self.path = [*self.path[-240:], self.ball.position.y]
 
     def step(self, duration: float) -> None:
-        h = 1.0 / self.rate
-        self.owed += duration
-        while self.owed > 0.5 * h and not self.ended:
-            self.owed -= h
-            self.one_step(h)
-        self.path = [*self.path[-240:], (0.0, self.ball.position.y)]
-
-    def one_step(self, h: float) -> None:
-        """Advance the ball by one step of ``h`` s with the method that the reader chose."""
+        """Advance the ball by one step of ``duration`` s with the method that the reader chose."""
+        if self.ended:
+            return
         if self.method == "time division":
             try:
-                time_division_step([self.ball], self.ground, h)
+                time_division_step([self.ball], self.ground, duration)
             except TooManyImpacts:
                 self.ended = "The bounces become ever shorter: the ball has come to rest."
             return
-        STEPS[self.method]([self.ball], no_forces, h)
+        STEPS[self.method]([self.ball], no_forces, duration)
         self.view_of_contacts.forget()
         if contacts := self.ground.contacts():
-            self.view_of_contacts.resolve_contacts(contacts, h)
+            self.view_of_contacts.resolve_contacts(contacts, duration)
 
     def draw(self, pen: Pen) -> None:
         pen.ground()
         last = len(self.path) - 1
         trail = [
             (0.25 + 2.3 * (i - last) / 240.0 + 2.2, self.RADIUS + y)
-            for i, (_, y) in enumerate(self.path)
+            for i, y in enumerate(self.path)
         ]
         pen.line(trail, "blue", 1.0)
         pen.segments(
             [((-2.6, self.HEIGHT + self.RADIUS), (2.6, self.HEIGHT + self.RADIUS))], "gray"
         )
-        exact = self.exact(self.time)
+        exact = self.exact(self.simulated)
         if exact is not None:
             pen.circle((0.0, exact[0] + self.RADIUS), self.RADIUS, "gray", fill=False)
         center = (0.0, self.ball.position.y + self.RADIUS)
@@ -151,8 +149,8 @@ class PymunkBounce(Bounce):
         circle.elasticity, floor.elasticity = self.restitution, 1.0
         self.space.add(self.body, circle, floor)
 
-    def one_step(self, h: float) -> None:
-        self.space.step(h)
+    def step(self, duration: float) -> None:
+        self.space.step(duration)
         self.ball.position.y = self.body.position.y - self.RADIUS
         self.ball.velocity.y = self.body.velocity.y
 

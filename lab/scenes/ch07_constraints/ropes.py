@@ -8,8 +8,8 @@ from itertools import pairwise
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
+from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.direct_chain import DirectChain
-from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import Rod
 from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
@@ -74,7 +74,7 @@ class Ropes(Scene):
             for _ in range(substeps):
                 semi_implicit_euler(self.ropes[i][1:], no_forces, part)
                 if contacts := [contact for rod in self.rods[i] for contact in rod.contacts()]:
-                    HeapResolver().resolve_contacts(contacts, part)
+                    ContactResolver().resolve_contacts(contacts, part)
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:

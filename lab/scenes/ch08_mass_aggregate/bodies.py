@@ -59,11 +59,11 @@ class Platform(WorldScene):
         self.put: tuple[float, float] | None = None
         self.run(self.platform.step, self.platform.world)
 
-    def one_step(self, duration: float) -> None:
+    def step(self, duration: float) -> None:
         if self.put != (self.mass, self.x):
             self.platform.put_weight(self.mass, self.x)
             self.put = (self.mass, self.x)
-        super().one_step(duration)
+        super().step(duration)
 
     def draw(self, pen: Pen) -> None:
         pen.ground()

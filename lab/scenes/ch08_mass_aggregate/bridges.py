@@ -8,7 +8,7 @@ from ch08_mass_aggregate.fixed_step import FixedStep
 from lab.drawing.camera import flat
 from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.scene import Question, Scene
+from lab.scene import FRAME, Question, Scene
 from lab.world_scene import WorldScene, draw_cables
 from studies.runs.links import over_length
 
@@ -49,13 +49,15 @@ class Bridge(WorldScene):
         self.clock: FixedStep | None = None
         self.count = 0
 
-    def step(self, duration: float) -> None:
+    def advance(self, duration: float = FRAME) -> None:
         if self.frames == "all on time":
-            super().step(duration)
+            super().advance(duration)
             return
         # The student's own FixedStep has to cope with the late frames.
+        self.time += duration
+        self.simulated = self.time
         if self.clock is None or self.clock.duration != 1.0 / self.rate:
-            self.clock = FixedStep(self.one_step, 1.0 / self.rate, self.MAX_STEPS)
+            self.clock = FixedStep(self.step, 1.0 / self.rate, self.MAX_STEPS)
         self.count += 1
         self.clock.advance(duration if self.count % self.EVERY else LATE)
 

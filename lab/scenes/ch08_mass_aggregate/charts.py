@@ -29,17 +29,19 @@ class Charts(Scene):
     seconds = 3.0
     exact_from = "the closed form, or SciPy with a tolerance of 1e-11"
     error_unit = "of the scale"
-    compare = ("method", "steps")
+    compare = ("method", "steps", "tolerance", "long_steps")
     charted = Choice("elastic pendulum", "scene", [*CHARTED])
     method = Choice("semi-implicit Euler", "method", METHODS)
     steps = Choice(4, "steps per frame", [1, 2, 4, 8])
+    tolerance = Choice(1e-4, "tolerance of the adaptive method", [1e-2, 1e-4, 1e-6, 1e-8], "m")
+    long_steps = Choice(4, "steps per 12 frames of a method in long steps", [1, 2, 3, 4, 6])
 
     def build(self) -> None:
         self.scene = CHARTED[self.charted]
         self.model = self.chosen()
         started = clock.perf_counter()
         try:
-            outcome = self.model.run(self.steps if self.steps in self.model.steps else 1)
+            outcome = self.model.run(self.fineness()[0])
         except (ArithmeticError, ValueError) as error:
             raise ArithmeticError(f"The scene exploded. Choose more steps. {error}") from error
         self.cost = 1e6 * (clock.perf_counter() - started) / self.scene.frames
@@ -58,6 +60,18 @@ class Charts(Scene):
         """
         models = {model.name: model for model in self.scene.models}
         return models.get(self.method, self.scene.models[0])
+
+    def fineness(self) -> tuple[int, str]:
+        """Return the number with which the method runs, and describe it in words.
+
+        The number comes from the parameter that this method takes. An exact method takes none.
+        """
+        if self.model.takes_tolerance:
+            return round(1.0 / self.tolerance), f"a tolerance of {self.tolerance:g} m"
+        if len(self.model.steps) == 1:
+            return self.model.steps[0], "no choice of steps"
+        steps = self.steps if self.model.per == 1 else self.long_steps
+        return steps, f"{steps} steps per {'frame' if self.model.per == 1 else '12 frames'}"
 
     def step(self, duration: float) -> None:
         self.frame = min(self.frame + 1, len(self.places) - 1)
@@ -80,7 +94,13 @@ class Charts(Scene):
             pen.line(own, "blue", 1.5)
         for point in own:
             pen.circle(point, 0.04, "blue")
-        pen.text((0.0, 1.2), self.model.name, "black", 14.0)
+        pen.text((0.0, 1.2), self.shown(), "black", 14.0)
+
+    def shown(self) -> str:
+        """Name the method that is shown, and say so if it is not the one that the reader chose."""
+        if self.model.name == self.method:
+            return self.model.name
+        return f"{self.model.name} (there is no {self.method} in this scene)"
 
     def state(self) -> list[float]:
         return [float(x) / self.scene.scale for x in self.places[self.frame]]
@@ -90,8 +110,8 @@ class Charts(Scene):
 
     def facts(self) -> str:
         return (
-            f"{self.work:,} {self.scene.counted} for {self.scene.frames} frames; "
-            f"the scale is {self.scene.scale:g} m"
+            f"{self.fineness()[1]}; {self.work:,} {self.scene.counted} for {self.scene.frames} "
+            f"frames; the scale is {self.scene.scale:g} m"
         )
 
     def say(self) -> str:

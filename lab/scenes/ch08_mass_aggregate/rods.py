@@ -111,8 +111,10 @@ class PymunkWheel(Wheel):
         for i, body in enumerate(self.bodies):
             for other in (hub, self.bodies[(i + 1) % count]):
                 self.space.add(pymunk.PinJoint(other, body))
+        self.make_step = self.step_space
 
-    def one_step(self, duration: float) -> None:
+    def step_space(self, duration: float) -> None:
+        """Advance the wheel by one time step of ``duration`` s with pymunk."""
         for body in self.bodies[: self.driven]:
             x, y = body.position
             share = self.force / math.hypot(x, y)

@@ -54,9 +54,9 @@ class Trebuchet(WorldScene):
         self.heights = (self.engine.weight.position.y, self.engine.projectile.position.y)
         self.run(self.engine.step, self.engine.world)
 
-    def one_step(self, duration: float) -> None:
+    def step(self, duration: float) -> None:
         if not self.end:
-            super().one_step(duration)
+            super().step(duration)
             self.look()
 
     def look(self) -> None:

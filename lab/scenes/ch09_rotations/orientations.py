@@ -56,16 +56,11 @@ class Orientations(Scene):
         self.columns = [Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)]
         self.angles = Vector3()
         self.locked = False
-        self.owed = 0.0
 
     def step(self, duration: float) -> None:
-        h = 1.0 / self.rate
-        self.owed += duration
-        while self.owed > 0.5 * h:
-            self.owed -= h
-            self.quaternion.rotate_by(self.velocity * h)
-            self.step_matrix(h)
-            self.step_angles(h)
+        self.quaternion.rotate_by(self.velocity * duration)
+        self.step_matrix(duration)
+        self.step_angles(duration)
 
     def step_matrix(self, h: float) -> None:
         """Rotate the matrix of the first box by one step of ``h`` s, column by column.
@@ -120,7 +115,7 @@ class Orientations(Scene):
         position. It is given in percent of the length of an axis.
         """
         speed = self.velocity.magnitude()
-        right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
+        right = Quaternion.from_axis_angle(self.velocity, speed * self.simulated)
         axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]
         return [
             100.0 * max((b - a).magnitude() for a, b in zip(axes, found, strict=True))
@@ -208,32 +203,22 @@ class FirstOrder(Scene):
     def build(self) -> None:
         self.q = Quaternion()
         self.spin = Vector3(0.0, 0.0, math.radians(self.speed))
-        self.steps, self.owed, self.angle = 0, 0.0, 0.0
+        self.angle = 0.0
 
     def step(self, duration: float) -> None:
-        h = 1.0 / self.rate
-        self.owed += duration
-        while self.owed > 0.5 * h:
-            self.owed -= h
-            before = self.half_angle()
-            self.q.add_scaled(self.spin, h)
-            self.angle += 2.0 * math.remainder(self.half_angle() - before, math.tau)
-            self.steps += 1
-            if self.normalize == "yes":
-                self.q.normalize()
+        before = self.half_angle()
+        self.q.add_scaled(self.spin, duration)
+        self.angle += 2.0 * math.remainder(self.half_angle() - before, math.tau)
+        if self.normalize == "yes":
+            self.q.normalize()
 
     def half_angle(self) -> float:
         """Compute half the angle by which the hand's quaternion rotates about Z, in radians."""
         return math.atan2(self.q.k, self.q.r)
 
-    def passed(self) -> float:
-        """Return how much time has been simulated so far, in s."""
-        passed: float = self.steps / self.rate
-        return passed
-
     def draw(self, pen: Pen) -> None:
         pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
-        right = self.spin.z * self.passed()
+        right = self.spin.z * self.simulated
         pen.arrow((0.0, 0.0), (math.cos(right), math.sin(right)), "gray")
         length = self.q.magnitude() ** 2  # the factor by which q scales a vector
         hand = (length * math.cos(self.angle), length * math.sin(self.angle))
@@ -242,7 +227,7 @@ class FirstOrder(Scene):
         pen.text((-1.75, 1.15), "Eq. 9.5", "blue", 13.0)
 
     def chart(self) -> dict[str, float]:
-        behind = math.degrees(self.spin.z * self.passed() - self.angle)
+        behind = math.degrees(self.spin.z * self.simulated - self.angle)
         return {"behind, degrees": behind, "length of q": self.q.magnitude()}
 
     def state(self) -> list[float]:
@@ -250,7 +235,7 @@ class FirstOrder(Scene):
         return [self.angle]
 
     def exact(self, time: float) -> list[float]:
-        return [self.spin.z * self.passed()]
+        return [self.spin.z * time]
 
     def facts(self) -> str:
         length, angle = first_order_drift(self.spin.z, 1.0, self.rate)
@@ -259,7 +244,7 @@ class FirstOrder(Scene):
         )
 
     def say(self) -> str:
-        behind = math.degrees(self.spin.z * self.passed() - self.angle)
+        behind = math.degrees(self.spin.z * self.simulated - self.angle)
         return f"The hand is {behind:.1f}° behind. The length of q is {self.q.magnitude():.3g}."
 
 

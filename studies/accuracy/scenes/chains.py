@@ -126,7 +126,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
     """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
-        Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS),
+        Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS, per=LONG),
         Model("rods as forces, Runge-Kutta 4", partial(by_tensions, chain), steps),
         Model("direct chain", partial(by_direct_chain, chain), steps),
         *(

@@ -27,6 +27,7 @@ from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
 from studies.accuracy.scenes.bridge import MASSES, cables, hanging
 from studies.accuracy.scenes.planes import (
     COUNTED,
+    LONG,
     Plane,
     Walker,
     by_long_steps,
@@ -61,7 +62,7 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
     models = [
         Model("direct net", run(by_net, DirectNet), STEPS[:6]),
         Model("smooth net, order 4", run(by_net, SmoothNet), STEPS[:4]),
-        Model("smooth net in long steps", run(by_long_steps), (1, 2, 3, 4, 6)),
+        Model("smooth net in long steps", run(by_long_steps), (1, 2, 3, 4, 6), per=LONG),
         Model("pymunk, slide joints", run(by_slide_joints, 10), STEPS, "pymunk"),
         Model("pymunk, slide joints, 3 iterations", run(by_slide_joints, 3), STEPS, "pymunk"),
     ]

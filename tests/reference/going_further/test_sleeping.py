@@ -49,6 +49,24 @@ def test_before_anything_sleeps_both_worlds_are_the_same() -> None:
     assert ends[0] == ends[1]
 
 
+def test_the_energy_stays_when_bodies_fall_asleep_and_wake() -> None:
+    """Bodies on a ground at 2 m have the energy m g y, whether they are awake or asleep."""
+    bodies = [ball(3.0 * i, 2.0, 0.5 + i) for i in range(3)]
+    world = SleepingWorld(bodies, [GroundPlane(bodies, height=2.0)])
+    wanted = G * 2.0 * (0.5 + 1.5 + 2.5)
+    counts = set()
+    for frame in range(120):
+        if frame == 90:
+            world.wake(bodies[1])
+        world.step(FRAME)
+        counts.add(len(world.asleep))
+        # A resting body sinks by at most g h^2 in a step, before the ground pushes it back.
+        assert world.mechanical_energy() == pytest.approx(wanted, rel=1e-3)
+    assert {0, 2, 3} <= counts
+    bodies[0].mass = 1.0  # a mass that is set from outside counts, and wakes the body later
+    assert world.mechanical_energy() == pytest.approx(wanted + G * 2.0 * 0.5, rel=1e-3)
+
+
 @pytest.mark.parametrize("mass", [0.01, 1.0, 100.0])
 def test_a_ball_does_not_fall_asleep_at_its_highest_point(mass: float) -> None:
     body = ball(0.0, 1.0, mass, vy=5.0)

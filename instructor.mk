@@ -118,7 +118,7 @@ table: $(READY) ## copy the measured figures into the pages
 bench: $(READY) ## measure ratios of speed and compare them with their targets
 	@$(RUN) -m studies bench
 
-charts: $(READY) ## measure speed against accuracy (QUICK=1 takes one minute)
+charts: $(READY) ## measure speed against accuracy (QUICK=1 takes 3 minutes)
 	@$(RUN) -m studies charts $(if $(QUICK),--quick)
 
 choose: $(READY) ## find the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)

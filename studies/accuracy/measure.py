@@ -5,8 +5,8 @@ amount of work of a model are the same in every run, so they are measured only o
 from run to run, so it is measured in several rounds. Each round times all models in random order,
 so that a brief slowdown of the computer does not always affect the same model.
 
-The results are saved after every round. If the measurement is interrupted, it can resume from the
-saved results, unless the code or a version has changed.
+The results are saved again and again. If the measurement is interrupted, it can resume from the
+saved results, even in the middle of a round, unless the code or a version has changed.
 """
 
 from __future__ import annotations
@@ -70,7 +70,8 @@ class Point:
 class Measured:
     """The measurements that `make charts` has made so far, and the number of timing rounds.
 
-    They are saved after every timing round, so that an interrupted run can resume.
+    A round that is not over yet does not count. Each of its points that has been timed already has
+    one time more than there are rounds.
     """
 
     points: list[Point]
@@ -114,15 +115,16 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Run one more timing round, which times every model at every number of steps.
+    """Run one more timing round, or the rest of an interrupted one.
 
-    The order of the runs is random. A run that takes longer than LONG seconds is timed only in the
-    first FEW rounds, and is skipped in later ones. After each run, timed or skipped, ``hear`` is
-    called to advance a progress bar.
+    A round times every model at every number of steps, in random order. A run that takes longer
+    than LONG seconds is timed only in the first FEW rounds, and is skipped in later ones. After
+    each run, timed or skipped, ``hear`` is called to advance a progress bar.
     """
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
-        if len(point.times) < FEW or point.time < LONG:
+        is_done = len(point.times) > measured.rounds
+        if not is_done and (len(point.times) < FEW or point.time < LONG):
             point.times.append(seconds_of(models[point.scene, point.model], point.steps))
         hear()
     measured.rounds += 1

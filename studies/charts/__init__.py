@@ -12,6 +12,7 @@ import csv
 import platform
 import re
 import sys
+import time
 from datetime import date
 from importlib import metadata
 from pathlib import Path
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 # gets more time, because it needs many steps to become as accurate as our models.
 QUICK = (3, 0.05, 0.05)
 FULL = (9, 0.6, 6.0)
+SAVED_EVERY = 10.0  # s; an interrupted run loses at most this much of a round
 
 
 def main(arguments: list[str]) -> int:
@@ -44,7 +46,7 @@ def main(arguments: list[str]) -> int:
     """
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
-        "--quick", action="store_true", help="take a minute: fewer points, fewer rounds"
+        "--quick", action="store_true", help="take three minutes: fewer points, fewer rounds"
     )
     parser.add_argument("--scene", default="", help="only scenes with this text in their name")
     parser.add_argument(
@@ -69,19 +71,31 @@ def main(arguments: list[str]) -> int:
     sign = measure.sign_of([scene.name for scene in scenes], slowest, theirs)
     columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, transient=True) as progress:
-        measured = measure.load(resumed, sign)
-        if measured is None:
-            task = progress.add_task("", total=None)
-            measured = measure.explore(
-                scenes, slowest, theirs, lambda what: progress.update(task, description=what)
-            )
-            progress.remove_task(task)
-        elif measured.rounds:
+        measured = measure.load(resumed, sign) or measure.Measured([])
+        if measured.points:
             console.print(f"resuming an earlier run after {measured.rounds} of {rounds} rounds")
+        explored = {point.scene for point in measured.points}
+        task = progress.add_task("", total=None)
+        for scene in scenes:
+            if scene.name not in explored:
+                measured.points += measure.explore(
+                    [scene], slowest, theirs, lambda what: progress.update(task, description=what)
+                ).points
+                measure.save(measured, resumed, sign)
+        progress.remove_task(task)
         left = max(rounds - measured.rounds, 0)
         task = progress.add_task("timing", total=left * len(measured.points))
+        saved = time.monotonic()
+
+        def advance() -> None:
+            nonlocal saved
+            progress.advance(task)
+            if time.monotonic() - saved > SAVED_EVERY:
+                measure.save(measured, resumed, sign)
+                saved = time.monotonic()
+
         for _ in range(left):
-            measure.time_once(measured, scenes, lambda: progress.advance(task))
+            measure.time_once(measured, scenes, advance)
             measure.save(measured, resumed, sign)
     for scene in scenes:
         own = [point for point in measured.points if point.scene == scene.name]

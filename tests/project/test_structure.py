@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import importlib.util
 import re
+import shlex
+import subprocess
 import sys
 from pathlib import Path
 
@@ -147,6 +149,18 @@ def test_every_command_of_the_readmes_is_there() -> None:
             r"(?:^(?: {4})?|`)make ([a-z-]+)", readme.read_text(encoding="utf-8"), re.M
         )
         assert set(commands) <= targets, readme
+
+
+def test_every_pytest_command_of_the_pages_finds_tests() -> None:
+    """A test that was renamed leaves a command that runs nothing, which pytest calls status 5."""
+    for name in ("CONTRIBUTING.md", "tests/README.md"):
+        page = (ROOT / name).read_text(encoding="utf-8")
+        commands = re.findall(r"\.venv/bin/python (-m pytest [^`#\n]+)", page)
+        assert commands, name
+        for command in commands:
+            collect = [sys.executable, *shlex.split(command), "--collect-only", "-n0"]
+            done = subprocess.run(collect, cwd=ROOT, capture_output=True, text=True, check=False)
+            assert done.returncode == 0, f"{command}\n{done.stdout[-500:]}{done.stderr}"
 
 
 PAGES = [*ROOT.glob("*.md"), *ROOT.glob("chapters/**/*.md"), *ROOT.glob("*/README.md")]

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import csv
+import json
 import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy
 import pytest
@@ -14,6 +16,7 @@ from scipy.integrate import solve_ivp
 
 from ch07_constraints.angle_pendulum import AnglePendulum
 from studies import charts, choose
+from studies.accuracy import measure
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.chart import styles_of, told, told_ratio
 from studies.accuracy.measure import Measured, Point, load, save
@@ -284,6 +287,48 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     assert charts.main(arguments) == 0
     assert "resuming an earlier run after 1 of 1 rounds" in capsys.readouterr().out
     assert (tmp_path / "measured.json").read_bytes() == first
+
+
+class KilledError(Exception):
+    """The run was killed here."""
+
+
+def test_an_interrupted_run_loses_neither_a_scene_nor_the_runs_of_a_round(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(charts, "QUICK", (1, 1e-3, 1e-3))
+    monkeypatch.setattr(charts, "SAVED_EVERY", 0.0)
+    explored: list[str] = []
+    timed: list[tuple[str, int]] = []
+    stops = iter([False, True, False])
+
+    def explore(scenes: list[Scene], *others: Any) -> Measured:
+        explored.append(scenes[0].name)
+        if next(stops):
+            raise KilledError
+        return real(scenes, *others)
+
+    def seconds_of(model: Model, steps: int) -> float:
+        if len(timed) == 3 and explored[-1]:
+            explored.append("")
+            raise KilledError
+        timed.append((model.name, steps))
+        return 1e-4
+
+    real = measure.explore
+    monkeypatch.setattr(measure, "explore", explore)
+    monkeypatch.setattr(measure, "seconds_of", seconds_of)
+    arguments = ["--quick", "--scene", "bouncing ball", "--out", str(tmp_path)]
+    with pytest.raises(KilledError):
+        charts.main(arguments)
+    with pytest.raises(KilledError):
+        charts.main(arguments)
+    assert charts.main(arguments) == 0
+    first, second, again, _ = explored
+    assert first != second == again, "the first scene is measured once, the second one again"
+    points = json.loads((tmp_path / "measured.json").read_text(encoding="utf-8"))["points"]
+    assert len(timed) == len(points), "no point is timed twice in a round"
+    assert all(len(point["times"]) == 1 for point in points)
 
 
 def test_a_scene_that_is_not_there_is_refused_by_name(capsys: pytest.CaptureFixture[str]) -> None:

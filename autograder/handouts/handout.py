@@ -23,7 +23,7 @@ STUDENT_TOOLS = {
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
     "autograder/diagnosis": "*.py",
-    "autograder/handouts": "__init__.py lock.py stubs.py",
+    "autograder/handouts": "__init__.py lock.py stubs.py unused.py",
     "autograder/student": "*.py",
     "autograder/student/watching": "*.py",
     "autograder/text": "*.py",

@@ -87,6 +87,7 @@ SLIPS = (
         "name to call it.",
     ),
     ("can't decode", "Save the file as UTF-8 in your editor."),
+    ("Non-UTF-8 code", "Save the file as UTF-8 in your editor."),  # since Python 3.15
     ("null bytes", "Save the file as UTF-8 in your editor."),
 )
 # These errors may come from a mistake in Python, or they may follow from one in the physics. So we

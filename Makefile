@@ -60,18 +60,22 @@ reset: $(READY) ## restore a stub (EX=2.5) or its file (WHOLE=1); keep a copy
 lab: $(READY) ## run scenes with your engine in the browser (SCENE=one-spring)
 	@$(RUN) -m lab serve $(if $(SCENE),"$(SCENE)") --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(foreach set,$(SET),--set "$(set)") $(if $(filter 0,$(OPEN)),--no-browser)
 
-plot: $(READY) ## draw the pictures of a chapter with your engine (CH=2)
+plot: .venv/pictures ## draw the pictures of a chapter with your engine (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
 
-demo: $(READY) ## run a scene of the lab in its own window (DEMO=fireworks)
+demo: .venv/pictures ## run a scene of the lab in its own window (DEMO=fireworks)
 	@$(RUN) -m lab play $(if $(DEMO),"$(DEMO)") --engine "$(ENGINE)" $(if $(GIVEN),--given "$(GIVEN)") $(foreach set,$(SET),--set "$(set)") $(DIAGNOSIS)
 
 setup: $(READY) ## create .venv (the other commands do this when needed)
 	@echo "Set up: .venv is ready."
 
 $(READY): requirements.lock autograder/make_venv.py
-	@command -v $(PYTHON) >/dev/null || { echo "Cannot set up: there is no $(PYTHON); install Python 3.11 or newer, or name one: make setup PYTHON=python3.12"; exit 1; }
+	@command -v $(PYTHON) >/dev/null || { echo "Cannot set up: there is no $(PYTHON); install Python 3.11 or newer, or name one: make setup PYTHON=python3.14"; exit 1; }
 	@$(PYTHON) autograder/make_venv.py
+
+# The packages of pictures.lock, and so on, are installed when a command first needs them.
+.venv/%: %.lock $(READY)
+	@$(RUN) autograder/make_venv.py $*
 
 -include instructor.mk
 

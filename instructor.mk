@@ -44,36 +44,38 @@ NAMED = $(or $(CHAPTERS),$(if $(ASSIGNMENT),,$(error name the chapters: make $@ 
 BUILT = build/$(if $(ASSIGNMENT),$(ASSIGNMENT)/)
 
 # == For instructors ==
-grade: $(READY) ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
+grade: .venv/teaching ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
 	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades$(if $(CODED),-anonymous))" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(ROSTER),--roster "$(ROSTER)") $(if $(CODED),--anonymous) $(if $(TITLE),--title "$(TITLE)") $(if $(POINTS),--points "$(POINTS)") $(if $(STUDENT),--student "$(STUDENT)") $(if $(NOTE),--note "$(NOTE)")
 
-progress: $(READY) ## compare graded assignments (RUNS="build/lab1 build/lab2")
+progress: .venv/teaching ## compare graded assignments (RUNS="build/lab1 build/lab2")
 	@$(RUN) -m autograder progress $(or $(RUNS),$(error name the graded folders: make progress RUNS="build/lab1 build/lab2")) --out "$(or $(OUT),build/progress)"
 
-release: $(READY) ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
+release: .venv/teaching ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
 	@$(RUN) -m autograder release $(NAMED) --out "$(or $(OUT),$(BUILT)release)" $(ASSIGNED) $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard $(BUILT)grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),$(BUILT)grades)") $(if $(ROSTER),--roster "$(ROSTER)")
 
-similarity: $(READY) ## find similar submissions (SUBMISSIONS=dir CHAPTERS=2-3)
+similarity: .venv/teaching ## find similar submissions (SUBMISSIONS=dir CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
 
-mark: $(READY) ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
+mark: .venv/teaching ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
 	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser) $(ASSIGNED)
 
-handout: $(READY) ## make a handout (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
+handout: .venv/teaching ## make a handout (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
 	@$(RUN) -m autograder handout $(NAMED) --out "$(or $(OUT),$(BUILT)handout)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
-classroom: $(READY) ## make a handout for GitHub Classroom (CHAPTERS=2 OUT=dir)
+classroom: .venv/teaching ## make a handout for GitHub Classroom (CHAPTERS=2 OUT=dir)
 	@$(RUN) -m autograder classroom $(NAMED) --out "$(or $(OUT),$(BUILT)classroom)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
-gradescope: $(READY) ## make the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
+gradescope: .venv/teaching ## make the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(NAMED) --out "$(or $(OUT),$(BUILT)gradescope.zip)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
-site: $(READY) ## build the website; needs Node.js (OUT=dir SOLUTIONS=1)
+site: .venv/pictures ## build the website; needs Node.js (OUT=dir SOLUTIONS=1)
 	@$(RUN) -m web --out "$(or $(OUT),build/site)" $(if $(SOLUTIONS),--with-solutions)
 
 # == For those who work on the companion itself ==
+# One scene of the lab replays a study.
+lab: $(if $(filter charts,$(SCENE)),.venv/everything)
 # A test runs lint beside the others. The tests of one chapter are few, so there it comes first.
-test: say-what-test-is .venv/extras $(if $(CH),lint) ## run all tests, or only the tests of one chapter (CH=6)
+test: say-what-test-is .venv/everything $(if $(CH),lint) ## run all tests, or only the tests of one chapter (CH=6)
 ifneq ($(CH),)
 	@PYTHONPATH=tests/helpers $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
 else
@@ -85,53 +87,48 @@ say-what-test-is:
 	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 13 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
 
-.venv/extras: extras.lock $(READY)
-	@echo "Installing the packages of $< into .venv."
-	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock -r $<
-	@touch $@
-
-lint: $(READY) ## check style, types and spelling
+lint: .venv/everything ## check style, types and spelling
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .
 	@$(RUN) -m mypy
 	@$(RUN) -m codespell_lib
 
-update: stubs ## generate all stubs and tables again
+update: .venv/everything stubs ## generate all stubs and tables again
 	@$(RUN) tests/strength table
 
-stubs: $(READY) ## generate the stubs in chapters/ from solutions/
+stubs: .venv/teaching ## generate the stubs in chapters/ from solutions/
 	@$(RUN) -m autograder stubs
 
-figures: $(READY) ## draw the pictures of the lessons again
+figures: .venv/everything ## draw the pictures of the lessons again
 	@$(RUN) -m studies figures
 
 # == Measurements ==
-mutants: .venv/extras ## count the mutants that the checks catch (CH=6)
+mutants: .venv/everything ## count the mutants that the checks catch (CH=6)
 	@$(RUN) tests/strength mutants $(if $(CH),--chapter "$(CH)")
 
-seeds: $(READY) ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
+seeds: .venv/everything ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
 	@$(RUN) tests/strength seeds $(if $(CH),--chapter "$(CH)") $(if $(SEEDS),--seeds "$(SEEDS)")
 
-table: $(READY) ## copy the measured figures into the pages
+table: .venv/everything ## copy the measured figures into the pages
 	@$(RUN) tests/strength table
 
-bench: $(READY) ## measure ratios of speed and compare them with their targets
+bench: .venv/everything ## measure ratios of speed and compare them with their targets
 	@$(RUN) -m studies bench
 
-charts: $(READY) ## measure speed against accuracy (QUICK=1 takes 3 minutes)
+charts: .venv/everything ## measure speed against accuracy (QUICK=1 takes 3 minutes)
 	@$(RUN) -m studies charts $(if $(QUICK),--quick)
 
-choose: $(READY) ## find the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)
+choose: .venv/everything ## find the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)
 	@$(RUN) -m studies choose "$(or $(SCENE),$(error name a scene: make choose SCENE=pendulum, or a file that describes yours))" $(if $(TOLERANCE),--tolerance "$(TOLERANCE)") $(DIAGNOSIS)
 
-limits: $(READY) ## find the stiffness and drag up to which methods are stable
+limits: .venv/everything ## find the stiffness and drag up to which methods are stable
 	@$(RUN) -m studies limits
 
-economy: $(READY) ## measure the cost of parts that a scene does not need
+economy: .venv/everything ## measure the cost of parts that a scene does not need
 	@$(RUN) -m studies economy
 
-soak: $(READY) ## simulate the bridge and the platform for ten minutes each
+soak: .venv/everything ## simulate the bridge and the platform for ten minutes each
 	@$(RUN) -m studies soak
 
-contacts: $(READY) ## compare the contact solvers (QUICK=1 takes one minute)
+contacts: .venv/everything ## compare the contact solvers (QUICK=1 takes one minute)
 	@$(RUN) -m studies contacts $(if $(QUICK),--quick)

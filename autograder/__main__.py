@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import re
 import sys
 
@@ -19,21 +20,19 @@ from autograder.manifest import (
 )
 from autograder.student.check import check
 
-try:
-    from autograder import instructor
-except ImportError:  # a handout contains only the student's commands
-    instructor = None  # type: ignore[assignment]
-
 
 def main() -> int:
     """Parse the command line, run the command, and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m autograder", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     add_commands(commands)
-    if instructor is not None:
+    students = [*commands.choices]
+    if importlib.util.find_spec("autograder.instructor"):  # a handout does not contain it
+        from autograder import instructor
+
         instructor.add_commands(commands)
     arguments = parser.parse_args()
-    if not prepare():
+    if not prepare("requirements" if arguments.command in students else "teaching"):
         return 2
     try:
         return int(arguments.run(arguments))

@@ -33,11 +33,44 @@ ADVICE = {
     ): "Make sure that you can write there, or use another folder",
     (errno.EFBIG,): "A limit on the size of files is too low here (see ulimit -f)",
 }
+# What each lock adds, under the names by which modules import it (see pyproject.toml).
+PACKAGES = {
+    "requirements": "libcst pymunk pytest rich tornado watchfiles",
+    "pictures": "matplotlib",
+    "teaching": "jinja2 yaml",
+    "everything": "jinja2 matplotlib scipy yaml",
+}
 MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages
 
 
-def prepare() -> bool:
-    """Prepare Python to run a command, and return False if a required package is missing.
+class LackingError(Exception):
+    """Some of the packages that a command needs are not installed. The message says what to do."""
+
+
+def require(group: str) -> None:
+    """Check that Python has the packages of students, and those of ``group``.
+
+    Raises:
+        LackingError: A package is missing.
+    """
+    needed = f"{PACKAGES['requirements']} {PACKAGES[group]}".split()
+    lacking = [name for name in needed if importlib.util.find_spec(name) is None]
+    if not lacking:
+        return
+    if group == "requirements" or lacking[0] in PACKAGES["requirements"]:
+        raise LackingError(
+            "this Python lacks the companion's packages. Run make setup (without make: run "
+            f"{Path(sys.executable).name} autograder/make_venv.py, then use {shown_python()})"
+        )
+    raise LackingError(
+        f"this Python lacks {lacking[0]}, which is one of the packages for this command. Run "
+        f"{shown_python()} autograder/make_venv.py {group}, and then the same command again with "
+        f"{shown_python()}"
+    )
+
+
+def prepare(group: str = "requirements") -> bool:
+    """Prepare Python to run a command, and return False if a package of ``group`` is missing.
 
     In that case, a message explains how to install the packages.
 
@@ -51,12 +84,10 @@ def prepare() -> bool:
     for stream in (sys.stdout, sys.stderr):  # show ? for characters that the console cannot encode
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
-    if importlib.util.find_spec("pytest") is None:
-        print(
-            "this Python lacks the companion's packages. Run make setup (without make: run "
-            f"{Path(sys.executable).name} autograder/make_venv.py, then use {shown_python()})",
-            file=sys.stderr,
-        )
+    try:
+        require(group)
+    except LackingError as error:
+        print(error, file=sys.stderr)
         return False
     return True
 

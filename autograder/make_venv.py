@@ -1,8 +1,12 @@
-"""Create the virtual environment .venv, and install the packages listed in requirements.lock.
+"""Create the virtual environment .venv, or add a group of packages to it.
 
-`make` runs this script before its first command. Without make, run `python3
-autograder/make_venv.py` yourself. The script uses only syntax that Python 3.6 understands. If your
-Python is too old for the project, you therefore see a helpful message instead of a syntax error.
+`make` runs this script before a command that needs it. Without make, run `python3
+autograder/make_venv.py` yourself. It installs the packages listed in requirements.lock, which are
+all that most commands of students need. `python3 autograder/make_venv.py pictures` adds those of
+pictures.lock, which draw the pictures.
+
+The script uses only syntax that Python 3.6 understands. If your Python is too old for the project,
+you therefore see a helpful message instead of a syntax error.
 """
 
 import os
@@ -13,7 +17,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
-LOCK = ROOT / "requirements.lock"
+STUDENTS = "requirements"  # the lock with the packages of students
+EVERYTHING = "everything"  # the group that contains all others
+NO_GROUPS = (STUDENTS, "stubs")  # stubs.lock lists files and no packages
 NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is unreachable")
 
 
@@ -48,10 +54,10 @@ def check_python() -> None:
     """Exit with a helpful message if this Python is too old or cannot create an environment."""
     version = ".".join(str(part) for part in sys.version_info[:2])
     if sys.version_info < (3, 11):  # noqa: UP036 - an old Python ends here
-        newer = "py -3.12" if os.name == "nt" else "python3.12"
+        newer = "py -3.14" if os.name == "nt" else "python3.14"
         stop(
             f"{sys.executable} is Python {version}, but the companion needs 3.11 or newer. "
-            f"Install one and name it: make setup PYTHON=python3.12 (without make: {newer} "
+            f"Install one and name it: make setup PYTHON=python3.14 (without make: {newer} "
             "autograder/make_venv.py)"
         )
     try:
@@ -64,15 +70,31 @@ def check_python() -> None:
         )
 
 
-def install(python: str) -> str:
-    """Install the packages listed in requirements.lock with pip, and print the progress.
+def install(name: str) -> None:
+    """Install the packages listed in a lock, such as requirements.lock, and print the progress.
+
+    If pip fails, exit and print the reason.
+    """
+    lock = ROOT / f"{name}.lock"
+    failure = run_pip(lock)
+    if any(word in failure.lower() for word in NETWORK_WORDS):
+        stop(
+            "the package index (PyPI) cannot be reached. Check the network or proxy settings "
+            "and run the command again."
+        )
+    if failure:
+        stop(f"pip could not install {lock.name}. Its output ends with:\n{failure[-1500:]}")
+
+
+def run_pip(lock: Path) -> str:
+    """Install the packages listed in a lock with pip, and print the progress.
 
     Return pip's output if the installation fails, and an empty string if it succeeds.
     """
-    lock = LOCK.read_text(encoding="utf-8").splitlines()
-    total = sum("==" in line and line[0].isalpha() for line in lock)
-    command = [python, "-m", "pip", "install", "--disable-pip-version-check", "--retries", "1"]
-    command += ["--timeout", "30", "--require-hashes", "-r", str(LOCK)]
+    lines = lock.read_text(encoding="utf-8").splitlines()
+    total = sum("==" in line and line[0].isalpha() for line in lines)
+    command = [str(python_of_venv()), "-m", "pip", "install", "--disable-pip-version-check"]
+    command += ["--retries", "1", "--timeout", "30", "--require-hashes", "-r", str(lock)]
     output, fetched = "", 0
     with subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace"
@@ -87,14 +109,14 @@ def install(python: str) -> str:
     return output if pip.returncode else ""
 
 
-def main() -> None:
-    """Create the virtual environment .venv from scratch.
+def make_venv() -> None:
+    """Create the virtual environment .venv from scratch, with the packages of students.
 
     The file .venv/ready is written last, as proof that the environment is complete.
     """
     check_python()
     print(
-        f"Setting up .venv with {sys.executable}; this one-time step takes about a minute.",
+        f"Setting up .venv with {sys.executable}; this one-time step takes less than a minute.",
         flush=True,
     )
     made = subprocess.run(
@@ -105,17 +127,24 @@ def main() -> None:
     )
     if made.returncode:
         stop(f"python -m venv failed: {made.stdout.strip()}")
-    failure = install(str(python_of_venv()))
-    if any(word in failure.lower() for word in NETWORK_WORDS):
-        stop(
-            "the package index (PyPI) cannot be reached. Check the network or proxy settings "
-            "and run the command again."
-        )
-    if failure:
-        stop(f"pip could not install requirements.lock. Its output ends with:\n{failure[-1500:]}")
-    (VENV / "ready").write_text("made from requirements.lock\n", encoding="utf-8")
+    install(STUDENTS)
+    (VENV / "ready").write_text(f"made from {STUDENTS}.lock\n", encoding="utf-8")
     print(f"Set up: .venv is ready. Without make: {shown_python()} -m autograder check")
 
 
+def main(group: str = "") -> None:
+    """Create .venv, or add the packages of ``group``, and create .venv first if it is missing."""
+    groups = sorted(lock.stem for lock in ROOT.glob("*.lock") if lock.stem not in NO_GROUPS)
+    if group and group not in groups:
+        stop(f"there is no group of packages called {group!r}; choose from {', '.join(groups)}")
+    if not group or not (VENV / "ready").exists():
+        make_venv()
+    if group:
+        print(f"Installing the packages of {group}.lock into .venv, once.", flush=True)
+        install(group)
+        for done in groups if group == EVERYTHING else [group]:
+            (VENV / done).write_text(f"made from {group}.lock\n", encoding="utf-8")
+
+
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:2])

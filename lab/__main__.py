@@ -49,7 +49,7 @@ def main() -> int:
             help="set a parameter of the scene",
         )
     options = parser.parse_args()
-    if not prepare():
+    if not prepare("requirements" if options.command == "serve" else "pictures"):
         return 2
     try:
         return {"serve": _serve, "play": _play, "record": _play}[options.command](options)

@@ -26,7 +26,7 @@ def main() -> int:
     if name not in there:
         print(f"usage: python -m studies {'|'.join(there)}", file=sys.stderr)
         return 2
-    if not prepare():
+    if not prepare("pictures" if name == "plot" else "everything"):
         return 2
     try:
         return int(importlib.import_module(f"studies.{name}").main(sys.argv[2:]))

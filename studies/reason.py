@@ -6,7 +6,7 @@ import traceback
 from pathlib import Path
 
 from autograder.at_home.students_code import LIBRARY
-from autograder.commands import advice
+from autograder.commands import LackingError, advice
 from autograder.diagnosis.faults import is_inside
 from autograder.diagnosis.slips import slip_of
 from autograder.manifest import ROOT
@@ -21,7 +21,7 @@ def reason(error: BaseException) -> str:
     """
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
-    if isinstance(error, RejectedFileError):
+    if isinstance(error, RejectedFileError | LackingError):
         return str(error)
     if isinstance(error, SyntaxError) and error.filename:
         file, line, words = error.filename, error.lineno, error.msg

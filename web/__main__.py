@@ -13,12 +13,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from autograder.commands import sentence
+from autograder import commands
 from autograder.manifest import ROOT
-from web.course import course
 from web.node import prepare, run_node
-from web.pack import pack
-from web.pictures import copy_pictures
 
 PARTS = ROOT / "build" / "web"  # the content of the pages
 NOT_OURS = ("pyodide", "vendor")
@@ -34,10 +31,12 @@ def main() -> int:
         help="include the reference's compiled modules for students who skip a chapter",
     )
     options = parser.parse_args()
+    if not commands.prepare("pictures"):
+        return 1
     try:
         build(options.out, with_solutions=options.with_solutions)
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
-        print(f"make site: {sentence(error)}", file=sys.stderr)
+        print(f"make site: {commands.sentence(error)}", file=sys.stderr)
         return 1
     print(f"\nThe site is in {options.out}: {_sizes(options.out)}.")
     print(f"To view it, run: {Path(sys.executable)} -m http.server -d {options.out} 8000")
@@ -53,6 +52,11 @@ def build(out: Path, *, with_solutions: bool) -> None:
     """
     if out.exists() and any(out.iterdir()) and not (out / "sw.js").is_file():
         raise ValueError(f"{out} is neither empty nor an earlier build of the site")
+    # These need packages.
+    from web.course import course
+    from web.pack import pack
+    from web.pictures import copy_pictures
+
     prepare()
     shutil.rmtree(PARTS, ignore_errors=True)
     PARTS.mkdir(parents=True)

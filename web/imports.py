@@ -20,7 +20,7 @@ def imported_by(
     waiting = list(roots)
     while waiting:
         file = waiting.pop()
-        for name in _names(file, folders):
+        for name in imports_of(file, folders):
             for module in _files(name, folders) if name.split(".")[0] in packages else ():
                 if module not in found:
                     found.add(module)
@@ -31,7 +31,7 @@ def imported_by(
     return sorted(found)
 
 
-def _names(file: Path, folders: Iterable[Path]) -> Iterator[str]:
+def imports_of(file: Path, folders: Iterable[Path]) -> Iterator[str]:
     """Yield the names of all modules that a Python file may import.
 
     The statement `from a import b` may import a module or any other object of that name. The result

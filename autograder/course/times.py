@@ -14,8 +14,6 @@ from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 from typing import Any
 
-import yaml  # type: ignore[import-untyped]
-
 from autograder.course.dates import parse_time
 from autograder.course.late import HandedIn
 from autograder.submissions.find import Submission
@@ -94,8 +92,13 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
+    import yaml  # type: ignore[import-untyped] # only here, since Gradescope's own machine lacks it
+
     with _readable(path):
-        data = yaml.safe_load(path.read_text(encoding="utf-8"))
+        try:
+            data = yaml.safe_load(path.read_text(encoding="utf-8"))
+        except yaml.YAMLError as error:
+            raise ValueError(str(error)) from error
     for name, about in data.items() if isinstance(data, dict) else ():
         if time := _time(about.get(":created_at") if isinstance(about, dict) else None):
             yield str(name), HandedIn("Gradescope", time)
@@ -140,7 +143,7 @@ def _readable(path: Path) -> Iterator[None]:
     """Return a context manager that adds the path of a file to errors about invalid CSV or YAML."""
     try:
         yield
-    except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
+    except (csv.Error, ValueError, RecursionError) as error:
         kind = "YAML" if path.suffix == ".yml" else "CSV"
         raise ValueError(f"{path} is not valid {kind}: {error}") from error
 

@@ -6,6 +6,7 @@ explained to students in the same way wherever it was raised.
 
 from __future__ import annotations
 
+import sys
 import traceback
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -85,6 +86,9 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
             syntax = (short(error.filename or ""), error.lineno, (error.text or "").strip())
     if isinstance(error, ImportError) and type(error.path) is str:
         text = text.replace(f" ({error.path})", "")  # hide the grader's paths
+    elif isinstance(error, ImportError) and error.name in sys.stdlib_module_names:
+        # A module such as math is a file in some Pythons and built into others.
+        text = text.replace(" (unknown location)", "")
     frames = [
         Place(short(frame.f_code.co_filename), line, frame.f_code.co_name)
         for frame, line in traceback.walk_tb(error.__traceback__)

@@ -24,6 +24,7 @@ from autograder.grader.grading import grade_submission, report_of_failure
 from autograder.grader.run_key import grader_digest, run_key
 from autograder.isolation.level import choose_level
 from autograder.isolation.sandbox import Level
+from autograder.make_venv import shown_python
 from autograder.manifest import ROOT, load_chapters
 from autograder.reports.report import RunKey, StudentReport
 from autograder.submissions.find import Submission
@@ -80,8 +81,8 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
         from distributed import Client
     except ImportError as error:
         raise ValueError(
-            "--cluster needs Dask, the extra 'cluster', which is not installed: "
-            ".venv/bin/python -m pip install -r requirements.lock -r extras.lock"
+            "--cluster needs Dask, which is not installed. Run "
+            f"{shown_python()} autograder/make_venv.py everything"
         ) from error
     try:
         client = Client(address, timeout=CONNECTED_WITHIN, set_as_default=False)

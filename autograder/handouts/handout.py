@@ -15,7 +15,10 @@ from autograder.handouts.tables import with_table
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter
 
 STUDENT_TOOLS = {
-    ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
+    ".": (
+        "Makefile pyproject.toml requirements.lock pictures.lock stubs.lock LICENSE .gitignore "
+        "glossary.md"
+    ),
     "autograder": (
         "__init__.py __main__.py accepted_files.py answers.py commands.py definitions.py files.py "
         "local_server.py make_venv.py manifest.py message.py records.py scores.py"
@@ -23,7 +26,7 @@ STUDENT_TOOLS = {
     "autograder/at_home": "*.py",
     "autograder/checks": "*.py",
     "autograder/diagnosis": "*.py",
-    "autograder/handouts": "__init__.py lock.py stubs.py",
+    "autograder/handouts": "__init__.py lock.py stubs.py unused.py",
     "autograder/student": "*.py",
     "autograder/student/watching": "*.py",
     "autograder/text": "*.py",

@@ -10,19 +10,18 @@ from __future__ import annotations
 
 import ast
 import json
-import subprocess
 from collections.abc import Collection
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import libcst as cst
-from ruff import find_ruff_bin  # type: ignore[import-untyped]
 
 from autograder.answers import blank_answers
 from autograder.definitions import functions
 from autograder.files import replace_bytes
 from autograder.handouts.lock import LOCK_NAME, read_lock, stub_hash
+from autograder.handouts.unused import used_names, without_unused
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 KEPT = "stubs"  # the folder of a handout with the original stubs
@@ -160,7 +159,7 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
     module = cst.parse_module(source)
     stub = without_bodies(module, messages)
     while True:
-        gone = _used_names(source) - _used_names(stub.code)
+        gone = used_names(source) - used_names(stub.code)
         helpers = _helpers_of(defined, messages, gone)
         helpers = {name: text for name, text in helpers.items() if name not in kept}
         if not helpers:
@@ -169,9 +168,8 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
         stub = without_bodies(module, messages)
     private = {name for name in messages.keys() - edited if _short(name).startswith("_")}
     stub = _without_functions(stub, private)
-    gone = _used_names(source) - _used_names(stub.code)
-    statements = [statement for statement in stub.body if _private_constant(statement) not in gone]
-    return _tidied(stub.with_changes(body=statements).code)
+    gone = used_names(source) - used_names(stub.code)
+    return without_unused(stub, gone).code
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
@@ -204,7 +202,7 @@ def _helpers_of(
         for name in defined.keys() - messages.keys()
         if short_names.count(_short(name)) == 1
         for user, message in reversed(messages.items())
-        if _short(name) in gone and _short(name) in _used_names(ast.unparse(defined[user]))
+        if _short(name) in gone and _short(name) in used_names(ast.unparse(defined[user]))
     }
 
 
@@ -225,26 +223,6 @@ def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
         return left
 
     return module.with_changes(body=kept(module.body))
-
-
-def _used_names(source: str) -> set[str]:
-    """Return the names of all variables and attributes that some Python source code uses."""
-    nodes = [*ast.walk(ast.parse(source))]
-    names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
-    return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}
-
-
-def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return the name of the private constant that a statement such as ``_NAME = 3`` defines.
-
-    For any other statement, return None.
-    """
-    match statement:
-        case cst.SimpleStatementLine(
-            body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
-        ) if name.startswith("_"):
-            return str(name)
-    return None
 
 
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
@@ -283,15 +261,3 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
         return node.with_changes(body=cst.IndentedBlock(body))
 
     return module.with_changes(body=[changed(node) for node in module.body])
-
-
-def _tidied(source: str) -> str:
-    """Have ruff remove the imports and blank lines that a stub no longer needs."""
-    one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
-    unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
-    for arguments in (unused, ["format", "-"]):
-        command = [find_ruff_bin(), *arguments]  # called directly, because it runs 98 times
-        source = subprocess.run(
-            command, input=source, capture_output=True, encoding="utf-8", check=True, cwd=ROOT
-        ).stdout
-    return source

@@ -53,7 +53,7 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
         {
             "uses": "actions/setup-python@v5",
             "with": {
-                "python-version": "3.12",
+                "python-version": "3.14",
                 "cache": "pip",
                 "cache-dependency-path": "requirements.lock",
             },

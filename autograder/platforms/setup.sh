@@ -5,7 +5,7 @@ cd "${AUTOGRADER_ROOT:-/autograder}/source"
 export DEBIAN_FRONTEND=noninteractive
 apt-get update
 apt-get install -y bubblewrap || echo "bubblewrap is not available: the sandbox uses its other layers"
-for version in 3.13 3.12 3.11; do
+for version in 3.15 3.14 3.13 3.12 3.11; do
     if apt-get install -y "python$version" "python$version-venv"; then
         exec "python$version" autograder/make_venv.py
     fi

@@ -113,6 +113,63 @@ def test_every_stub_can_be_imported(tmp_path: Path) -> None:
     subprocess.run(command, env={"PYTHONPATH": engine}, check=True)
 
 
+def test_every_stub_is_as_tidy_as_ruff_would_make_it(tmp_path: Path) -> None:
+    """The stubs are made without it, so that students need no linter for make reset."""
+    for path, text in made_stubs().items():
+        if path.endswith(".py"):
+            (tmp_path / path.replace("/", "_")).write_text(text, encoding="utf-8")
+    options = ["--isolated", "--line-length", "100", "--target-version", "py311"]
+    src = f"src = ['{ROOT / 'solutions'}', '{ROOT / 'chapters'}']"
+    unused = ["check", "--select", "F401,F841,I", "--config", src, *options]
+    for command in (unused, ["format", "--check", *options]):
+        done = subprocess.run(
+            [sys.executable, "-m", "ruff", *command, str(tmp_path)],
+            capture_output=True,
+            encoding="utf-8",
+            check=False,
+        )
+        assert done.returncode == 0, done.stdout
+
+
+LONG = """\
+import os
+import sys
+
+from a_module_of_a_long_name import (
+    the_first_name_that_is_long,
+    the_second_name_that_is_long,
+    the_third_name_that_is_long,
+    the_fourth_name,
+)
+_SECRET = 1
+_OPEN = os.sep
+
+
+def f() -> None:
+    return sys.argv, _SECRET, the_fourth_name
+
+
+def g() -> None:
+    return the_first_name_that_is_long, the_second_name_that_is_long, the_third_name_that_is_long
+"""
+
+
+def test_imports_that_stay_in_a_stub_keep_their_lines_if_they_fill_more_than_one() -> None:
+    stub = stub_module(LONG, {"f": "Exercise 1: F"})
+    assert stub.startswith(
+        """\
+import os
+
+from a_module_of_a_long_name import (
+    the_first_name_that_is_long,
+    the_second_name_that_is_long,
+    the_third_name_that_is_long,
+)
+_OPEN = os.sep
+"""
+    )
+
+
 def test_a_stub_holds_no_answer() -> None:
     chapters = {chapter.name: chapter for chapter in load_chapters()}
     for path, text in made_stubs().items():

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import time as clock
 
+from autograder.commands import require
 from lab.drawing.pen import Pen
 from lab.parameters import Choice
 from lab.scene import Scene
-from studies.accuracy.catalog import scenes_with
-from studies.accuracy.scene import RATE, Model, Place
+
+require("everything")  # SciPy computes the truths
+from studies.accuracy.catalog import scenes_with  # noqa: E402
+from studies.accuracy.scene import RATE, Model, Place  # noqa: E402
 
 # A bridge at rest does not move, and most of its models take longer than a reader will wait.
 STILL = ("rope bridge at rest", "rope bridge asleep")

@@ -1,0 +1,276 @@
+"""Each lock has what its commands import and no more, and each command installs its lock."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterable
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+from packaging.markers import Marker
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+from autograder.commands import PACKAGES
+from autograder.handouts.handout import CHARTS, make_handout
+from autograder.manifest import ROOT, load_chapters
+from web.imports import imported_by, imports_of
+
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+STUDENTS: list[str] = PROJECT["dependencies"]
+GROUPS: dict[str, list[str]] = PROJECT["optional-dependencies"]
+ALL = [*STUDENTS, *(each for group in GROUPS.values() for each in group)]
+WANTED = {
+    "requirements": STUDENTS,
+    "pictures": [*STUDENTS, *GROUPS["pictures"]],
+    "teaching": [*STUDENTS, *GROUPS["teaching"]],
+    "everything": ALL,
+}
+OURS = ("autograder", "lab", "studies", "web")
+needs_make = pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
+
+
+def pins(lock: str) -> dict[str, str]:
+    """Return the entries of a lock, keyed by name==version."""
+    text = (ROOT / f"{lock}.lock").read_text(encoding="utf-8")
+    return {entry.split()[0]: entry for entry in re.split(r"(?m)^(?=[a-z])", text)[1:]}
+
+
+def names(lock: str) -> set[str]:
+    return {pin.partition("==")[0] for pin in pins(lock)}
+
+
+def hashes(entry: str) -> set[str]:
+    return {*re.findall(r"--hash=(sha256:[0-9a-f]{64})", entry)}
+
+
+@pytest.mark.parametrize(("lock", "wanted"), WANTED.items(), ids=WANTED)
+def test_a_lock_pins_what_the_project_asks_for_with_hashes(lock: str, wanted: list[str]) -> None:
+    for requirement in wanted:
+        pin, _, marker = requirement.partition("; ")
+        assert re.fullmatch(r"[a-z0-9-]+==[0-9.]+", pin), "pinned exactly"
+        assert pin in pins(lock)
+        assert not marker or re.fullmatch(r"python_version (<|>=) '3\.\d+'", marker)
+    for entry in pins(lock).values():
+        assert re.match(r"[a-z0-9-]+==\S+ ", entry)
+        assert hashes(entry)
+        assert "://" not in entry, "the lock names packages, not their addresses"
+
+
+@pytest.mark.parametrize("lock", ["requirements", "pictures", "teaching"])
+def test_a_smaller_lock_has_the_same_files_as_the_lock_of_everything(lock: str) -> None:
+    """So no later command replaces what an earlier one has installed."""
+    everything = pins("everything")
+    for pin, entry in pins(lock).items():
+        assert pin in everything
+        assert hashes(entry) == hashes(everything[pin]), pin
+    assert names("requirements") <= names(lock)
+
+
+def test_a_lock_has_only_what_its_packages_need_here() -> None:
+    """Computed from what the installed packages say that they need."""
+    for lock, wanted in WANTED.items():
+        needed: set[str] = set()
+        waiting = [Requirement(each) for each in wanted]
+        while waiting:
+            one = waiting.pop()
+            name = canonicalize_name(one.name)
+            if name in needed or (one.marker and not one.marker.evaluate()):
+                continue
+            needed.add(name)
+            waiting += [
+                Requirement(text)
+                for text in metadata.requires(name) or ()
+                if "extra ==" not in text or one.extras
+            ]
+        here = {
+            pin.partition("==")[0]
+            for pin, entry in pins(lock).items()
+            if not (found := re.match(r"\S+ ; (.+?) \\\n", entry)) or Marker(found[1]).evaluate()
+        }
+        assert here - needed == set(), lock
+    assert {"numpy", "scipy", "mypy", "ruff", "jinja2"} & names("requirements") == set()
+
+
+def test_the_packages_that_a_command_asks_for_are_those_of_its_group() -> None:
+    assert PACKAGES.keys() == WANTED.keys()
+    known = metadata.packages_distributions()
+    for lock in ("requirements", "pictures", "teaching"):
+        own = STUDENTS if lock == "requirements" else GROUPS[lock]
+        asked = {canonicalize_name(known[name][0]) for name in PACKAGES[lock].split()}
+        assert asked == {each.partition("==")[0] for each in own}
+
+
+@pytest.fixture(scope="module")
+def handout(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a handout of all chapters."""
+    out = tmp_path_factory.mktemp("handout") / "out"
+    make_handout(load_chapters(), [], out)
+    return out
+
+
+def imported_packages(files: Iterable[Path]) -> set[str]:
+    """Return the distributions whose modules these files import, also inside functions."""
+    known = metadata.packages_distributions()
+    roots = {name.partition(".")[0] for file in files for name in imports_of(file, [])}
+    found = {canonicalize_name(dist) for name in roots for dist in known.get(name, ())}
+    assert found.isdisjoint({"game-physics-companion"})
+    return found
+
+
+def reached(roots: Iterable[Path], root: Path = ROOT) -> list[Path]:
+    return imported_by([*roots], [root], OURS)
+
+
+def test_students_install_what_their_commands_import_and_no_more(handout: Path) -> None:
+    """The files for pictures are those that only plot and demo import."""
+    drawing = {handout / "lab/play.py", handout / "studies/plot.py", handout / "studies/drawing.py"}
+    drawing |= {handout / "lab/__main__.py", handout / "studies/__main__.py"}
+    roots = [*handout.glob("autograder/**/*.py"), *handout.glob("tests/**/*.py")]
+    roots += [*handout.glob("chapters/**/*.py"), *handout.glob("lab/scenes/**/*.py")]
+    roots += [handout / "lab/server.py", handout / "lab/child.py"]
+    files = {*reached(roots, handout), *roots}
+    assert files.isdisjoint(drawing)
+    assert len(files) > 150
+    imported = imported_packages(files)
+    assert imported <= names("requirements")
+    assert {each.partition("==")[0] for each in STUDENTS} <= imported, "what nobody imports"
+    everything = imported_packages(handout.rglob("*.py"))
+    assert everything <= names("pictures")
+    assert everything - imported >= {each.partition("==")[0] for each in GROUPS["pictures"]}
+
+
+def test_the_commands_of_instructors_import_what_their_lock_has() -> None:
+    commands = [ROOT / "autograder/__main__.py", ROOT / "autograder/platforms/grade_one.py"]
+    imported = imported_packages(reached(commands))
+    assert imported - {"distributed"} <= names("teaching"), "--cluster says what it needs"
+    assert {each.partition("==")[0] for each in GROUPS["teaching"]} <= imported
+    site = imported_packages(reached((ROOT / "web").glob("*.py")))
+    assert site - {"pyyaml"} <= names("pictures"), "a class's times of Gradescope need it alone"
+
+
+def test_the_lab_imports_more_than_students_have_only_for_the_charts() -> None:
+    scenes = {*(ROOT / "lab/scenes").rglob("*.py")}
+    charts = {scene for scene in scenes if scene.name == CHARTS}
+    assert imported_packages(reached(scenes - charts)) <= names("requirements")
+    assert imported_packages(reached(charts)) - names("requirements") >= {"scipy"}
+    assert imported_packages([*ROOT.glob("studies/**/*.py")]) <= names("everything")
+
+
+def test_nothing_imports_a_package_that_no_lock_has() -> None:
+    folders = (*OURS, "tests", "solutions", "chapters", ".ci")
+    files = [file for folder in folders for file in (ROOT / folder).rglob("*.py")]
+    files = [file for file in files if not {"hostile", "node_modules"} & {*file.parts}]
+    assert imported_packages(files) <= names("everything")
+
+
+STAND_IN = "import sys\nfor name in {!r}:\n    sys.modules[name] = None\n"
+
+
+def without(packages: str, folder: Path, *command: str) -> subprocess.CompletedProcess[str]:
+    """Run a Python command as if some packages were not installed."""
+    (folder / "sitecustomize.py").write_text(STAND_IN.format(packages.split()), encoding="utf-8")
+    return subprocess.run(
+        [sys.executable, *command],
+        cwd=ROOT,
+        env={"PYTHONPATH": str(folder), "SYSTEMROOT": "C:\\Windows"},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+
+
+@pytest.mark.parametrize(
+    ("command", "group"),
+    [
+        ("autograder grade sample_class --out {out}", "teaching"),
+        ("autograder handout 2 --out {out}", "teaching"),
+        ("autograder classroom 2 --out {out}", "teaching"),
+        ("autograder release 2 --out {out}", "teaching"),
+        ("autograder similarity sample_class --out {out}", "teaching"),
+        ("autograder stubs --check", "teaching"),
+        ("studies plot --chapter 2", "pictures"),
+        ("lab play throw", "pictures"),
+        ("lab record throw", "pictures"),
+        ("web --out {out}", "pictures"),
+        ("studies choose pendulum", "everything"),
+    ],
+)
+def test_a_command_without_its_packages_names_the_command_that_installs_them(
+    command: str, group: str, tmp_path: Path
+) -> None:
+    module, *words = command.format(out=tmp_path / "out").split()
+    for package in PACKAGES[group].split():
+        done = without(package, tmp_path, "-m", module, *words)
+        assert done.returncode in (1, 2)
+        assert f"this Python lacks {package}, " in done.stderr
+        assert f"autograder/make_venv.py {group}, " in done.stderr
+        assert "Traceback" not in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+BEYOND = "PIL hypothesis jinja2 matplotlib numpy ruff scipy yaml"
+
+
+def test_the_commands_of_students_and_of_gradescope_run_without_any_group(tmp_path: Path) -> None:
+    check = without(BEYOND, tmp_path, "-m", "autograder", "hint", "B2.5")
+    assert check.returncode == 0, check.stderr
+    for module in ("autograder.student.reset", "lab.server", "autograder.platforms.grade_one"):
+        imported = without(BEYOND, tmp_path, "-c", f"import {module}")
+        assert imported.returncode == 0, imported.stderr
+
+
+def test_the_scene_of_the_charts_says_which_packages_it_lacks(tmp_path: Path) -> None:
+    code = (
+        "from studies.reason import reason\n"
+        "from lab.host import Host\n"
+        "message = {'kind': 'load', 'scene': 'charts', 'values': {}, 'peer': ''}\n"
+        "print(Host(reason).receive(message)[0]['why'])\n"
+    )
+    done = without("scipy", tmp_path, "-c", code)
+    assert done.stdout.startswith("this Python lacks scipy, "), done.stderr
+    assert "autograder/make_venv.py everything" in done.stdout
+
+
+def would_run(*arguments: str) -> str:
+    """Return what make would run if the students' packages were installed, and no group."""
+    groups = [f"--what-if={group}.lock" for group in GROUPS]
+    command = ["make", "--dry-run", "--old-file=.venv/ready", *groups, *arguments]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=True)
+    return done.stdout
+
+
+VALUES = {"hint": "EX=B2.5", "reset": "EX=B2.5", "choose": "SCENE=pendulum", "progress": "RUNS=a"}
+VALUES |= dict.fromkeys(("release", "handout", "classroom", "gradescope"), "CHAPTERS=2")
+VALUES |= {"mark": "SUBMISSIONS=a"}
+TEACHING = {"grade", "progress", "release", "similarity", "mark", "handout", "classroom"}
+TEACHING |= {"gradescope", "stubs"}
+
+
+@needs_make
+def test_each_make_command_first_installs_the_group_of_its_python_command() -> None:
+    known = {
+        name
+        for file in ("Makefile", "instructor.mk")
+        for name in re.findall(r"(?m)^TAKES_(\w+) :=", (ROOT / file).read_text(encoding="utf-8"))
+    }
+    for name in known - {"help", "setup"}:
+        lines = would_run(name, *filter(None, [VALUES.get(name)])).splitlines()
+        found = {
+            group for group in GROUPS if any(f"make_venv.py {group}" in line for line in lines)
+        }
+        if name in {"watch", "check", "hint", "reset", "lab"}:
+            assert found == set(), name
+        elif name in {"plot", "demo", "site"}:
+            assert found == {"pictures"}, name
+        elif name == "update":
+            assert found == {"teaching", "everything"}
+        else:
+            assert found == ({"teaching"} if name in TEACHING else {"everything"}), name
+    charts = would_run("lab", "SCENE=charts")
+    assert charts.index("make_venv.py everything") < charts.index("-m lab serve")

@@ -59,7 +59,7 @@ export class Charts {
         cursor: {show: false},
         legend: {show: false},
         scales: {x: {time: false}, y: log ? {distr: 3} : {}},
-        axes: [axis, {...axis, size: 56, values: (_, ticks) => ticks.map(short), splits: log ? decades : undefined}],
+        axes: [axis, {...axis, size: 56, values: (_, ticks) => ticks.map(short), ...(log && {splits: decades, filter: (_, ticks) => ticks})}],
         series: [{}, ...colors.map((stroke) => ({stroke, width: 1.5, spanGaps: true, points: {show: false}}))],
       },
       [[], ...colors.map(() => [])],

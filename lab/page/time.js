@@ -66,15 +66,17 @@ export function tick(lab, now) {
 // Show a note if the scene does not run in real time. Blame the frames only if the engines spend most
 // of the time on them.
 function showPace(lab, now, speed) {
-  const time = lab.contenders.find((each) => !each.dead)?.frame?.time;
+  const whose = lab.contenders.find((each) => !each.dead);
+  const time = whose?.frame?.time;
   if (time === undefined) return;
   const since = lab.measured;
-  if (!since || since.speed !== speed || time < since.time) lab.measured = {now, time, speed, took: lab.took};
+  const current = {now, whose, time, speed, took: lab.took};
+  if (!since || since.whose !== whose || since.speed !== speed || time < since.time) lab.measured = current;
   else if (now - since.now >= WINDOW) {
     const pace = (time - since.time) / ((now - since.now) / 1000) / speed;
     const busy = (lab.took - since.took) / (now - since.now);
     const why = busy > BUSY ? "one frame takes too long here" : "the browser is busy";
-    lab.measured = {now, time, speed, took: lab.took};
+    lab.measured = current;
     lab.$("pace").hidden = pace >= SLOW;
     const words = `This runs at ${Math.round(100 * pace)} % of the speed that was asked for: ${why}.`;
     lab.$("pace").textContent = pace >= SLOW ? "" : words;

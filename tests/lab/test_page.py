@@ -265,6 +265,17 @@ def test_a_scene_runs_if_its_picture_fails(page: Any, address: str) -> None:
     assert page.inner_text("#trouble") == "This page could not show everything: no canvas"
 
 
+def test_a_button_that_cannot_do_its_work_says_so(page: Any, address: str) -> None:
+    """Browsers offer the clipboard only to pages with https. The server may have been stopped."""
+    page.add_init_script("Object.defineProperty(Navigator.prototype, 'clipboard', {value: void 0})")
+    page.route("**/record.gif*", lambda route: route.abort())
+    open_scene(page, address, "one-spring")
+    page.click("#link")
+    page.get_by_text("does not let the page copy the link: http://127.0.0.1").wait_for()
+    page.click("#gif")
+    page.get_by_text("The animation has failed").wait_for()
+
+
 def test_only_slow_frames_are_blamed_for_a_slow_scene(page: Any, address: str) -> None:
     """The page requests at most eight frames at once, so every 400 ms they are too few."""
     page.add_init_script(RARELY)

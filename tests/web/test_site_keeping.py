@@ -95,6 +95,31 @@ def test_work_survives_a_reload_a_closed_tab_and_typing_up_to_the_end(
     until(page, lambda: stored(page) == f"{marked('one')}# two\n")
 
 
+# Type a character every 40 ms for two seconds, and return how often the file was saved meanwhile.
+TYPE = """() => new Promise((done) => {
+  const put = IDBObjectStore.prototype.put;
+  let [saved, left] = [0, 50];
+  IDBObjectStore.prototype.put = function (...given) {
+    saved++;
+    return put.apply(this, given);
+  };
+  const timer = setInterval(() => {
+    document.execCommand("insertText", false, "#");
+    if (--left) return;
+    clearInterval(timer);
+    done(saved);
+  }, 40);
+})"""
+
+
+def test_work_is_saved_while_somebody_types_without_a_pause(visitor: Any, site: Served) -> None:
+    """At a save each fifth of a second it is ten times, and fewer if the machine is busy."""
+    page = lesson(visitor, site)
+    write(page, turn(page, "B2.1"), "vector.py", marked("one"))
+    until(page, lambda: stored(page) == marked("one"))
+    assert page.evaluate(TYPE) >= 4
+
+
 def test_several_editors_of_one_file_show_one_text(visitor: Any, site: Served) -> None:
     page = lesson(visitor, site)
     first, second = turn(page, "B2.2"), turn(page, "B2.3")

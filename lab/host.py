@@ -8,13 +8,13 @@ strings, lists and dicts, so that it can be sent as JSON.
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable
 from typing import Any
 
 from lab.catalog import load
+from lab.cost import Cost, clock
 from lab.drawing.pen import Pen
-from lab.scene import FRAME, Scene, described, parameters_of
+from lab.scene import Scene, described, parameters_of
 
 Message = dict[str, Any]
 MOST_FRAMES = 30  # per message: half a second
@@ -33,7 +33,7 @@ class Host:
         self.kind: type[Scene] | None = None
         self.scene: Scene | None = None
         self.values: dict[str, object] = {}
-        self.cost = 0.0  # microseconds per frame, a running mean
+        self.cost = Cost()
 
     def receive(self, message: Message) -> list[Message]:
         """Process one message from the page, and return the messages to send back.
@@ -99,7 +99,7 @@ class Host:
         assert self.kind is not None, "a scene must be loaded first"
         self.scene = None
         self.scene = self.kind(**self.values)
-        self.cost = 0.0
+        self.cost.forget()
         return [self._frame()]
 
     def _set(self, name: str, value: object) -> list[Message]:
@@ -114,6 +114,7 @@ class Host:
         if self.scene is None or not parameters_of(self.kind)[name].live:
             return self._restart()
         self.scene.values[name] = self.values[name]
+        self.cost.forget()
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
@@ -134,12 +135,11 @@ class Host:
 
     def _run(self, frames: int) -> list[Message]:
         assert self.scene is not None
+        start = clock()
         for _ in range(frames):
-            started = time.perf_counter()
-            self.scene.advance(FRAME)
-            spent = 1e6 * (time.perf_counter() - started)
-            self.cost += (spent - self.cost) * (0.05 if self.cost else 1.0)
-        return [self._frame()]
+            self.cost.measure(self.scene.advance)
+        answer = self._frame()
+        return [answer | {"took": round(1e3 * (clock() - start), 1)}]  # ms
 
     def _frame(self) -> Message:
         """Collect the data that the page shows for the current frame, such as the drawing.
@@ -164,7 +164,7 @@ class Host:
             "items": pen.items,
             "chart": charted,
             "error": error if error is None or math.isfinite(error) else None,
-            "cost": round(scene.cost or self.cost, 2),
+            "cost": scene.cost or self.cost.known(),
             "facts": scene.facts(),
             "changed": {  # parameters that a key press or a drag has changed
                 name: value

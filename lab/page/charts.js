@@ -6,11 +6,20 @@ export class Charts {
   constructor(place) {
     this.place = place;
     this.charts = new Map();
+    this.missing = ""; // why the charts cannot be drawn
   }
 
   clear() {
-    for (const {plot} of this.charts.values()) plot.destroy();
+    this.remove();
     this.charts.clear();
+  }
+
+  // Remove the pictures of all charts, but not their data.
+  remove() {
+    for (const chart of this.charts.values()) {
+      chart.plot?.destroy();
+      chart.plot = null;
+    }
     this.place.replaceChildren();
   }
 
@@ -34,9 +43,15 @@ export class Charts {
 
   make(title, colors) {
     const log = title.startsWith("error");
+    const chart = {plot: null, data: [[], ...colors.map(() => [])], log};
+    this.attempt(() => (chart.plot = this.plot(title, colors, log)));
+    return chart;
+  }
+
+  plot(title, colors, log) {
     const ink = getComputedStyle(document.documentElement).getPropertyValue("--ink");
     const axis = {stroke: ink, grid: {stroke: "#8884", width: 1}, ticks: {show: false}, size: 30, font: "12px system-ui"};
-    const plot = new uPlot(
+    return new uPlot(
       {
         width: this.place.clientWidth || 320,
         height: 130,
@@ -44,24 +59,37 @@ export class Charts {
         cursor: {show: false},
         legend: {show: false},
         scales: {x: {time: false}, y: log ? {distr: 3} : {}},
-        axes: [axis, {...axis, size: 56, values: (_, ticks) => ticks.map(short), splits: log ? decades : undefined}],
+        axes: [axis, {...axis, size: 56, values: (_, ticks) => ticks.map(short), ...(log && {splits: decades, filter: (_, ticks) => ticks})}],
         series: [{}, ...colors.map((stroke) => ({stroke, width: 1.5, spanGaps: true, points: {show: false}}))],
       },
       [[], ...colors.map(() => [])],
       this.place,
     );
-    return {plot, data: [[], ...colors.map(() => [])], log};
   }
 
   draw() {
     for (const chart of this.charts.values()) {
-      if (chart.stale) chart.plot.setData(chart.data);
+      if (chart.stale) this.attempt(() => chart.plot.setData(chart.data));
       chart.stale = false;
     }
   }
 
   fit() {
-    for (const {plot} of this.charts.values()) plot.setSize({width: this.place.clientWidth || 320, height: 130});
+    for (const {plot} of this.charts.values()) this.attempt(() => plot.setSize({width: this.place.clientWidth || 320, height: 130}));
+  }
+
+  // Draw a part of the charts. A scene runs without them, so if this fails, the page only says why.
+  attempt(act) {
+    try {
+      if (!this.missing) act();
+    } catch (error) {
+      this.missing = whyMissing(error);
+      this.remove();
+    }
+    if (!this.missing || this.place.hasChildNodes()) return;
+    const note = document.createElement("p");
+    Object.assign(note, {className: "facts", textContent: this.missing});
+    this.place.append(note);
   }
 
   // Return all charted values as a CSV table.
@@ -92,6 +120,22 @@ function short(value) {
   if (value === null) return "";
   if (value && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3)) return value.toExponential(0).replace("e+", "e");
   return String(Number(value.toPrecision(4)));
+}
+
+function whyMissing(error) {
+  const language = JSON.stringify(navigator.language ?? null);
+  const why = isLanguage(navigator.language)
+    ? `because ${globalThis.uPlot ? "this browser cannot draw them" : "the library that draws them did not load"} (${error.message})`
+    : `because the library that draws them cannot use this browser's language setting, which is ${language}`;
+  return `The charts are missing, ${why}. Everything else works without them.`;
+}
+
+function isLanguage(language) {
+  try {
+    return Boolean(new Intl.NumberFormat(language));
+  } catch {
+    return false;
+  }
 }
 
 // Plot each contender's largest error (upward) against its time per frame (to the right).

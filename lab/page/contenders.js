@@ -5,7 +5,7 @@ import {showStages} from "./stages.js";
 export function compare(lab, {engine, peer, changes}) {
   const contender = {engine, peer, changes, number: lab.contenders.length, asked: lab.target, worst: 0, frame: null};
   contender.label = [peer || (engine === "yours" ? "your engine" : "the reference"), ...Object.values(changes)].join(", ");
-  contender.link = lab.connect(engine, (answer) => lab.answered(contender, answer));
+  contender.link = lab.connect(engine, (answer) => lab.attempt(() => lab.answered(contender, answer)));
   lab.contenders.push(contender);
   load(lab, contender);
 }

@@ -26,13 +26,18 @@ export function connectButtons(lab) {
   $("gif").hidden = !lab.record;
   $("gif").onclick = async () => {
     lab.say("Drawing the animation. This takes a few seconds.");
-    const {content, why} = await lab.record(lab.name, lab.values);
+    const {content, why} = await lab.record(lab.name, lab.values).catch((error) => ({why: `The animation has failed: ${error.message}`}));
     if (content) save(`${lab.name}.gif`, "image/gif", content);
     lab.say(content ? "The animation has been saved." : why);
   };
   $("link").onclick = async () => {
-    await navigator.clipboard.writeText(lab.address(lab));
-    lab.say("The link has been copied.");
+    const address = lab.address(lab);
+    try {
+      await navigator.clipboard.writeText(address);
+      lab.say("The link has been copied.");
+    } catch {
+      lab.say(`This browser does not let the page copy the link: ${address}`);
+    }
   };
   for (const [kind, words] of Object.entries(ARROWS)) {
     const label = document.createElement("label");

@@ -38,6 +38,7 @@ export class Lab {
     this.contenders = [];
     this.playing = false;
     this.target = 0; // how many frames should have passed by now
+    this.took = 0; // ms that the engines have spent on frames
     this.until = Infinity; // the number of frames after which a question is answered
     this.hidden = new Set(["force", "contact"]);
     this.charts = new Charts(this.$("charts"));
@@ -77,6 +78,7 @@ export class Lab {
       showContenders(this);
     } else if (answer.kind === "frame") {
       contender.frame = answer;
+      this.took += answer.took ?? 0;
       this.$("grab").hidden = !answer.items.some(isGrabbed);
       if (isKnown(answer.error)) contender.worst = Math.max(contender.worst, answer.error);
       this.chart(contender, answer);
@@ -159,6 +161,16 @@ export class Lab {
 
   press(key) {
     for (const contender of this.contenders) contender.link.send({kind: "press", key});
+  }
+
+  // Do a part of the page's own work. If it fails, say so, and let the scene go on.
+  attempt(act) {
+    try {
+      act();
+    } catch (error) {
+      console.error(error);
+      this.trouble(`This page could not show everything: ${error.message}`);
+    }
   }
 
   trouble(words) {

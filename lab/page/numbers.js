@@ -6,6 +6,12 @@ export function isKnown(error) {
   return error !== null && error !== undefined;
 }
 
+// Return a duration in microseconds as text. It is measured with an uncertainty of up to a fifth.
+function duration(micros) {
+  const [value, unit] = micros >= 1000 ? [micros / 1000, "ms"] : [micros, "µs"];
+  return `${Number(value.toPrecision(2))} ${unit}`;
+}
+
 export function showNumbers(lab) {
   const {$} = lab;
   const [first] = lab.contenders;
@@ -26,7 +32,7 @@ export function showNumbers(lab) {
   for (const {cells, frame, worst} of lab.contenders) {
     if (!cells || !frame) continue;
     cells[0].textContent = exact ? `${worst.toPrecision(2)} ${lab.spec.errorUnit}` : "no exact solution";
-    cells[1].textContent = frame.cost >= 1000 ? `${(frame.cost / 1000).toPrecision(3)} ms` : `${frame.cost.toPrecision(3)} µs`;
+    cells[1].textContent = frame.cost ? duration(frame.cost) : "not known yet";
   }
   lab.charts.draw();
   $("tradeoff").hidden = !exact;

@@ -5,6 +5,7 @@ import {drawAll} from "./stages.js";
 export const FRAMES = 60; // per second
 const MOST_AT_ONCE = 8; // frames requested from an engine in one message
 const SLOW = 0.85; // fraction of real time below which the page shows a note
+const BUSY = 0.5; // fraction of the time that the engines spend on frames if these are too slow
 const WINDOW = 1000; // ms over which the pace is measured
 
 export function play(lab, wanted) {
@@ -40,7 +41,9 @@ export function restart(lab) {
 // Run before each screen refresh: advance time, draw, and sometimes update the numbers.
 export function tick(lab, now) {
   if (lab.closed) return;
+  requestAnimationFrame((later) => tick(lab, later));
   if (lab.playing) {
+    if (now - lab.last > WINDOW / 2) lab.measured = null; // the page was hidden or busy
     const speed = Number(lab.$("speed").value);
     advance(lab, ((now - lab.last) / 1000) * FRAMES * speed);
     lab.last = now;
@@ -55,23 +58,27 @@ export function tick(lab, now) {
     }
   }
   advance(lab, 0); // request steps that came due while an engine was busy
-  drawAll(lab);
   lab.pictures = (lab.pictures ?? 0) + 1;
-  if (lab.pictures % 6 === 0) lab.showNumbers();
-  requestAnimationFrame((later) => tick(lab, later));
+  lab.attempt(() => drawAll(lab));
+  if (lab.pictures % 6 === 0) lab.attempt(() => lab.showNumbers());
 }
 
-// Show a note if the scene does not run in real time.
+// Show a note if the scene does not run in real time. Blame the frames only if the engines spend most
+// of the time on them.
 function showPace(lab, now, speed) {
-  const time = lab.contenders[0]?.frame?.time;
+  const whose = lab.contenders.find((each) => !each.dead);
+  const time = whose?.frame?.time;
   if (time === undefined) return;
   const since = lab.measured;
-  if (!since || since.speed !== speed || time < since.time) lab.measured = {now, time, speed};
+  const current = {now, whose, time, speed, took: lab.took};
+  if (!since || since.whose !== whose || since.speed !== speed || time < since.time) lab.measured = current;
   else if (now - since.now >= WINDOW) {
     const pace = (time - since.time) / ((now - since.now) / 1000) / speed;
-    lab.measured = {now, time, speed};
+    const busy = (lab.took - since.took) / (now - since.now);
+    const why = busy > BUSY ? "one frame takes too long here" : "the browser is busy";
+    lab.measured = current;
     lab.$("pace").hidden = pace >= SLOW;
-    const words = `This runs at ${Math.round(100 * pace)} % of the speed that was asked for: one frame takes too long here.`;
+    const words = `This runs at ${Math.round(100 * pace)} % of the speed that was asked for: ${why}.`;
     lab.$("pace").textContent = pace >= SLOW ? "" : words;
   }
 }

@@ -45,7 +45,7 @@ def test_what_it_tells_is_plain_json(host: Host) -> None:
 def test_frames_pass_and_not_more_than_half_a_second(host: Host) -> None:
     (frame,) = host.receive({"kind": "run", "frames": 6})
     assert frame["time"] == pytest.approx(0.1)
-    assert frame["cost"] > 0.0
+    assert frame["cost"] is None  # after so few frames
     (frame,) = host.receive({"kind": "run", "frames": 10**9})
     assert frame["time"] == pytest.approx(0.1 + MOST_FRAMES / 60.0, abs=1e-5)
 

@@ -194,3 +194,106 @@ def test_a_loop_is_ended_and_a_save_starts_again(page: Any, tmp_path: Path) -> N
         page.wait_for_selector("#trouble[hidden]", state="attached", timeout=10_000)
         play_until(page, 0.3)
         assert seconds(page) >= 0.3
+
+
+LANGUAGE = "Object.defineProperty(Navigator.prototype, 'language', {get: () => %s})"
+
+
+@pytest.mark.parametrize("language", ["C", ""])
+def test_a_scene_runs_without_charts_and_says_why(page: Any, address: str, language: str) -> None:
+    """Chromium has such a language if it is started with LANG=C, and uPlot does not know it."""
+    page.add_init_script(LANGUAGE % json.dumps(language))
+    open_scene(page, address, "one-spring", stiffness=100)
+    play_until(page, 1.5)  # the pace is measured after a second
+    assert f"this browser's language setting, which is {json.dumps(language)}" in words_of(page)
+    assert "one frame takes too long" not in page.text_content("#pace")
+    assert page.is_hidden("#trouble")
+    assert "µs" in page.inner_text("#contenders")
+    with page.expect_download() as download:
+        page.click("#csv")
+    title, *rows = Path(download.value.path()).read_text(encoding="utf-8").splitlines()
+    assert title.startswith('"time, s","energy, J (your engine)"')
+    assert len(rows) > 10
+    assert len(page.errors) == 1  # uPlot's own
+    page.errors.clear()
+
+
+def words_of(page: Any) -> str:
+    """Return what is in the place of the charts."""
+    return str(page.inner_text("#charts"))
+
+
+# Scripts that replace the library of the charts, or the function that clears a picture.
+FAILS = """document.addEventListener("DOMContentLoaded", () => {
+  const make = window.uPlot;
+  window.uPlot = function (...given) {
+    const plot = new make(...given);
+    plot.%s = () => { throw Error("no room"); };
+    return plot;
+  };
+});"""
+NO_CANVAS = """const clear = CanvasRenderingContext2D.prototype.clearRect;
+CanvasRenderingContext2D.prototype.clearRect = function (...box) {
+  if (this.canvas.closest("#stage")) throw Error("no canvas");
+  clear.apply(this, box);
+};"""
+RARELY = "requestAnimationFrame = (act) => setTimeout(() => act(performance.now()), 400)"
+
+
+@pytest.mark.parametrize("method", ["setData", "setSize"])
+def test_a_scene_runs_if_charts_fail(page: Any, address: str, method: str) -> None:
+    page.add_init_script(FAILS % method)
+    open_scene(page, address, "one-spring")
+    page.set_viewport_size(PHONE)
+    play_until(page, 0.5)
+    assert "this browser cannot draw them (no room)" in words_of(page)
+    assert page.is_hidden("#trouble")
+
+
+def test_a_scene_runs_if_the_library_of_the_charts_is_missing(page: Any, address: str) -> None:
+    page.route("**/uPlot.iife.min.js", lambda route: route.abort())
+    open_scene(page, address, "one-spring")
+    play_until(page, 0.5)
+    assert "the library that draws them did not load" in words_of(page)
+    assert page.is_hidden("#trouble")
+
+
+def test_a_scene_runs_if_its_picture_fails(page: Any, address: str) -> None:
+    page.add_init_script(NO_CANVAS)
+    open_scene(page, address, "one-spring")
+    play_until(page, 0.5)
+    assert page.inner_text("#trouble") == "This page could not show everything: no canvas"
+
+
+def test_a_button_that_cannot_do_its_work_says_so(page: Any, address: str) -> None:
+    """Browsers offer the clipboard only to pages with https. The server may have been stopped."""
+    page.add_init_script("Object.defineProperty(Navigator.prototype, 'clipboard', {value: void 0})")
+    page.route("**/record.gif*", lambda route: route.abort())
+    open_scene(page, address, "one-spring")
+    page.click("#link")
+    page.get_by_text("does not let the page copy the link: http://127.0.0.1").wait_for()
+    page.click("#gif")
+    page.get_by_text("The animation has failed").wait_for()
+
+
+def test_only_slow_frames_are_blamed_for_a_slow_scene(page: Any, address: str) -> None:
+    """The page requests at most eight frames at once, so every 400 ms they are too few."""
+    page.add_init_script(RARELY)
+    open_scene(page, address, "one-spring")
+    page.click("#play")
+    page.wait_for_selector("#pace:not([hidden])")
+    assert "the browser is busy" in page.inner_text("#pace")
+
+
+def test_a_stopped_engine_does_not_slow_down_its_rivals(page: Any, address: str) -> None:
+    """At k h^2 / m = 4.03, semi-implicit Euler explodes, and Runge-Kutta 4 is stable up to 8."""
+    open_scene(page, address, "one-spring", stiffness=14_500)
+    page.select_option("#add", label="integrator: Runge-Kutta 4")
+    page.wait_for_function("document.querySelectorAll('#contenders tbody tr').length === 2")
+    page.click("#play")
+    page.wait_for_selector("#trouble:not([hidden])", timeout=30_000)
+    for _ in range(25):
+        words = page.text_content("#pace")
+        assert " 0 %" not in words
+        assert "one frame takes too long" not in words
+        page.wait_for_timeout(100)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import random
+import re
+import subprocess
+import sys
 
 import pytest
 
-from autograder.manifest import Chapter, load_chapters
+from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.scores import result_of
 from autograder.student.failure import failure_of
 from copies import reference
@@ -21,14 +25,43 @@ REFERENCE = reference()
 engines = pytest.fixture(scope="module")(engines)
 
 
+@pytest.fixture(scope="module")
+def checks() -> dict[str, list[str]]:
+    """Return the names of all graded checks of each chapter, as pytest finds them on CPython."""
+    folders = [f"tests/{chapter.name}" for chapter in CHAPTERS]
+    command = [sys.executable, "-m", "pytest", "--collect-only", "-q", "-n", "0", *folders]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=True)
+    found: dict[str, list[str]] = {chapter.name: [] for chapter in CHAPTERS}
+    for line in filter(lambda line: "::" in line, done.stdout.splitlines()):
+        path, _, name = line.partition("::")
+        found[path.split("/")[1]].append(name)
+    return found
+
+
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
-def test_the_reference_earns_all_points(engines: NodeEngines, chapter: Chapter) -> None:
+def test_the_reference_earns_all_points(
+    engines: NodeEngines, checks: dict[str, list[str]], chapter: Chapter
+) -> None:
+    """All checks of all chapters pass in one interpreter, which takes 25 s on an idle machine."""
     report = engines.check(REFERENCE, chapter)
+    run = [check for result in report["results"] for check in result["checks"]]
+    assert {check["status"] for check in run} == {"passed"}
+    assert sorted(check["name"] for check in run) == sorted(checks[chapter.name])
     assert report["failure"] is None
     assert report["passed"]
     assert report["earned"] == report["points"]
     assert report["summary"].startswith("All checks pass.")
     assert report["finish"][0] == f"Well done! Chapter {chapter.number} works: {chapter.title}."
+
+
+def test_the_checks_run_on_the_python_that_the_readme_names(engines: NodeEngines) -> None:
+    """The student's code says which one it is."""
+    file = "ch02_vectors/vector.py"
+    asks = "import sys\nraise RuntimeError(sys.version)\n"
+    report = engines.check(REFERENCE | {file: asks}, CHAPTERS[0])
+    readme = (ROOT / "web" / "README.md").read_text(encoding="utf-8")
+    (named,) = re.findall(r"The browser runs Python (\d\.\d+)", readme)
+    assert f"RuntimeError: {named}." in json.dumps(report["failure"]["rows"])
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS[::4], ids=lambda chapter: chapter.name)

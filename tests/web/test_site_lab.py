@@ -13,7 +13,7 @@ import site_page
 from autograder.manifest import load_chapters
 from copies import reference
 from course_site import Served
-from site_page import accessible, everything_written, upload
+from site_page import accessible, everything_written, turn, upload, visit
 from web.stills import scenes_of_students
 from wrong import Wrong, write_wrong
 
@@ -141,4 +141,48 @@ def test_a_scene_that_is_too_slow_says_so(visitor: Any, site: Served, tmp_path: 
     page.goto(f"{site.address}lab.html?scene=one-spring")
     page.locator("#contenders tbody tr").wait_for()
     page.locator("#play").click()
-    page.get_by_text("of the speed that was asked for").wait_for()
+    page.get_by_text("of the speed that was asked for: one frame takes too long here").wait_for()
+
+
+LANGUAGE = "Object.defineProperty(Navigator.prototype, 'language', {get: () => 'C'})"
+
+
+def test_everything_but_the_charts_runs_with_an_unknown_language(
+    visitor: Any, site: Served, tmp_path: Path
+) -> None:
+    """A scene of the lab, a live figure and an editor run all the same."""
+    visitor.add_init_script(LANGUAGE)
+    page = visitor.new_page()
+    upload(page, site.address, reference(), tmp_path)
+    page.goto(f"{site.address}lab.html?scene=one-spring")
+    page.locator("#contenders tbody tr").wait_for()
+    play_until(page.locator("#lab"), 1.2)
+    assert seconds(page) >= 1.2
+    missing = 'language setting, which is "C"'
+    assert missing in page.inner_text("#charts")
+    assert page.locator("#trouble").is_hidden()
+    assert "one frame takes too long" not in page.text_content("#pace")
+    page.goto(f"{site.address}ch06_springs.html")
+    figure = page.locator("figure.live").first
+    figure.get_by_role("button", name="Start").click()
+    figure.locator(".stage canvas").wait_for()
+    play_until(figure, 0.3)
+    assert seconds(figure) >= 0.3
+    turn(page, "B6.1")
+    assert all("anguage" in words for words in visitor.troubles), visitor.troubles  # uPlot's own
+    visitor.troubles.clear()
+
+
+def test_a_scene_runs_if_the_library_of_the_charts_is_missing(
+    browser: Any, site: Served, tmp_path: Path
+) -> None:
+    with visit(browser, service_workers="block") as context:
+        page = context.new_page()
+        upload(page, site.address, reference(), tmp_path)
+        page.route("**/uPlot.iife.min.js", lambda route: route.abort())
+        page.goto(f"{site.address}lab.html?scene=one-spring")
+        page.locator("#contenders tbody tr").wait_for()
+        play_until(page.locator("#lab"), 0.5)
+        assert "the library that draws them did not load" in page.inner_text("#charts")
+        assert page.locator("#trouble").is_hidden()
+        context.troubles.clear()  # the browser reports the missing file

@@ -2,9 +2,9 @@
 // files with a hash of each file's content. A file is stored under its hash, so versions never mix, and
 // unchanged files are not fetched again.
 
-const CACHE = "game-physics-companion";
 const FILES = {...FIRST, ...LATER};
 const BASE = new URL("./", self.location).href;
+const CACHE = `game-physics-companion ${new URL(BASE).pathname}`; // each site of a host has its own
 const fetching = new Map();
 
 const keyOf = (name) => `${BASE}${name}?kept=${FILES[name]}`;

@@ -4,13 +4,11 @@ import {button, count, download, el} from "../dom.js";
 import {readAll} from "./store.js";
 import {workspace} from "./workspace.js";
 
-const SHOWN = 30;
-
 export async function showCopies(place, say) {
   const copies = (await readAll("copies")).reverse();
   if (!copies.length) return place.replaceChildren();
   const isOpen = place.querySelector("details")?.open ?? false;
-  const items = copies.slice(0, SHOWN).map(({path, text, why, time}) => {
+  const items = copies.map(({path, text, why, time}) => {
     const when = new Date(time).toLocaleString();
     const back = async () => {
       await workspace.replace(path, text, "replaced by an earlier version");

@@ -4,7 +4,7 @@
 import {stubOf} from "../course.js";
 import {eraseAll, keepCopy, putFile, readAll, run} from "./store.js";
 
-const SAVED_AFTER = 150; // ms after the last key
+const SAVED_AFTER = 150; // ms after the first change that is not saved yet
 const UNSAVED = `unsaved ${new URL(".", document.baseURI).pathname} `; // what a closed tab had not saved
 
 class Workspace extends EventTarget {
@@ -45,8 +45,7 @@ class Workspace extends EventTarget {
     if (file.text === text) return;
     this.files.set(path, {...file, text});
     this.tell("text", {path, text, from});
-    clearTimeout(this.waiting.get(path));
-    this.waiting.set(path, setTimeout(() => this.save(path), SAVED_AFTER));
+    if (!this.waiting.has(path)) this.waiting.set(path, setTimeout(() => this.save(path), SAVED_AFTER));
   }
 
   // Replace the text of a file, and keep a copy of the old text.

@@ -17,16 +17,13 @@ from autograder.checks import events
 from autograder.checks.arrange import Behind, Config, arrange
 from autograder.checks.events import Event, read_event
 from autograder.checks.judge import Ending, is_stopped, judge
+from autograder.checks.presentable import presentable
 from autograder.checks.verdict import Verdict, mark_blocked, needs_of, with_needs
 from autograder.diagnosis.missing import while_imported
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.message import Kind, Message
-from autograder.text.clean import clean
 
 HURRIED = 0.25  # once a function has hung twice, later checks get only this part of the time limit
-LONGEST_MESSAGE = 8000  # characters; a message contains returned values, and these may be huge
-LONGEST_PART = 800  # characters; if the whole message is too long, each part is cut to this length
-ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory differs in every run
 
 
 @dataclass(frozen=True)
@@ -298,20 +295,3 @@ def _rejected(order: Order) -> dict[str, Message]:
     chapters = [*chapters_below(order.chapter, order.root), order.chapter]
     reasons = rejected_modules(chapters, order.engine)
     return {module: Message(why, kind=Kind.BROKEN) for module, why in reasons.items()}
-
-
-def presentable(message: Message) -> Message:
-    """Make a failure message safe to display.
-
-    Special characters are escaped, memory addresses are removed because they differ in every run,
-    and long texts are shortened. All text that comes from a student's code passes through this
-    function.
-    """
-    message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
-    return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)
-
-
-def _cut(text: str) -> str:
-    if len(text) <= LONGEST_PART:
-        return text
-    return f"{text[: LONGEST_PART - 50]} ... ({len(text)} characters in all)"

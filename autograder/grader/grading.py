@@ -9,7 +9,8 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from autograder.checks.runner import GraderError, Limits, presentable
+from autograder.checks.presentable import presentable
+from autograder.checks.runner import GraderError, Limits
 from autograder.checks.verdict import Verdict
 from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
 from autograder.grader.assignment import Assignment, OnceForAll

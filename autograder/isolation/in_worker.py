@@ -10,17 +10,13 @@ from __future__ import annotations
 import base64
 import contextlib
 import hashlib
-import importlib.abc
 import os
-import re
 import sys
 import threading
 import time
 from collections.abc import Mapping, Sequence
-from importlib.machinery import ModuleSpec
 from pathlib import Path
-from types import ModuleType
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from autograder.at_home.in_process import Send
 from autograder.checks.arrange import Workers
@@ -28,13 +24,13 @@ from autograder.checks.events import Broken, Imported, Importing
 from autograder.diagnosis.explain import explain_import
 from autograder.diagnosis.faults import Fault, StudentLeft
 from autograder.diagnosis.missing import while_imported
-from autograder.isolation.handles import Handle, Session, WorkerFailure
+from autograder.isolation.handles import Session, WorkerFailure
+from autograder.isolation.placeholders import ChapterFinder
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
 from autograder.message import Message
 
 LARGE = 50_000  # bytes; a larger file is compiled in a new worker, which has all of its time left
-CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
 
 class InWorker:
@@ -223,78 +219,6 @@ class InWorker:
             self.template.stack() or "the worker wrote no stack", encoding="utf-8"
         )
         os._exit(1)  # then the template ends, and its worker too
-
-
-class Name(Handle):
-    """A placeholder for a name in a student's module, such as Vector3.
-
-    The placeholder is created once, when a check file is imported. In each check, it refers to the
-    student's class or function in the worker process of that check.
-    """
-
-    __slots__ = ("_module", "_name", "_workers")
-
-    def __init__(self, workers: InWorker, module: str, name: str) -> None:
-        object.__setattr__(self, "_workers", workers)
-        object.__setattr__(self, "_module", module)
-        object.__setattr__(self, "_name", name)
-
-    def _session(self) -> Session:
-        if self._workers.session is None:
-            raise AttributeError(f"{self._module}.{self._name} is used while no check is running")
-        session: Session = self._workers.session
-        return session
-
-    def _reference(self, session: Session) -> dict[str, Any]:  # noqa: ARG002
-        return {"name": [self._module, self._name]}
-
-
-class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """An import hook that gives check files placeholders when they import a chapter.
-
-    A check file can then contain ``from ch02_vectors.vector import Vector3``, although the
-    student's code runs only in the worker processes.
-    """
-
-    def __init__(self, workers: InWorker) -> None:
-        self.workers = workers
-
-    def find_spec(
-        self,
-        name: str,
-        path: Sequence[str] | None,  # noqa: ARG002
-        target: ModuleType | None = None,  # noqa: ARG002
-    ) -> ModuleSpec | None:
-        if CHAPTER_MODULE.fullmatch(name):
-            return ModuleSpec(name, self, is_package="." not in name)
-        return None
-
-    def create_module(self, spec: ModuleSpec) -> ModuleType:
-        if spec.submodule_search_locations is None:
-            return ChapterModule(self.workers, spec.name)
-        return ModuleType(spec.name)
-
-    def exec_module(self, module: ModuleType) -> None:
-        """Do not execute the module, because student code may run only in worker processes."""
-
-
-class ChapterModule(ModuleType):
-    """The stand-in that a check file gets when it imports a student's module.
-
-    Outside a check, its attributes are placeholders. During a check, their current values are read
-    from the worker process that runs the student's code.
-    """
-
-    def __init__(self, workers: InWorker, name: str) -> None:
-        super().__init__(name)
-        self._workers = workers
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("__"):
-            raise AttributeError(name)
-        if self._workers.session is None:
-            return Name(self._workers, self.__name__, name)
-        return self._workers.session.ask("name", self.__name__, name)
 
 
 def _exit_with_parent() -> None:

@@ -15,7 +15,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from autograder.checks.runner import LONGEST_MESSAGE, Limits, run_checks
+from autograder.checks.presentable import LONGEST_MESSAGE
+from autograder.checks.runner import Limits, run_checks
 from autograder.checks.verdict import with_needs
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters

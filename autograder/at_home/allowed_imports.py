@@ -1,8 +1,8 @@
 """Let a student's code import only Python's standard library and the chapters.
 
 The grader has no other packages, and its chapters contain only the files that students hand in or
-receive from us. Any other import fails at home with the same message and on the same line as in the
-grader. Students then notice the problem before they hand in their work.
+receive from us. This module is used at home and in the grader, so any other import fails with the
+same message in both, whatever is installed on the machine.
 """
 
 from __future__ import annotations

@@ -34,6 +34,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.at_home.allowed_acts import limit_acts
+from autograder.at_home.allowed_imports import limit_imports
 from autograder.at_home.students_code import StudentsCode
 from autograder.checks.printed import CappedText
 from autograder.isolation import sandbox
@@ -114,7 +115,9 @@ def run_template(config: dict[str, Any]) -> None:
     for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
         importlib.import_module(folder)  # it has no code, but Python then remembers where it is
         importlib.util.find_spec(f"{folder}.nothing")
-    limit_acts(StudentsCode(map(Path, config["engine"]), {}))
+    code = StudentsCode(map(Path, config["engine"]), {})
+    limit_imports(code)
+    limit_acts(code)
     if level.landlock:
         os.dup2(sandbox.landlock_rules(config["readable"]), RULES)
     sandbox.confine(level, RULES if level.landlock else None)

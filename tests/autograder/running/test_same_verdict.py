@@ -126,9 +126,7 @@ def imports(names):
 def installed() -> list[str]:
     """Every package and module of .venv that Python's own library does not have."""
     names = {name for name in importlib.metadata.packages_distributions() if name.isidentifier()}
-    # Some distributions list this folder, which Python's own library has too.
-    ours = {*names, *OURS.split()} - sys.stdlib_module_names - {"__pycache__"}
-    return [*sorted(ours), *NOT_GRADED]
+    return [*sorted({*names, *OURS.split()} - sys.stdlib_module_names), *NOT_GRADED]
 
 
 def both_ways(root: Path, code: str) -> tuple[dict[str, Verdict], dict[str, Verdict]]:

@@ -42,6 +42,14 @@ ATTEMPTS = {
     "import_itself": ("from ch90_small.small import double; return double(2)", "4"),
     "read_from_here": ("return open('tests/conftest.py').read()", "No such file or directory"),
     "read_not_graded": ("return open(HERE + '/notes.txt').read()", "No such file or directory"),
+    "read_in_subfolder": (
+        "return open(HERE + '/data/more.txt').read()",
+        "No such file or directory",
+    ),
+    "read_beside_chapters": ("return open(HERE + '/../notes.txt').read()", "No such file"),
+    "list_subfolder": ("import os; return os.listdir(HERE + '/data')", "No such file or directory"),
+    "read_nowhere": ("return open('/nowhere/notes.txt').read()", "PermissionError: [Errno 13]"),
+    "write_nowhere": ("open('/nowhere/notes.txt', 'w')", "PermissionError: [Errno 13]"),
     "read_own": ("return len(open(__file__).read()) > 100", "True"),
     "read_others": ("return open('/etc/passwd').read()", "PermissionError: [Errno 13]"),
     "write": ("open('/tmp/written-by-a-student', 'w')", "PermissionError: [Errno 13]"),
@@ -138,7 +146,9 @@ def both_ways(root: Path, code: str) -> tuple[dict[str, Verdict], dict[str, Verd
         (engine / "ch90_small").mkdir(parents=True)
         (engine / "ch90_small/small.py").write_text(code, encoding="utf-8")
     (home / "ch90_small/helper.py").write_text("x = 1\n", encoding="utf-8")
-    (home / "ch90_small/notes.txt").write_text("mine\n", encoding="utf-8")
+    (home / "ch90_small/data").mkdir()
+    for name in ("ch90_small/notes.txt", "ch90_small/data/more.txt", "notes.txt"):
+        (home / name).write_text("mine\n", encoding="utf-8")
     beside = run_checks(chapter, [home], seed="1", root=root)
     behind = run_checks(chapter, [graded], seed="1", root=root, behind=behind_walls())
     return (

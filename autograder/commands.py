@@ -10,7 +10,6 @@ import shutil
 import sys
 from pathlib import Path
 
-from autograder.make_venv import shown_python
 from autograder.manifest import ROOT
 from autograder.text.clean import clean
 
@@ -53,6 +52,8 @@ def require(group: str) -> None:
     Raises:
         LackingError: A package is missing.
     """
+    from autograder.make_venv import shown_python  # not in the browser
+
     needed = f"{PACKAGES['requirements']} {PACKAGES[group]}".split()
     lacking = [name for name in needed if importlib.util.find_spec(name) is None]
     if not lacking:
@@ -130,6 +131,8 @@ def command(name: str, **variables: str) -> str:
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
+    from autograder.make_venv import shown_python  # not in the browser
+
     words = [shown_python(), "-m", MODULES.get(name, f"autograder {name}")]
     for key, value in variables.items():
         if key not in ("DEMO", "SCENE") and (key != "EX" or name == "check"):

@@ -27,6 +27,7 @@ KEPT = ROOT / "build" / "python-library"
 OURS = ("autograder", "lab", "studies", "web")
 # Packages copied whole, because pytest finds their parts by name, and packages used only in part.
 WHOLE, IN_PART = ("_pytest", "pytest", "pluggy", "iniconfig"), ("packaging", "py", "pygments")
+SETS_UP = "make_venv.py"  # a browser has no .venv
 PYTEST = "[tool.pytest.ini_options]"
 LICENSED = ("pytest", "pluggy", "iniconfig", "packaging", "pygments")
 # Parts of Python's library that need another process, a socket, a terminal or a database.
@@ -84,7 +85,8 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
         roots = [*handout.glob("web/python/**/*.py"), *handout.glob("lab/scenes/*/*.py")]
         roots += handout.glob("tests/**/*.py")
         for file in imported_by(roots, [handout], OURS):
-            _copy(file, handout, folder)
+            if file.name != SETS_UP:
+                _copy(file, handout, folder)
     if with_solutions:
         _copy_tree(ROOT / "solutions", folder / "solutions", "*.py")
 

@@ -125,7 +125,7 @@ def test_a_reader_predicts_first_and_then_sees(page: Any, address: str) -> None:
     page.check("#predict input >> nth=1")
     page.click("text=This is my answer")
     page.wait_for_selector("#predict [role=status]", timeout=20_000)
-    assert page.inner_text("#predict [role=status]").startswith("Not quite: It swings")
+    assert page.inner_text("#predict [role=status]").startswith("Not quite: It keeps swinging")
     assert page.inner_text("#play") == "Play"
 
 

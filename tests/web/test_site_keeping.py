@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import csv
-import shutil
 import subprocess
 import sys
 import zipfile
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
 
 import pytest
 
@@ -18,26 +16,13 @@ import course_site
 import site_page
 from autograder.manifest import ROOT, load_chapters
 from copies import reference
-from course_site import BELOW, Served
-from site_page import accessible, check, turn, upload, visit, write
+from course_site import Served
+from site_page import STUB, VECTOR, accessible, check, marked, stored, turn, upload, write
 from staging import NO_UTF8, TOO_LARGE
-
-VECTOR = "ch02_vectors/vector.py"
-STUB = (ROOT / "chapters" / VECTOR).read_text(encoding="utf-8")
 
 browser = pytest.fixture(browsers.browser_alone, scope="module")
 site = pytest.fixture(course_site.site, scope="module")
 visitor = pytest.fixture(site_page.visitor)
-
-STORED = """(path) => new Promise(resolve => {
-  const name = `game-physics-companion ${new URL(".", document.baseURI).pathname}`;
-  indexedDB.open(name).onsuccess = ({target: {result}}) =>
-    result.transaction("files").objectStore("files").get(path).onsuccess = (event) => {
-      result.close();
-      resolve(event.target.result?.text ?? "");
-    };
-})"""
-
 
 # A worker that never starts Python. Starting it would take longer than the whole test.
 NO_PYTHON = """globalThis.Worker = class extends EventTarget {
@@ -54,11 +39,6 @@ def lesson(visitor: Any, site: Served) -> Any:
     return page
 
 
-def marked(note: str) -> str:
-    """Return the stub of vector.py with a comment at its end."""
-    return f"{STUB}# {note}\n"
-
-
 def until(page: Any, condition: Any) -> None:
     """Wait until a condition holds."""
     for _ in range(200):
@@ -73,10 +53,6 @@ def until_at_end(page: Any, turn: Any, text: str) -> None:
     turn.locator(".cm-content").focus()
     page.keyboard.press("Control+End")
     turn.locator(".cm-line", has_text=text).wait_for()
-
-
-def stored(page: Any, path: str = VECTOR) -> str:
-    return str(page.evaluate(STORED, path))
 
 
 def test_work_survives_a_reload_a_closed_tab_and_typing_up_to_the_end(
@@ -284,118 +260,3 @@ def test_a_folder_is_opened_and_followed_both_ways(visitor: Any, site: Served) -
     page.get_by_role("button", name="Take back").first.click()
     until(page, lambda: page.evaluate("file.getFile().then(f => f.text())") == stored(page))
     assert stored(page) == marked("in the folder")
-
-
-def test_everything_works_offline_after_the_first_visit(browser: Any, site: Served) -> None:
-    with course_site.served_site(site.folder) as server, visit(browser) as context:
-        page = context.new_page()
-        page.goto(f"{server.address}index.html")
-        page.get_by_text("Everything is kept for use without the internet.").wait_for(
-            timeout=60_000
-        )
-        server.stop()
-        page.goto(f"{server.address}ch03_laws_of_motion.html")
-        panel = turn(page, "B3.1")
-        assert check(panel).startswith("B3.1: ")
-        for name in ("glossary.html", "ch09_rotations_reference.html", ""):
-            page.goto(server.address + name)
-            assert page.locator("h1").is_visible()
-        server.start()
-
-
-def new_version(site: Path, folder: Path) -> Path:
-    """Return a copy of a site in a new folder, with another list of mistakes in the book."""
-    shutil.copytree(site, folder, copy_function=shutil.copyfile)
-    text = (folder / "errata.html").read_text(encoding="utf-8")
-    text = text.replace("<h1 ", "<p>The new version.</p><h1 ")
-    (folder / "errata.html").write_text(text, encoding="utf-8")
-    subprocess.run(
-        ["node", "--input-type=module", "-e", REWRITE, str(folder)], cwd=ROOT, check=True
-    )
-    return folder
-
-
-def take_new_version(page: Any) -> None:
-    """Let the page find the new version that its server has, and take it."""
-    page.evaluate("navigator.serviceWorker.ready.then(r => r.update()).then(() => undefined)")
-    page.get_by_text("A new version of the course is ready.").wait_for()
-    page.get_by_role("button", name="Use it now").click()
-    page.get_by_text("The new version.").wait_for()
-
-
-def test_a_new_version_is_taken_when_the_reader_wants_it(
-    browser: Any, site: Served, tmp_path: Path
-) -> None:
-    folder = tmp_path / "changing"
-    below = folder / BELOW
-    below.parent.mkdir(parents=True)
-    below.symlink_to(site.folder / BELOW)
-    with course_site.served_site(folder) as server, visit(browser) as context:
-        page = context.new_page()
-        page.goto(f"{server.address}errata.html")
-        page.evaluate("navigator.serviceWorker.ready.then(() => undefined)")
-        page.reload()
-        below.unlink()
-        below.symlink_to(new_version(site.folder / BELOW, tmp_path / "changed"))
-        page.evaluate("navigator.serviceWorker.ready.then(r => r.update()).then(() => undefined)")
-        page.get_by_text("A new version of the course is ready.").wait_for()
-        assert page.get_by_text("The new version.").count() == 0
-        page.reload()  # still the old one
-        assert page.get_by_text("The new version.").count() == 0
-        take_new_version(page)
-
-
-KEPT = """async () => {
-  const urls = [];
-  for (const name of await caches.keys()) {
-    for (const {url} of await (await caches.open(name)).keys()) urls.push(url);
-  }
-  return urls;
-}"""
-
-
-def test_two_sites_of_one_host_keep_out_of_each_others_way(
-    browser: Any, site: Served, tmp_path: Path
-) -> None:
-    """One site is even in a folder of the other, as when each term gets a folder."""
-    folder = tmp_path / "host"
-    old = site.folder / BELOW
-    outer = folder / "course"
-    shutil.copytree(old, outer, copy_function=shutil.copyfile)
-    (outer / "spring").symlink_to(old)
-    with course_site.served_site(folder) as server, visit(browser) as context:
-        page = context.new_page()
-        here = server.address.removesuffix(f"{BELOW}/") + "course/"
-        addresses = (here, f"{here}spring/")
-        for address in addresses:
-            page.goto(f"{address}errata.html")
-            page.get_by_text("Everything is kept for use").wait_for(timeout=60_000)
-        upload(page, addresses[1], {VECTOR: marked("spring")}, tmp_path)
-        kept = page.evaluate(KEPT)
-        inner = {url for url in kept if url.startswith(addresses[1])}
-        (outer / "spring").unlink()
-        shutil.rmtree(outer)
-        new_version(old, outer)
-        (outer / "spring").symlink_to(old)
-        page.goto(f"{here}errata.html")
-        take_new_version(page)
-        now = page.evaluate(KEPT)
-        assert {url for url in now if url.startswith(addresses[1])} == inner
-        names = [urlsplit(url).path for url in now]
-        assert len(names) == len(set(names)), "the old version of a file is dropped"
-        server.stop()
-        for address, words in zip(addresses, ("The new version.", "mistakes"), strict=True):
-            page.goto(f"{address}errata.html")
-            page.get_by_text(words).first.wait_for()
-            page.goto(f"{address}ch09_rotations.html")
-            assert page.locator("h1").is_visible()
-        server.start()
-        assert stored(page).endswith("# spring\n")
-        page.goto(f"{here}index.html")
-        assert stored(page) == ""
-
-
-REWRITE = """
-const {writeServiceWorker} = await import("./web/builder/offline.mjs");
-await writeServiceWorker(process.argv[1]);
-"""

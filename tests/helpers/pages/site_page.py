@@ -9,7 +9,11 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+from autograder.manifest import ROOT
 from copies import reference
+
+VECTOR = "ch02_vectors/vector.py"
+STUB = (ROOT / "chapters" / VECTOR).read_text(encoding="utf-8")
 
 PASTE = """([text]) => {
   const data = new DataTransfer();
@@ -127,3 +131,23 @@ def upload(page: Any, address: str, texts: dict[str, str], folder: Path) -> None
     page.goto(f"{address}index.html")
     page.locator("#zip-file").set_input_files(archive)
     page.locator(".work [role=status]").filter(has_text="taken from mine.zip").wait_for()
+
+
+STORED = """(path) => new Promise(resolve => {
+  const name = `game-physics-companion ${new URL(".", document.baseURI).pathname}`;
+  indexedDB.open(name).onsuccess = ({target: {result}}) =>
+    result.transaction("files").objectStore("files").get(path).onsuccess = (event) => {
+      result.close();
+      resolve(event.target.result?.text ?? "");
+    };
+})"""
+
+
+def stored(page: Any, path: str = VECTOR) -> str:
+    """Return the text of a file that the page keeps in the browser."""
+    return str(page.evaluate(STORED, path))
+
+
+def marked(note: str) -> str:
+    """Return the stub of vector.py with a comment at its end."""
+    return f"{STUB}# {note}\n"

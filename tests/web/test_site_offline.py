@@ -1,0 +1,134 @@
+"""The site works without the internet, and takes a new version when the reader wants it."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+
+import browser as browsers
+import course_site
+from autograder.manifest import ROOT
+from course_site import BELOW, Served
+from site_page import VECTOR, check, marked, stored, turn, upload, visit
+
+browser = pytest.fixture(browsers.browser_alone, scope="module")
+site = pytest.fixture(course_site.site, scope="module")
+
+REWRITE = """
+const {writeServiceWorker} = await import("./web/builder/offline.mjs");
+await writeServiceWorker(process.argv[1]);
+"""
+
+
+def test_everything_works_offline_after_the_first_visit(browser: Any, site: Served) -> None:
+    with course_site.served_site(site.folder) as server, visit(browser) as context:
+        page = context.new_page()
+        page.goto(f"{server.address}index.html")
+        page.get_by_text("Everything is kept for use without the internet.").wait_for(
+            timeout=60_000
+        )
+        server.stop()
+        page.goto(f"{server.address}ch03_laws_of_motion.html")
+        panel = turn(page, "B3.1")
+        assert check(panel).startswith("B3.1: ")
+        for name in ("glossary.html", "ch09_rotations_reference.html", ""):
+            page.goto(server.address + name)
+            assert page.locator("h1").is_visible()
+        server.start()
+
+
+def new_version(site: Path, folder: Path) -> Path:
+    """Return a copy of a site in a new folder, with another list of mistakes in the book."""
+    shutil.copytree(site, folder, copy_function=shutil.copyfile)
+    text = (folder / "errata.html").read_text(encoding="utf-8")
+    text = text.replace("<h1 ", "<p>The new version.</p><h1 ")
+    (folder / "errata.html").write_text(text, encoding="utf-8")
+    subprocess.run(
+        ["node", "--input-type=module", "-e", REWRITE, str(folder)], cwd=ROOT, check=True
+    )
+    return folder
+
+
+def take_new_version(page: Any) -> None:
+    """Let the page find the new version that its server has, and take it."""
+    page.evaluate("navigator.serviceWorker.ready.then(r => r.update()).then(() => undefined)")
+    page.get_by_text("A new version of the course is ready.").wait_for()
+    page.get_by_role("button", name="Use it now").click()
+    page.get_by_text("The new version.").wait_for()
+
+
+def test_a_new_version_is_taken_when_the_reader_wants_it(
+    browser: Any, site: Served, tmp_path: Path
+) -> None:
+    folder = tmp_path / "changing"
+    below = folder / BELOW
+    below.parent.mkdir(parents=True)
+    below.symlink_to(site.folder / BELOW)
+    with course_site.served_site(folder) as server, visit(browser) as context:
+        page = context.new_page()
+        page.goto(f"{server.address}errata.html")
+        page.evaluate("navigator.serviceWorker.ready.then(() => undefined)")
+        page.reload()
+        below.unlink()
+        below.symlink_to(new_version(site.folder / BELOW, tmp_path / "changed"))
+        page.evaluate("navigator.serviceWorker.ready.then(r => r.update()).then(() => undefined)")
+        page.get_by_text("A new version of the course is ready.").wait_for()
+        assert page.get_by_text("The new version.").count() == 0
+        page.reload()  # still the old one
+        assert page.get_by_text("The new version.").count() == 0
+        take_new_version(page)
+
+
+KEPT = """async () => {
+  const urls = [];
+  for (const name of await caches.keys()) {
+    for (const {url} of await (await caches.open(name)).keys()) urls.push(url);
+  }
+  return urls;
+}"""
+
+
+def test_two_sites_of_one_host_keep_out_of_each_others_way(
+    browser: Any, site: Served, tmp_path: Path
+) -> None:
+    """One site is even in a folder of the other, as when each term gets a folder."""
+    folder = tmp_path / "host"
+    old = site.folder / BELOW
+    outer = folder / "course"
+    shutil.copytree(old, outer, copy_function=shutil.copyfile)
+    (outer / "spring").symlink_to(old)
+    with course_site.served_site(folder) as server, visit(browser) as context:
+        page = context.new_page()
+        here = server.address.removesuffix(f"{BELOW}/") + "course/"
+        addresses = (here, f"{here}spring/")
+        for address in addresses:
+            page.goto(f"{address}errata.html")
+            page.get_by_text("Everything is kept for use").wait_for(timeout=60_000)
+        upload(page, addresses[1], {VECTOR: marked("spring")}, tmp_path)
+        kept = page.evaluate(KEPT)
+        inner = {url for url in kept if url.startswith(addresses[1])}
+        (outer / "spring").unlink()
+        shutil.rmtree(outer)
+        new_version(old, outer)
+        (outer / "spring").symlink_to(old)
+        page.goto(f"{here}errata.html")
+        take_new_version(page)
+        now = page.evaluate(KEPT)
+        assert {url for url in now if url.startswith(addresses[1])} == inner
+        names = [urlsplit(url).path for url in now]
+        assert len(names) == len(set(names)), "the old version of a file is dropped"
+        server.stop()
+        for address, words in zip(addresses, ("The new version.", "mistakes"), strict=True):
+            page.goto(f"{address}errata.html")
+            page.get_by_text(words).first.wait_for()
+            page.goto(f"{address}ch09_rotations.html")
+            assert page.locator("h1").is_visible()
+        server.start()
+        assert stored(page).endswith("# spring\n")
+        page.goto(f"{here}index.html")
+        assert stored(page) == ""

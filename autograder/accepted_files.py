@@ -65,8 +65,8 @@ def _check(chapter: Chapter, name: str, engine: Sequence[Path]) -> None:
             check_text(read_file(folder / name, LARGEST_FILE))
             return
         there |= names
-    if other := similar_name(name, there - {*chapter.handed_in, *chapter.complete}):
-        raise renamed_file(name, other)
+    if error := renamed(chapter, name, there):
+        raise error
 
 
 def module_of(chapter: str, name: str) -> str:
@@ -94,16 +94,21 @@ def check_text(content: bytes) -> bytes:
     return content
 
 
-def similar_name(file: str, names: Iterable[str]) -> str | None:
-    """Find a file whose name is almost ``file``, such as "vector (1).py" for vector.py."""
+def renamed(chapter: Chapter, file: str, there: Iterable[str]) -> NotTakenError | None:
+    """Recognize a missing file under an almost correct name, such as "vector (1).py".
+
+    ``there`` contains the names of the files in the chapter's folder. A file that belongs there
+    under its own name, such as a given module, has not been renamed.
+
+    Returns:
+        The error that tells the student the right name, or None if no name is similar.
+    """
+    strange = {*there} - {*chapter.handed_in, *chapter.complete}
     ending = f".{file.rpartition('.')[2]}"
-    alike = [n for n in sorted(names) if n.endswith(ending) and HARMLESS.fullmatch(n)]
-    return next(iter(difflib.get_close_matches(file, alike, 1, SIMILAR)), None)
-
-
-def renamed_file(file: str, other: str) -> NotTakenError:
-    """Create the error for a file whose name is only almost right."""
-    return NotTakenError(f"its name is '{other}', so rename it to {file}")
+    alike = [n for n in sorted(strange) if n.endswith(ending) and HARMLESS.fullmatch(n)]
+    for name in difflib.get_close_matches(file, alike, 1, SIMILAR):
+        return NotTakenError(f"its name is '{name}', so rename it to {file}")
+    return None
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:

@@ -32,7 +32,7 @@ ADVICE = {
     ): "Make sure that you can write there, or use another folder",
     (errno.EFBIG,): "A limit on the size of files is too low here (see ulimit -f)",
 }
-# What each lock adds, under the names by which modules import it (see pyproject.toml).
+# The packages that each lock adds, as they are called in import statements (see pyproject.toml).
 PACKAGES = {
     "requirements": "libcst pymunk pytest rich tornado watchfiles",
     "pictures": "matplotlib",

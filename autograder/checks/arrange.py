@@ -187,7 +187,7 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
         return None
     public = _put_probes(folder / "probes", chapter, [root / "tests"])
     hidden = public
-    if behind.hidden:
+    if behind.hidden and any((behind.hidden / chapter.name).glob("*probes.py")):
         hidden = _put_probes(folder / "hidden_probes", chapter, [root / "tests", behind.hidden])
     compiled = behind.compiled or folder / "compiled"
     compiled.mkdir(exist_ok=True)

@@ -18,12 +18,12 @@ from autograder.accepted_files import (
     check_text,
     module_of,
     rejection,
+    renamed,
 )
 from autograder.handouts.stubs import KEPT
 from autograder.manifest import ROOT, Chapter
 from autograder.submissions.find import printable
-from autograder.submissions.folders import Found, refuse_all, search_folder
-from autograder.submissions.renamed import renamed
+from autograder.submissions.folders import Found, refuse, refuse_all, search_folder
 from autograder.submissions.zips import search_zip, search_zips_in
 
 
@@ -127,9 +127,10 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
         path = "/".join(place)
         notes.append(f"there are {several} folders called {chapter.name}: '{path}' was used")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
-    given = chapter.complete  # these may be in the folder too
-    there = [file.file for file in all_of_it if file.place == place and file.file not in given]
-    chosen += renamed(place, chapter.handed_in, there)
+    there = {file.file for file in all_of_it if file.place == place}
+    for name in chapter.handed_in:
+        if name not in there and (error := renamed(chapter, name, there)):
+            chosen.append(Found(place, name, refuse(str(error))))
     return {file.file: file for file in chosen}, notes
 
 

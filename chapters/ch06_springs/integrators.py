@@ -35,7 +35,7 @@ def explicit_euler(
     The step is p' = p + v h, and then v' = (v + a h) d^h. The method has order 1, is not
     symplectic, and evaluates the forces once. At d = 1 every undamped spring is unstable. For
     d < 1, undamped springs below ``max_stable_stiffness`` are stable. With a damper c, a spring is
-    stable if k h < c and 2 c h / m < 4 + k h^2 / m. The book names the method otherwise (E-17).
+    stable if k h < c and 2 c h / m < 4 + k h^2 / m. The book's name differs (3.3.2, E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 

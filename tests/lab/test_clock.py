@@ -112,7 +112,7 @@ def orbit(order: str, h: float) -> Errors:
 
 
 def matrix_of(name: str, k: float, c: float, h: float) -> Any:
-    """Return the matrix by which one step multiplies (x, v), for a mass of 1 kg on a spring."""
+    """Return the matrix of one step, which maps (x, v) to its new value for 1 kg on a spring."""
     one, a = numpy.eye(2), numpy.array([[0.0, 1.0], [-k, -c]])
     drift, kick = (
         numpy.array([[1.0, h], [0.0, 1.0]]),

@@ -84,7 +84,7 @@ def test_the_ball_with_the_longest_steps_flies_farthest(values: dict[str, Any]) 
 
 
 def growth(scene: Any) -> float:
-    """Return the factor by which the motion of one spring grows per step, in the long run.
+    """Return the spectral radius of a step of one spring, which is above 1 if the motion grows.
 
     A step is linear, so two steps from different states give its matrix. They do not start at 0,
     where a spring of length 0 has no direction.

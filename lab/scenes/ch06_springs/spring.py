@@ -33,9 +33,9 @@ def is_stable(integrator: str, kappa: float, drag: float) -> bool:
 
 
 def grown_by_runge_kutta(z: complex) -> float:
-    """Compute by which factor a step h of Runge-Kutta 4 multiplies the solution of x' = z x / h.
+    """Return the growth factor of one Runge-Kutta 4 step of length h for x' = z x / h.
 
-    Differences from 1 that are within the rounding error are left out.
+    The factor is rounded, so that a difference from 1 by rounding errors disappears.
     """
     return round(abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))), 13)
 

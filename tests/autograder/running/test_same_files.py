@@ -28,10 +28,7 @@ CHANGES: dict[str, Callable[[Path], object]] = {
     ),
     "NUL": lambda file: file.write_bytes(file.read_bytes() + b"# \0\n"),
     "large": lambda file: file.write_bytes(file.read_bytes() + b"#\n" * 500_000),
-    "link": lambda file: (
-        file.with_name("mine").symlink_to(file.rename(file.with_name("mine.txt")))
-        or file.with_name("mine").rename(file)
-    ),
+    "link": lambda file: file.symlink_to(file.rename(file.with_name("mine.txt"))),
     "linked folder": lambda file: file.parent.symlink_to(
         file.parent.rename(file.parent.with_name("elsewhere"))
     ),

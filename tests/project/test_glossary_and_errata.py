@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -37,23 +38,31 @@ def names(entry: str) -> list[str]:
     return [parts[1], *(parts[2].split(", ") if parts[2] else [])]
 
 
-@pytest.mark.parametrize("entry", entries(), ids=term)
-def test_an_entry_has_an_explanation_a_place_in_the_book_and_one_in_the_code(entry: str) -> None:
+def test_an_entry_has_an_explanation_a_place_in_the_book_and_one_in_the_code() -> None:
+    assert [fault for entry in entries() for fault in faults_of(entry)] == []
+
+
+def faults_of(entry: str) -> Iterator[str]:
+    """Yield what is wrong with an entry of the glossary."""
     parts = ENTRY.fullmatch(entry)
-    assert parts, entry
-    assert parts[3].endswith((".", ")")), "whole sentences"
+    if parts is None:
+        yield f"not in the form of an entry: {entry}"
+        return
+    if not parts[3].endswith((".", ")")):
+        yield f"{term(entry)}: not whole sentences"
     where = r"((?:`[^`]+`(?: \(`\w+\.py`\))?(?:, )?)+), chapter (\d)(?:, and |$)"
-    places = re.findall(where, parts[5])
-    assert re.sub(where, "", parts[5]) == ""
-    for names, chapter in places:
+    if re.sub(where, "", parts[5]):
+        yield f"{term(entry)}: not in the form of places: {parts[5]}"
+    for places, chapter in re.findall(where, parts[5]):
         waiting = []
-        for name, module in re.findall(r"`([^`]+)`(?: \(`(\w+\.py)`\))?", names):
+        for name, module in re.findall(r"`([^`]+)`(?: \(`(\w+\.py)`\))?", places):
             waiting.append(name)
             if module or name.endswith(".py"):
                 file = source(int(chapter), module or name)
-                assert [n for n in waiting if n != file.name and n not in defined(file)] == []
+                lost = [n for n in waiting if n != file.name and n not in defined(file)]
+                yield from (f"{term(entry)}: {file.name} has no {n}" for n in lost)
                 waiting = []
-        assert waiting == [], "a name without a module"
+        yield from (f"{term(entry)}: {name} has no module" for name in waiting)
 
 
 def source(chapter: int, module: str) -> Path:
@@ -120,10 +129,10 @@ def test_a_chapter_links_to_the_glossary_and_to_the_errata(chapter: Chapter) -> 
 
 
 PRINTED_IN = r"(?:[Ss]ection [2-9](?:\.\d+){1,2}|Eq\. [2-9]\.\d+|Exercise [2-9]\.\d+)"
+BEGIN = rf"### (E-\d+) \*\*.+?\.\*\* \*({PRINTED_IN}(?: and {PRINTED_IN})?)"
 # number, section, evidence, text of the book (or of our copy), correct text, example, tests
 ERRATUM = re.compile(
-    r"### (E-\d+) \*\*.+?\.\*\* "
-    rf"\*({PRINTED_IN}(?: and {PRINTED_IN})?)\. "
+    rf"{BEGIN}\. "
     r"Evidence: ((?:listing|text|number|formula|doubtful)(?:, \w+)*)\.\* "
     r"- \*\*(In the book|In our copy):\*\* (\S.+?) "
     r"- \*\*Correct:\*\* (\S.+?) "
@@ -144,7 +153,7 @@ def errata() -> list[tuple[str, str]]:
 
 
 def number_and_section(entry: str) -> tuple[str, str]:
-    found = ERRATUM.fullmatch(entry)
+    found = re.match(BEGIN, entry)
     assert found, entry
     return found[1], found[2]
 
@@ -159,30 +168,38 @@ def test_the_errata_are_all_there_and_each_part_is_in_the_order_of_its_numbers()
     assert parts["Check your own copy"] == DOUBTFUL
 
 
-@pytest.mark.parametrize(("entry", "part"), errata(), ids=[e.split()[1] for e, _ in errata()])
-def test_an_erratum_has_evidence_both_forms_what_tells_them_apart_and_its_tests(
-    entry: str, part: str
-) -> None:
-    found = ERRATUM.fullmatch(entry)
-    assert found, entry
-    number, _, evidence, label, *_, example, shown = found.groups()
-    certain = part == "The entries"
-    assert label == ("In the book" if certain else "In our copy")
+def test_an_erratum_has_evidence_both_forms_what_tells_them_apart_and_its_tests() -> None:
+    faults = {}
+    for entry, part in errata():
+        found = ERRATUM.fullmatch(entry)
+        checked = parts_of(found, part == "The entries") if found else [("its form", False)]
+        wrong = [what for what, right in checked if not right]
+        faults |= {number_and_section(entry)[0]: wrong} if wrong else {}
+    assert faults == {}
+
+
+def parts_of(erratum: re.Match[str], certain: bool) -> Iterator[tuple[str, bool]]:
+    """Yield what an erratum must have, and whether it has it."""
+    number, _, evidence, label, *_, example, shown = erratum.groups()
+    yield "its copy", label == ("In the book" if certain else "In our copy")
     kinds = evidence.split(", ")
-    assert {*kinds} <= {"listing", "text", "number", "formula", "doubtful"}
-    assert ("doubtful" in kinds) is not certain
-    assert kinds != ["formula"], "small marks of a formula may be lost in a scan"
-    assert re.search(r"\d", example) or number == "E-35", "the example has a number"
+    yield "kinds", {*kinds} <= {"listing", "text", "number", "formula", "doubtful"}
+    yield "its part of the page", ("doubtful" in kinds) is not certain
+    yield "more than a formula, since a scan may lose its small marks", kinds != ["formula"]
+    yield "a number in its example", bool(re.search(r"\d", example)) or number == "E-35"
     named = f"test_{number.lower().replace('-', '')}"
     linked = re.findall(r"\[(\w+)\]\(([^)]+)\)", shown or "")
-    there = {
-        path.relative_to(ROOT).as_posix()
-        for path in (ROOT / "tests/reference").rglob("*.py")
-        if re.search(rf"(?m)^def {named}_", path.read_text(encoding="utf-8"))
-    }
-    assert {path for _, path in linked} == there, "each test that shows it is linked"
-    assert {name for name, _ in linked} == ({named} if there else set())
-    assert there or number == "E-35", "every erratum but E-35 has a test"
+    there = {path for path, text in reference_tests().items() if f"\ndef {named}_" in text}
+    yield "a link to each test that shows it", {path for _, path in linked} == there
+    yield "the names of its tests", {name for name, _ in linked} == ({named} if there else set())
+    yield "a test", bool(there) or number == "E-35"
+
+
+@cache
+def reference_tests() -> dict[str, str]:
+    """Return the text of each test of the reference."""
+    files = (ROOT / "tests/reference").rglob("*.py")
+    return {file.relative_to(ROOT).as_posix(): file.read_text(encoding="utf-8") for file in files}
 
 
 def test_the_index_by_chapter_has_each_erratum_once_under_its_chapter() -> None:

@@ -8,6 +8,7 @@ import re
 import shlex
 import subprocess
 import sys
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import pytest
@@ -27,6 +28,10 @@ BELOW = {  # the chapters that a chapter's modules may import
     8: {2, 3, 5, 6, 7},
     9: {2},
 }
+
+
+def by_name(chapter: Chapter) -> str:
+    return chapter.name
 
 
 def python_files(*folders: str) -> list[Path]:
@@ -53,20 +58,41 @@ def chapter_numbers(names: set[str]) -> set[int]:
     return {int(name[2:4]) for name in names if re.match(r"ch\d\d_", name)}
 
 
-@pytest.mark.parametrize("path", python_files("chapters", "solutions"), ids=str)
-def test_a_chapter_imports_only_chapters_below_it(path: Path) -> None:
-    number = int(path.parent.name[2:4])
-    assert chapter_numbers(imported(path)) <= BELOW[number] | {number}
-    engine = {name for name in imported(path) if not re.match(r"ch\d\d_", name)}
-    assert engine <= set(sys.stdlib_module_names), "an engine imports only the standard library"
+def faults(files: Iterable[Path], fault: Callable[[Path], object]) -> dict[str, object]:
+    """Return the files with a fault, and the fault of each."""
+    found = {file.relative_to(ROOT).as_posix(): fault(file) for file in files}
+    return {file: wrong for file, wrong in found.items() if wrong}
 
 
-@pytest.mark.parametrize("path", python_files("tests"), ids=str)
-def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(path: Path) -> None:
-    if match := re.match(r"ch(\d\d)_", path.parent.name):
-        assert imported(path).isdisjoint(HELPERS), "handouts have the checks but not the helpers"
-        assert chapter_numbers(imported(path)) <= BELOW[int(match[1])] | {int(match[1])}
-        assert imported(path).isdisjoint({"hypothesis", "scipy", "pymunk", "numpy", "autograder"})
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_a_chapter_imports_only_chapters_below_it_and_the_standard_library(
+    chapter: Chapter,
+) -> None:
+    below = BELOW[chapter.number] | {chapter.number}
+
+    def too_much(file: Path) -> set[str]:
+        names = imported(file)
+        others = {name for name in names if not re.match(r"ch\d\d_", name)}
+        above = {name for name in names - others if int(name[2:4]) not in below}
+        return above | (others - set(sys.stdlib_module_names))
+
+    assert (
+        faults(python_files(f"chapters/{chapter.name}", f"solutions/{chapter.name}"), too_much)
+        == {}
+    )
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(chapter: Chapter) -> None:
+    """Handouts have the checks, but not the helpers."""
+    below = BELOW[chapter.number] | {chapter.number}
+    unwanted = {*HELPERS, "hypothesis", "scipy", "pymunk", "numpy", "autograder"}
+
+    def too_much(file: Path) -> set[str]:
+        names = imported(file)
+        return names & unwanted | {name for name in names if chapter_numbers({name}) - below}
+
+    assert faults(python_files(f"tests/{chapter.name}"), too_much) == {}
 
 
 @pytest.mark.parametrize(
@@ -86,15 +112,18 @@ def test_the_readme_of_the_tests_has_a_line_for_each_helper() -> None:
     assert sorted(listed) == sorted([*SHARED, *HELPERS])
 
 
-@pytest.mark.parametrize("path", python_files("autograder", "studies", "web"), ids=str)
-def test_the_tools_import_no_tests_and_the_autograder_no_chapter(path: Path) -> None:
-    assert imported(path).isdisjoint({"tests", *SHARED, *HELPERS})
-    if "autograder" in path.parts:
-        assert not chapter_numbers(imported(path))
-        assert "studies" not in imported(path)
+def test_the_tools_import_no_tests_and_the_autograder_no_chapter() -> None:
+    tests = {"tests", *SHARED, *HELPERS}
+    assert faults(python_files("studies", "web"), lambda file: imported(file) & tests) == {}
+
+    def too_much(file: Path) -> set[str]:
+        names = imported(file)
+        return names & {*tests, "studies"} | {name for name in names if chapter_numbers({name})}
+
+    assert faults(python_files("autograder"), too_much) == {}
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
 def test_every_exercise_has_checks_hints_and_a_docstring_or_a_question(chapter: Chapter) -> None:
     names = [
         node.name
@@ -113,7 +142,7 @@ def test_every_exercise_has_checks_hints_and_a_docstring_or_a_question(chapter: 
             assert exercise.edit
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
 def test_every_chapter_has_what_its_end_shows(chapter: Chapter) -> None:
     assert re.fullmatch(r"[A-Z][^.]+\.", chapter.summary), "one sentence"
     assert len(chapter.you_can) in (2, 3)
@@ -166,10 +195,12 @@ def test_every_pytest_command_of_the_pages_finds_tests() -> None:
 PAGES = [*ROOT.glob("*.md"), *ROOT.glob("chapters/**/*.md"), *ROOT.glob("*/README.md")]
 
 
-@pytest.mark.parametrize("path", sorted(PAGES), ids=str)
-def test_links_between_pages_lead_somewhere(path: Path) -> None:
-    for target in re.findall(r"\]\(([^)#:]+)\)", path.read_text(encoding="utf-8")):
-        assert (path.parent / target).exists(), target
+def test_links_between_pages_lead_somewhere() -> None:
+    def dead(page: Path) -> list[str]:
+        targets = re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8"))
+        return [target for target in targets if not (page.parent / target).exists()]
+
+    assert faults(PAGES, dead) == {}
 
 
 @pytest.mark.parametrize(

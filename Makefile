@@ -29,7 +29,7 @@ TAKES_help-all :=
 .DEFAULT_GOAL := help
 .PHONY: help help-all watch check hint reset lab plot demo setup
 
-LIST := -e 's/^\([a-z]*\): .*\#\# /  make \1|/p'
+LIST := -e 's/^\([a-z-]*\): .*\#\# /  make \1|/p'
 ALIGN := awk -F'|' 'NF == 1 {print "\n" $$0} NF > 1 {printf "%-17s  %s\n", $$1, $$2}'
 
 help:

@@ -2,6 +2,7 @@
 SUBMISSIONS ?= sample_class
 # It grades a class on all cores, and would do so once a process of the others.
 HOSTILE := tests/autograder/untrusted/test_hostile.py
+PYTEST = PYTHONPATH=tests/helpers $(RUN) -m pytest
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
@@ -18,6 +19,7 @@ TAKES_classroom := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
 TAKES_gradescope := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
 TAKES_site := OUT SOLUTIONS
 TAKES_test := CH
+TAKES_test-all :=
 TAKES_lint :=
 TAKES_update :=
 TAKES_stubs :=
@@ -33,7 +35,7 @@ TAKES_economy :=
 TAKES_soak :=
 TAKES_contacts := QUICK
 
-.PHONY: grade progress release similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
+.PHONY: grade progress release similarity mark handout classroom gradescope site update stubs test test-all say-what-test-is lint
 .PHONY: bench charts choose limits
 .PHONY: economy soak contacts figures mutants seeds table
 
@@ -74,18 +76,21 @@ site: .venv/pictures ## build the website; needs Node.js (OUT=dir SOLUTIONS=1)
 # == For those who work on the companion itself ==
 # One scene of the lab replays a study.
 lab: $(if $(filter charts,$(SCENE)),.venv/everything)
-# A test runs lint beside the others. The tests of one chapter are few, so there it comes first.
-test: say-what-test-is .venv/everything $(if $(CH),lint) ## run all tests, or only the tests of one chapter (CH=6)
+test: say-what-test-is .venv/everything $(if $(CH),lint) ## run the quick tests, or the tests of one chapter (CH=6)
 ifneq ($(CH),)
-	@PYTHONPATH=tests/helpers $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
+	@$(PYTEST) -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
 else
-	@$(RUN) -m pytest -n $(WORKERS) --ignore=$(HOSTILE)
-	@$(RUN) -m pytest $(HOSTILE)
+	@$(PYTEST) -n $(WORKERS) -p tiers --tier quick
 endif
 
 say-what-test-is:
-	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 13 minutes)."
+	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 4 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
+
+test-all: test ## run all tests, as before a release
+	@echo "The slow tests take about 10 minutes."
+	@$(PYTEST) -n $(WORKERS) -p tiers --tier slow --ignore=$(HOSTILE)
+	@$(PYTEST) $(HOSTILE)
 
 lint: .venv/everything ## check style, types and spelling
 	@$(RUN) -m ruff check .

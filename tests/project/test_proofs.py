@@ -6,11 +6,12 @@ All are run in both ways: beside the checks, as students run them, and in worker
 from __future__ import annotations
 
 import ast
+from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from autograder.checks.arrange import Behind
 from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Verdict, with_needs
 from autograder.definitions import functions
@@ -24,7 +25,6 @@ from walls import behind_walls
 from wrong import Wrong, read_right, read_wrong, write_all, write_wrong
 
 CHAPTERS = load_chapters()
-WRONG = [(chapter, wrong) for chapter in CHAPTERS for wrong in read_wrong(chapter)]
 EXERCISES = [(chapter, e.id) for chapter in CHAPTERS for e in chapter.exercises if e.edit]
 
 
@@ -32,6 +32,23 @@ def depth_of(chapter: Chapter, exercise: str) -> int:
     """Return the length of the longest chain of exercises that this one builds on."""
     (needs,) = (e.needs for e in chapter.exercises if e.id == exercise)
     return 1 + max((depth_of(chapter, need) for need in needs), default=-1)
+
+
+def exercise_of(chapter: Chapter, wrong: Wrong) -> Exercise:
+    """Return the exercise whose body a wrong submission changes."""
+    (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)
+    return exercise
+
+
+def wrong_submissions() -> Iterator[object]:
+    """Yield each wrong submission. The first three of an exercise are quick tests."""
+    for chapter in CHAPTERS:
+        seen: Counter[str] = Counter()
+        for wrong in read_wrong(chapter):
+            exercise = exercise_of(chapter, wrong).id
+            marks = [pytest.mark.slow] if seen[exercise] >= 3 else []
+            seen[exercise] += 1
+            yield pytest.param(chapter, wrong, id=f"{wrong.edit}: {wrong.mistake}", marks=marks)
 
 
 LEVELS = [
@@ -53,35 +70,33 @@ def engine_with(top: Path) -> list[Path]:
     return [top, ROOT / "solutions", ROOT / "chapters"]
 
 
-@pytest.fixture(params=[*SEEDS, "in workers"])
-def seed_and_behind(request: pytest.FixtureRequest) -> tuple[str, Behind | None]:
-    """Return each seed for a run beside the checks, and one seed for a run in workers."""
-    if request.param == "in workers":
-        return SEEDS[-1], behind_walls()
-    return request.param, None
-
-
-def exercise_of(chapter: Chapter, wrong: Wrong) -> Exercise:
-    """Return the exercise whose body a wrong submission changes."""
-    (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)
-    return exercise
-
-
 def lost(verdicts: list[Verdict]) -> dict[str, str]:
     """Return the checks that do not pass, each with its status and message."""
     return {v.name: f"{v.status}: {v.message}" for v in verdicts if v.status != "passed"}
 
 
+@pytest.mark.parametrize(
+    ("seed", "in_workers"),
+    [
+        pytest.param(SEEDS[0], False, id="1"),
+        pytest.param(SEEDS[1], False, id="another seed", marks=pytest.mark.slow),
+        pytest.param(SEEDS[1], True, id="in workers", marks=pytest.mark.slow),
+    ],
+)
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_solution_earns_every_point(
-    chapter: Chapter, seed_and_behind: tuple[str, Behind | None]
-) -> None:
-    seed, behind = seed_and_behind
+def test_the_solution_earns_every_point(chapter: Chapter, seed: str, in_workers: bool) -> None:
     engine = [ROOT / "solutions", ROOT / "chapters"]
+    behind = behind_walls() if in_workers else None
     assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
 
 
-@pytest.mark.parametrize("in_workers", [False, True], ids=["beside the checks", "in workers"])
+@pytest.mark.parametrize(
+    "in_workers",
+    [
+        pytest.param(False, id="beside the checks"),
+        pytest.param(True, id="in workers", marks=pytest.mark.slow),
+    ],
+)
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
 def test_the_second_solution_earns_every_point(
     chapter: Chapter, in_workers: bool, tmp_path: Path
@@ -149,9 +164,7 @@ def test_the_other_right_bodies_earn_every_point(chapter: Chapter) -> None:
     assert lost(waiting.run([*rights], ids)) == {}
 
 
-@pytest.mark.parametrize(
-    ("chapter", "wrong"), WRONG, ids=[f"{w.edit}: {w.mistake}" for _, w in WRONG]
-)
+@pytest.mark.parametrize(("chapter", "wrong"), wrong_submissions())
 def test_a_wrong_submission_is_caught(
     chapter: Chapter, wrong: Wrong, pytestconfig: pytest.Config
 ) -> None:
@@ -177,6 +190,7 @@ def test_a_wrong_submission_is_caught(
     assert body.lineno <= int(line) <= body.end_lineno
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("chapter", "depth"), LEVELS, ids=[f"{chapter.name}, {depth}" for chapter, depth in LEVELS]
 )

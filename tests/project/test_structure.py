@@ -166,7 +166,7 @@ def test_every_command_of_the_readmes_is_there() -> None:
     makefiles = "".join(
         (ROOT / name).read_text(encoding="utf-8") for name in ("Makefile", "instructor.mk")
     )
-    targets = set(re.findall(r"(?m)^([a-z]+|help-all):", makefiles))
+    targets = set(re.findall(r"(?m)^([a-z-]+):", makefiles)) - {"say-what-test-is"}
     listed = set(re.findall(r"(?m)^([a-z-]+): .*## \S", makefiles))
     assert listed == targets - {"help", "help-all"}, "make help-all lists every command"
     for readme in (

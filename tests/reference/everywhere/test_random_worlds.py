@@ -1,6 +1,6 @@
 """Laws of physics in worlds drawn at random, with up to 50 particles.
 
-WORLDS=2000 in the environment draws so many for each law, in place of a few.
+WORLDS=2000 in the environment draws so many for each law, in place of 40.
 """
 
 from __future__ import annotations
@@ -21,7 +21,11 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import leapfrog, velocity_verlet
 from random_worlds import STEP, Triple, draw, places_after, some_ends, triple
 
-SEEDS = range(int(os.environ.get("WORLDS", "40")))
+QUICK = 5  # worlds for each law
+SEEDS = [
+    pytest.param(seed, marks=[pytest.mark.slow] if seed >= QUICK else [])
+    for seed in range(int(os.environ.get("WORLDS", "40")))
+]
 STEPS = 20
 
 

@@ -1,0 +1,63 @@
+"""A pytest plugin that runs only the quick tests, as `make test` does, or only the slow ones.
+
+tests/tiers.toml says which folders and files are quick and which are slow. In a quick file, a test
+with the marker `slow` is slow too.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+TESTS = Path(__file__).parent.parent
+FILE = TESTS / "tiers.toml"
+
+
+@cache
+def listed() -> dict[str, str]:
+    """Return each path of the list, with "" if it is quick, and else with a name for its tests."""
+    tiers = tomllib.loads(FILE.read_text(encoding="utf-8"))
+    return dict.fromkeys(tiers["quick"], "") | tiers["slow"]
+
+
+def is_slow(file: Path) -> bool:
+    """Return whether all tests of a file are slow.
+
+    Raises:
+        pytest.Collector.CollectError: The list has neither the file nor a folder with the file.
+    """
+    path = file.relative_to(TESTS).as_posix()
+    fits = [p for p in listed() if path == p or (p.endswith("/") and path.startswith(p))]
+    if not fits:
+        raise pytest.Collector.CollectError(f"no tier: add {path} or its folder to {FILE}")
+    return bool(listed()[max(fits, key=len)])
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--tier", choices=["quick", "slow"], required=True)
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Read no file that has only slow tests if only quick ones will run."""
+    if collection_path.match("test_*.py") and is_slow(collection_path):
+        return config.getoption("tier") == "quick" or None
+    return None
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    wanted = config.getoption("tier") == "slow"
+    tiers = [(is_slow(item.path) or item.get_closest_marker("slow") is not None) for item in items]
+    others = [item for item, slow in zip(items, tiers, strict=True) if slow != wanted]
+    config.hook.pytest_deselected(items=others)
+    items[:] = [item for item, slow in zip(items, tiers, strict=True) if slow == wanted]
+
+
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter, config: pytest.Config
+) -> None:
+    if config.getoption("tier") == "quick":
+        names = ", ".join(dict.fromkeys(name for name in listed().values() if name))
+        terminalreporter.write_line(f"Left out: {names}. To run them too: make test-all")

@@ -1,26 +1,21 @@
 """A pytest plugin that runs only the quick tests, as `make test` does, or only the slow ones.
 
 tests/tiers.toml says which folders and files are quick and which are slow. In a quick file, a test
-with the marker `slow` is slow too.
+with the marker `slow` is slow too. The longest tests start first, so that no core waits at the end.
 """
 
 from __future__ import annotations
 
 import tomllib
-from functools import cache
 from pathlib import Path
 
 import pytest
 
 TESTS = Path(__file__).parent.parent
 FILE = TESTS / "tiers.toml"
-
-
-@cache
-def listed() -> dict[str, str]:
-    """Return each path of the list, with "" if it is quick, and else with a name for its tests."""
-    tiers = tomllib.loads(FILE.read_text(encoding="utf-8"))
-    return dict.fromkeys(tiers["quick"], "") | tiers["slow"]
+TIERS = tomllib.loads(FILE.read_text(encoding="utf-8"))
+# Each path of the list, with "" if it is quick, and else with a name for its tests.
+PATHS: dict[str, str] = dict.fromkeys(TIERS["quick"], "") | TIERS["slow"]
 
 
 def is_slow(file: Path) -> bool:
@@ -30,10 +25,17 @@ def is_slow(file: Path) -> bool:
         pytest.Collector.CollectError: The list has neither the file nor a folder with the file.
     """
     path = file.relative_to(TESTS).as_posix()
-    fits = [p for p in listed() if path == p or (p.endswith("/") and path.startswith(p))]
+    fits = [p for p in PATHS if path == p or (p.endswith("/") and path.startswith(p))]
     if not fits:
         raise pytest.Collector.CollectError(f"no tier: add {path} or its folder to {FILE}")
-    return bool(listed()[max(fits, key=len)])
+    return bool(PATHS[max(fits, key=len)])
+
+
+def place(item: pytest.Item) -> int:
+    """Return where the list has a test among the long ones; all others share the last place."""
+    name = item.nodeid.removeprefix("tests/")
+    fits = (number for number, long in enumerate(TIERS["first"]) if name.startswith(long))
+    return next(fits, len(TIERS["first"]))
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -52,12 +54,13 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     tiers = [(is_slow(item.path) or item.get_closest_marker("slow") is not None) for item in items]
     others = [item for item, slow in zip(items, tiers, strict=True) if slow != wanted]
     config.hook.pytest_deselected(items=others)
-    items[:] = [item for item, slow in zip(items, tiers, strict=True) if slow == wanted]
+    chosen = [item for item, slow in zip(items, tiers, strict=True) if slow == wanted]
+    items[:] = sorted(chosen, key=place)
 
 
 def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
     if config.getoption("tier") == "quick":
-        names = ", ".join(dict.fromkeys(name for name in listed().values() if name))
+        names = ", ".join(dict.fromkeys(name for name in PATHS.values() if name))
         terminalreporter.write_line(f"Left out: {names}. To run them too: make test-all")

@@ -23,6 +23,10 @@ CHAPTERS = load_chapters()
 REFERENCE = reference()
 
 engines = pytest.fixture(scope="module")(engines)
+EACH = [  # only the first one is quick
+    pytest.param(chapter, id=chapter.name, marks=[pytest.mark.slow] if chapter.number > 2 else [])
+    for chapter in CHAPTERS
+]
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +42,7 @@ def checks() -> dict[str, list[str]]:
     return found
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+@pytest.mark.parametrize("chapter", EACH)
 def test_the_reference_earns_all_points(
     engines: NodeEngines, checks: dict[str, list[str]], chapter: Chapter
 ) -> None:
@@ -64,7 +68,7 @@ def test_the_checks_run_on_the_python_that_the_readme_names(engines: NodeEngines
     assert f"RuntimeError: {named}." in json.dumps(report["failure"]["rows"])
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS[::4], ids=lambda chapter: chapter.name)
+@pytest.mark.parametrize("chapter", EACH[::4])
 def test_stubs_earn_nothing(engines: NodeEngines, chapter: Chapter) -> None:
     report = engines.check({}, chapter)
     assert not report["passed"]
@@ -74,7 +78,7 @@ def test_stubs_earn_nothing(engines: NodeEngines, chapter: Chapter) -> None:
     assert report["failure"]["file"].startswith("ch")
 
 
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+@pytest.mark.parametrize("chapter", EACH)
 def test_a_mistake_is_told_as_on_the_command_line(engines: NodeEngines, chapter: Chapter) -> None:
     """The page gets what make check would print. test_site_solving shows that it shows this."""
     for wrong in random.Random(f"{SEED} {chapter.name}").sample(read_wrong(chapter), 3):

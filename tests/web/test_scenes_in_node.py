@@ -81,15 +81,21 @@ def test_every_scene_has_the_numbers_of_cpython(
 def test_the_cost_is_right_although_the_clock_is_coarse(
     tmp_path_factory: pytest.TempPathFactory,
 ) -> None:
-    """Firefox and WebKit round to 1 ms. A mean of 25 ticks has a standard deviation of a fifth."""
+    """Firefox and WebKit round to 1 ms. A mean of 25 ticks has a standard deviation of a fifth.
+
+    A machine that is busy during one of the two runs gets two more attempts.
+    """
     site = built(tmp_path_factory) / BELOW
-    _, right = cost(site, 0.001, 600)
-    early, late = cost(site, 1.0, 4000)
-    assert right is not None
-    assert right < 300.0, "a frame takes less than a tick"
-    assert early is None
-    assert late is not None
-    assert right / 2.0 < late < 2.0 * right
+    ratios = []
+    while not any(1 / 2 < ratio < 2 for ratio in ratios) and len(ratios) < 3:
+        _, right = cost(site, 0.001, 600)
+        early, late = cost(site, 1.0, 4000)
+        assert right is not None
+        assert right < 300.0, "a frame takes less than a tick"
+        assert early is None
+        assert late is not None
+        ratios.append(late / right)
+    assert any(1 / 2 < ratio < 2 for ratio in ratios), ratios
 
 
 def drawn(frame: dict[str, Any]) -> list[float]:

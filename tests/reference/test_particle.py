@@ -10,37 +10,15 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from studies.drawing import slope
 from studies.runs.drag_flight import (
     DAMPED_FALL,
-    FREE_FALL,
     GRAVITY,
-    PROJECTILE,
     DragFlight,
     State,
-    with_particle,
 )
 
 NAN, INF = math.nan, math.inf
 VECTORS = ("position", "velocity", "acceleration")
-
-
-@pytest.mark.parametrize("flight", [FREE_FALL, DAMPED_FALL, PROJECTILE], ids=lambda s: s.name)
-def test_the_error_of_the_step_is_of_first_order(flight: DragFlight) -> None:
-    counts = (400, 800, 1600)
-    errors = []
-    for frames in counts:
-        end = with_particle(flight, flight.duration / frames, frames)[-1]
-        errors.append(math.dist(end.position, flight.exact(flight.duration).position))
-    # The next order is h / t of the first, and changes the slope by less than a hundredth.
-    assert slope(counts, errors) == pytest.approx(-1.0, abs=0.01)
-
-
-def test_the_error_under_constant_acceleration_is_half_a_step() -> None:
-    fall = DragFlight("fall", FREE_FALL.start, (0.0, -10.0, 0.0), 1.0, 5.0)
-    end = with_particle(fall, 1.0 / 60.0, 300)[-1]
-    # The known figure has five decimals. 300 roundings are far smaller.
-    assert end.position[1] + 125.0 == pytest.approx(0.41667, abs=5e-6)
 
 
 def test_the_closed_form_of_the_flights_gives_the_known_flight_of_a_shot() -> None:

@@ -1,4 +1,4 @@
-"""Compare pymunk's collisions, ground and PinJoint with ours and with closed forms.
+"""Compare pymunk's ground and PinJoint with ours and with closed forms.
 
 Space.step first moves the bodies and then resolves collisions. The restitution is the product of
 the elasticities of both shapes. So a single collision is as accurate as ours, but its time is not

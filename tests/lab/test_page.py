@@ -239,14 +239,6 @@ def test_a_scene_runs_if_charts_fail(page: Any, address: str, method: str) -> No
     assert page.is_hidden("#trouble")
 
 
-def test_a_scene_runs_if_the_library_of_the_charts_is_missing(page: Any, address: str) -> None:
-    page.route("**/uPlot.iife.min.js", lambda route: route.abort())
-    open_scene(page, address, "one-spring")
-    play_until(page, 0.5)
-    assert "the library that draws them did not load" in words_of(page)
-    assert page.is_hidden("#trouble")
-
-
 def test_a_scene_runs_if_its_picture_fails(page: Any, address: str) -> None:
     page.add_init_script(NO_CANVAS)
     open_scene(page, address, "one-spring")

@@ -90,17 +90,6 @@ def test_the_error_is_that_of_the_method(page: Any, address: str) -> None:
     assert error == pytest.approx(2.0 * w * (w * h) ** 2 / 24.0, rel=0.25)
 
 
-def test_the_limit_of_stability_is_where_theory_has_it(page: Any, address: str) -> None:
-    """k h^2 / m = 4: 14,400 N/m at 60 Hz and 1 kg."""
-    open_scene(page, address, "one-spring", stiffness=14_390)
-    play_until(page, 2.0)
-    assert page.is_hidden("#trouble")
-    open_scene(page, address, "one-spring", stiffness=14_500)
-    page.click("#play")
-    page.wait_for_selector("#trouble:not([hidden])", timeout=30_000)
-    assert "exploded" in page.inner_text("#trouble")
-
-
 def test_another_contender_is_compared(page: Any, address: str) -> None:
     open_scene(page, address, "one-spring")
     page.select_option("#add", label="integrator: Runge-Kutta 4")
@@ -250,14 +239,6 @@ def test_a_scene_runs_if_charts_fail(page: Any, address: str, method: str) -> No
     assert page.is_hidden("#trouble")
 
 
-def test_a_scene_runs_if_the_library_of_the_charts_is_missing(page: Any, address: str) -> None:
-    page.route("**/uPlot.iife.min.js", lambda route: route.abort())
-    open_scene(page, address, "one-spring")
-    play_until(page, 0.5)
-    assert "the library that draws them did not load" in words_of(page)
-    assert page.is_hidden("#trouble")
-
-
 def test_a_scene_runs_if_its_picture_fails(page: Any, address: str) -> None:
     page.add_init_script(NO_CANVAS)
     open_scene(page, address, "one-spring")
@@ -292,6 +273,7 @@ def test_a_stopped_engine_does_not_slow_down_its_rivals(page: Any, address: str)
     page.wait_for_function("document.querySelectorAll('#contenders tbody tr').length === 2")
     page.click("#play")
     page.wait_for_selector("#trouble:not([hidden])", timeout=30_000)
+    assert "exploded" in page.inner_text("#trouble")
     for _ in range(25):
         words = page.text_content("#pace")
         assert " 0 %" not in words

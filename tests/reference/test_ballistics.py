@@ -12,14 +12,13 @@ from hypothesis import strategies as st
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from ch04_particle_engine import scaling
-from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot, aim, is_spent
+from ch04_particle_engine.ballistics import SHOT_TYPES, BallisticRange, Shot, is_spent
 from ch04_particle_engine.grenade import FUSE, bounce
 from ch04_particle_engine.targets import TargetBlock, hit_fraction
 from studies.drawing import slope
 from studies.runs.drag_flight import flight_of, with_pymunk
 
-NAN, INF = math.nan, math.inf
+INF = math.inf
 FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)
 
 
@@ -144,43 +143,6 @@ def test_a_grenade_below_the_ground_when_it_bursts_is_put_back_first() -> None:
     at.update(FUSE)
     assert len(at.shots) == 12
     assert {shot.particle.position.y for shot in at.shots} == {0.0}
-
-
-@pytest.mark.parametrize(
-    ("call", "error", "complaint"),
-    [
-        (lambda r: r.fire("cannon"), ValueError, "name must be one of pistol, artillery"),
-        (lambda r: r.fire("pistol", NAN), ValueError, "azimuth must be finite, got nan"),
-        (lambda r: r.fire("pistol", 0.0, INF), ValueError, "elevation must be finite, got inf"),
-        (lambda r: r.fire("pistol", "up"), TypeError, "azimuth must be a number, got 'up'"),
-        (lambda r: r.update(0.0), ValueError, "duration must be positive and finite, got 0.0"),
-        (lambda r: r.update(NAN), ValueError, "duration must be positive and finite, got nan"),
-        (lambda r: r.update("1"), TypeError, "duration must be a number, got '1'"),
-        (lambda _: aim(-1.0, 0.0, 0.0), ValueError, "speed must be finite and not negative"),
-        (lambda _: scaling.slowed_mass(1.0, 0.0), ValueError, "factor must be positive and finite"),
-        (lambda _: scaling.muzzle_energy(NAN, 1.0), ValueError, "mass must be positive and finite"),
-        (lambda _: scaling.slowed_gravity(INF, 1.0), ValueError, "gravity must be finite, got inf"),
-        (
-            lambda _: TargetBlock(Vector3(), (1.0, 0.0, 1.0), mass=1.0),
-            ValueError,
-            "size must be positive and finite, got 0.0",
-        ),
-        (
-            lambda _: TargetBlock(Vector3(), (1.0, 1.0, 1.0), mass=0.0),
-            ValueError,
-            "mass must be positive, got 0.0",
-        ),
-    ],
-)
-def test_what_means_nothing_is_refused_by_name(
-    call: Any, error: type[Exception], complaint: str
-) -> None:
-    at = BallisticRange()
-    at.fire("pistol")
-    with pytest.raises(error, match=complaint):
-        call(at)
-    (shot,) = at.shots
-    assert (tuple(shot.particle.position), shot.age) == (MUZZLE, 0.0)
 
 
 @pytest.mark.parametrize("limit", ["height", "age", "range"])

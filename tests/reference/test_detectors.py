@@ -102,30 +102,3 @@ def test_ten_on_each_other_sink_with_the_default_number_of_iterations() -> None:
     heights, worst = settle(10)
     assert worst > 0.5
     assert heights[-1] < 8.5  # 8.27 was measured, so more than one diameter in ten is lost
-
-
-# Rejected arguments
-
-
-@pytest.mark.parametrize(
-    ("make", "error", "match"),
-    [
-        (lambda: GroundPlane(Particle()), TypeError, "particles must be a list"),
-        (lambda: GroundPlane([None]), TypeError, r"particles\[0\]"),
-        (lambda: GroundPlane([], math.nan), ValueError, "height"),
-        (lambda: GroundPlane([], 0.0, -0.1), ValueError, "radius"),
-        (lambda: GroundPlane([], 0.0, 0.1, 1.1), ValueError, "restitution"),
-        (lambda: ParticlePairs((Particle(), 3), 0.5), TypeError, r"particles\[1\]"),
-        (lambda: ParticlePairs([], 0.0), ValueError, "radius"),
-        (lambda: ParticlePairs([], math.inf), ValueError, "radius"),
-        (lambda: ParticlePairs([], 0.5, -0.1), ValueError, "restitution"),
-        (lambda: ParticlePairs([], None), TypeError, "radius"),
-        (lambda: GroundPlane([]).next_impact(-1.0), ValueError, "duration"),
-        (lambda: ParticlePairs([], 0.5).next_impact(math.nan), ValueError, "duration"),
-    ],
-)
-def test_what_a_detector_cannot_be_made_of_is_named(
-    make: Any, error: type[Exception], match: str
-) -> None:
-    with pytest.raises(error, match=match):
-        make()

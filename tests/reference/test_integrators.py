@@ -140,29 +140,6 @@ def test_symplectic_steps_keep_the_energy_within_bounds_for_100_000_steps(
     assert late == pytest.approx(early, abs=swing / 10.0)
 
 
-@pytest.mark.parametrize("share", [0.1, 0.5, 1.0, 2.0])
-def test_steps_that_are_not_symplectic_change_the_energy_by_their_known_factors(
-    share: float,
-) -> None:
-    """With z^2 = k h^2 / m, the factors are 1 + z^2, and 1 - z^6 / 72 + z^8 / 576 for Runge-Kutta.
-
-    They are |R(i z)|^2 of the stability functions 1 + z and the fourth-order part of e^z.
-    """
-    z, n = share, 50
-    for step, factor in (
-        (explicit_euler, 1.0 + z**2),
-        (runge_kutta_4, 1.0 - z**6 / 72.0 + z**8 / 576.0),
-    ):
-        particle = Particle(Vector3(1.0), mass=2.0)
-        registry = ForceRegistry()
-        registry.add(particle, AnchoredSpring(Vector3(), 2.0 * (z / FRAME) ** 2, 0.0))
-        for _ in range(n):
-            step([particle], registry.update_forces, FRAME)
-        x, v = particle.position.x, particle.velocity.x
-        left = x * x + (v * FRAME / z) ** 2
-        assert left == pytest.approx(factor**n, rel=1e-12)  # 50 steps, each with some roundings
-
-
 @pytest.mark.parametrize(
     ("step", "energy", "digit"),
     [

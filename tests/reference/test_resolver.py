@@ -24,19 +24,6 @@ UP = Vector3(0.0, 1.0, 0.0)
 RESOLVERS = [ContactResolver, HeapResolver]
 
 
-@pytest.mark.parametrize("kind", RESOLVERS)
-@pytest.mark.parametrize(
-    ("iterations", "error"),
-    [(0, ValueError), (-1, ValueError), (True, TypeError), (2.5, TypeError), ("3", TypeError)],
-)
-def test_iterations_are_a_whole_number_above_0(
-    kind: type[ContactResolver], iterations: Any, error: type[Exception]
-) -> None:
-    with pytest.raises(error, match="iterations"):
-        kind(iterations)
-    assert kind(1).iterations == 1
-
-
 # The order
 
 

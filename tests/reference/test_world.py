@@ -181,18 +181,6 @@ def test_the_default_step_is_semi_implicit_and_the_world_s_contacts_hold_a_pendu
         assert bob.position.magnitude() == pytest.approx(1.0, abs=1.1e-9)
 
 
-def test_what_a_world_cannot_be_made_of_is_named() -> None:
-    ball = Particle()
-    with pytest.raises(ValueError, match="twice"):
-        ParticleWorld([ball, ball])
-    with pytest.raises(TypeError, match=r"contact_generators\[0\]"):
-        ParticleWorld([ball], [ball])  # type: ignore[list-item]
-    with pytest.raises(TypeError, match="integrator"):
-        ParticleWorld([ball], integrator=None)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="iterations"):
-        ParticleWorld([ball], iterations=0)
-
-
 def test_a_step_of_your_own_may_be_a_world_s() -> None:
     """1 kg on 100 N/m from (1, 0) at 10 m/s moves in a circle of 1 m in 0.628 s."""
     body = Particle(Vector3(1.0), Vector3(0.0, 10.0))

@@ -1,13 +1,10 @@
-"""Vectors and the step compared with pymunk, an engine in two dimensions."""
+"""The step compared with that of pymunk, an engine in two dimensions."""
 
 from __future__ import annotations
 
 import math
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from pymunk import Vec2d
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_second
@@ -23,32 +20,7 @@ from studies.runs.drag_flight import (
 from studies.runs.drag_flight import with_particle as ours
 from studies.runs.drag_flight import with_pymunk as theirs
 
-component = st.floats(-1e6, 1e6).filter(lambda value: value == 0.0 or abs(value) > 1e-6)
-plane = st.tuples(component, component)
 FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)
-
-
-def in_the_plane(v: Vector3) -> tuple[float, float]:
-    assert v.z == 0.0
-    return v.x, v.y
-
-
-@given(plane, plane, component)
-def test_vectors_in_the_plane_agree_with_vec2d(
-    a: tuple[float, float], b: tuple[float, float], scale: float
-) -> None:
-    v, w, p, q = Vector3(*a), Vector3(*b), Vec2d(*a), Vec2d(*b)
-    # The same products and sums have the same bits.
-    assert in_the_plane(v + w) == tuple(p + q)
-    assert in_the_plane(v - w) == tuple(p - q)
-    assert in_the_plane(-v) == tuple(-p)
-    assert in_the_plane(v * scale) == tuple(p * scale)
-    assert v.dot(w) == p.dot(q)
-    assert tuple(v.cross(w)) == (0.0, 0.0, p.cross(q))
-    assert v.squared_magnitude() == p.length_squared
-    # Pymunk's is the root of the sum of squares, ours is math.hypot: two roundings apart.
-    assert v.magnitude() == pytest.approx(p.length, rel=1e-15)
-    assert in_the_plane(v.normalized()) == pytest.approx(tuple(p.normalized()), rel=1e-15)
 
 
 def expect_equal(first: list[State], second: list[State], tolerance: float) -> None:

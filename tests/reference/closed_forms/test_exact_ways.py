@@ -55,24 +55,3 @@ def test_a_ball_without_loss_bounces_on_and_one_with_all_lost_lies_still() -> No
 def test_frames_that_last_for_ever_are_refused() -> None:
     with pytest.raises(ValueError, match="the time of all frames must be finite"):
         heights_in_frames(1.0, 0.0, 0.5, 1e308, 2)
-
-
-@pytest.mark.parametrize(
-    ("argument", "value"),
-    [
-        ("height", -1.0),
-        ("speed", math.inf),
-        ("restitution", 1.1),
-        ("restitution", -0.1),
-        ("frame", 0.0),
-        ("frames", 0),
-        ("gravity", -9.81),
-    ],
-)
-def test_what_is_no_ball_is_refused_by_name(argument: str, value: float) -> None:
-    good = {"height": 1.0, "speed": 0.0, "restitution": 0.5, "frame": 0.1, "frames": 3}
-    with pytest.raises(ValueError, match=f"^{argument} must be"):
-        heights_in_frames(**(good | {argument: value}))  # type: ignore[arg-type]
-    if argument in ("frame", "frames"):
-        with pytest.raises(ValueError, match=f"^{argument} must be"):
-            places_in_frames(Particle(), **({"frame": 0.1, "frames": 3} | {argument: value}))  # type: ignore[arg-type]

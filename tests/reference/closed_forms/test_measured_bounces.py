@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given
@@ -15,7 +14,6 @@ from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.drops import find_drops, read_drops
 from ch07_constraints.exercises import (
-    force_for_frame,
     restitution_of_drop,
     table_of_drops,
     top_ball_speed,
@@ -51,30 +49,6 @@ def test_the_top_ball_leaves_as_the_engine_s_contacts_have_it(
     assert got == pytest.approx(upper.velocity.y, abs=1e-15 * 20.0 * fall.magnitude())
 
 
-@pytest.mark.parametrize(
-    ("call", "error", "match"),
-    [
-        (lambda: restitution_of_drop(0.0, 0.0), ValueError, "initial_height"),
-        (lambda: restitution_of_drop(1.0, -0.1), ValueError, "bounce_height"),
-        (lambda: restitution_of_drop(1.0, 1.1), ValueError, "bounce_height must be"),
-        (lambda: restitution_of_drop(math.nan, 0.1), ValueError, "initial_height"),
-        (lambda: table_of_drops([("a", 1.0, 2.0)]), ValueError, "bounce_height"),
-        (lambda: top_ball_speed(-1.0, 1.0, 1.0, 0.5, 0.5), ValueError, "height"),
-        (lambda: top_ball_speed(1.0, 0.0, 1.0, 0.5, 0.5), ValueError, "lower_mass"),
-        (lambda: top_ball_speed(1.0, 1.0, math.inf, 0.5, 0.5), ValueError, "upper_mass"),
-        (lambda: top_ball_speed(1.0, 1.0, 1.0, 1.5, 0.5), ValueError, "restitution"),
-        (lambda: top_ball_speed(1.0, 1.0, 1.0, 0.5, -0.5), ValueError, "restitution"),
-        (lambda: force_for_frame(UP, 0.2, 0.1), ValueError, "contact_time must be at most frame"),
-        (lambda: force_for_frame(UP, -0.1, 0.1), ValueError, "contact_time"),
-        (lambda: force_for_frame(UP, 0.0, 0.0), ValueError, "frame"),
-        (lambda: force_for_frame((0, 1, 0), 0.0, 0.1), TypeError, "force"),
-    ],
-)
-def test_what_the_exercises_refuse_is_named(call: Any, error: type[Exception], match: str) -> None:
-    with pytest.raises(error, match=match):
-        call()
-
-
 # The file of drops
 
 
@@ -86,26 +60,25 @@ def test_drops_are_read_in_their_order(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "match"),
+    ("text", "line"),
     [
-        ("", "line 1 must be material,initial_height,bounce_height, got ''"),
-        ("material,height\n", "line 1 must be"),
-        (HEADING + "steel,1.0\n", "line 2 must be a material and two heights"),
-        (HEADING + "steel,1.0,0.5,0.4\n", "line 2 must be"),
-        (HEADING + "steel,1.0,0.5\n,1.0,0.5\n", "line 3 must be"),
-        (HEADING + "steel,1.0,high\n", "line 2 must have two heights in m"),
-        (HEADING + "\nsteel,,0.5\n", "line 3 must have two heights in m"),
-        (HEADING + "steel,1;5,0.5\n", "line 2 must have"),
+        ("", 1),
+        ("material,height\n", 1),
+        (HEADING + "steel,1.0\n", 2),
+        (HEADING + "steel,1.0,0.5,0.4\n", 2),
+        (HEADING + "steel,1.0,0.5\n,1.0,0.5\n", 3),
+        (HEADING + "steel,1.0,high\n", 2),
+        (HEADING + "\nsteel,,0.5\n", 3),
+        (HEADING + "steel,1;5,0.5\n", 2),
     ],
 )
 def test_what_is_no_file_of_drops_is_named_with_its_line(
-    tmp_path: Path, text: str, match: str
+    tmp_path: Path, text: str, line: int
 ) -> None:
     path = tmp_path / "mine.csv"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(ValueError, match=match) as caught:
+    with pytest.raises(ValueError, match=rf"mine\.csv\b.* line {line} "):
         read_drops(path)
-    assert "mine.csv" in str(caught.value)
 
 
 def test_the_chapter_s_own_files_are_found_and_give_restitutions() -> None:

@@ -102,8 +102,3 @@ def test_an_immovable_end_is_at_rest_whatever_its_velocity_is() -> None:
         assert nail.velocity == velocity
         found.append(([*middle.position], chain.tensions))
     assert found[0] == found[1]
-
-
-def test_a_chain_needs_a_particle() -> None:
-    with pytest.raises(ValueError, match="particles must have at least one particle"):
-        DirectChain([], Vector3())

@@ -184,22 +184,6 @@ def test_a_cubic_is_exact_for_a_cubic() -> None:
     assert hermite([0.0], [0.0], [8.0], [12.0], 2.0, 0.25) == pytest.approx([0.125])
 
 
-def test_bad_links_and_durations_are_refused() -> None:
-    weight = Particle(Vector3(0.0, -1.0), Vector3(1.0))
-    for kind in KINDS:
-        with pytest.raises(ValueError, match="at least one link"):
-            kind([])
-        with pytest.raises(TypeError, match="a link must be a rod"):
-            kind([weight])
-        for bad in (0.0, -1.0, math.nan, math.inf):
-            with pytest.raises(ValueError, match="duration must be positive"):
-                kind([AnchoredCable(weight, Vector3(), 1.0)]).step(bad)
-    assert tuple(weight.position) == (0.0, -1.0, 0.0)
-    weight.damping = 0.0
-    with pytest.raises(ValueError, match="the damping of particle 0"):
-        SmoothNet([AnchoredCable(weight, Vector3(), 1.0)])
-
-
 def test_lengths_that_contradict_each_other_are_an_arithmetic_error() -> None:
     weight = Particle(Vector3(0.0, -1.0), acceleration=DOWN)
     rods = [AnchoredRod(weight, Vector3(), 1.0), AnchoredRod(weight, Vector3(0.0, -3.0), 1.0)]

@@ -137,13 +137,6 @@ def test_a_rope_s_energy_does_not_drift_without_damping() -> None:
     assert worst < 0.01 * abs(start)
 
 
-def test_only_the_last_particle_may_be_immovable() -> None:
-    particles = rope(4)
-    particles[2].mass = math.inf
-    with pytest.raises(ValueError, match=r"particles\[1\] must have a finite mass"):
-        DirectChain(particles[1:], particles[0].position)
-
-
 def test_substeps_and_iterations_make_rods_hold() -> None:
     """After 4 s, ten links hang lower than the polygon. More work reduces the error.
 

@@ -29,7 +29,7 @@ from ch07_constraints.rod_tensions import RodTensions
 from studies.drawing import slope
 
 G = 9.81
-NAN, INF = math.nan, math.inf
+INF = math.inf
 Chain = AngleChain | DoublePendulum
 
 # Different lengths and masses, wide angles, and initial motion, so that no errors cancel.
@@ -247,43 +247,7 @@ def test_a_chain_may_have_an_immovable_other_end(speed: float) -> None:
     assert [*end.force_accumulator] == pytest.approx([-along, -along, 0.0], abs=1e-12)
 
 
-def test_rod_tensions_refuse_what_they_cannot_solve() -> None:
-    def at(x: float, mass: float = 1.0) -> Particle:
-        return Particle(Vector3(x), mass=mass)
-
-    straight = RodTensions([at(1.0), at(2.0, INF)], Vector3())
-    with pytest.raises(ArithmeticError, match="tension of rod 1 has no unique solution"):
-        straight.update_forces()
-    for chain in ([at(0.0)], [at(1.0, INF)], [at(1.0), at(2.0, INF), at(3.0)]):
-        with pytest.raises(ValueError, match="must"):
-            RodTensions(chain, Vector3())
-    for correction in (-1.0, NAN, INF):
-        with pytest.raises(ValueError, match="correction must be"):
-            RodTensions([at(1.0)], Vector3(), correction)
-
-
-@pytest.mark.parametrize("kind", [AngleChain, DoublePendulum])
-@pytest.mark.parametrize(
-    "bad",
-    [
-        ([1.0], [1.0, 1.0], [0.0, 0.0]),
-        ([], [], []),
-        ([1.0, 0.0], [1.0, 1.0], [0.0, 0.0]),
-        ([1.0, 1.0], [1.0, INF], [0.0, 0.0]),
-        ([1.0, 1.0], [1.0, 1.0], [0.0, NAN]),
-        ([1.0, 1.0], [1.0, 1.0], [0.0, 0.0], [0.0]),
-        ([1.0, 1.0], [1.0, 1.0], [0.0, 0.0], [0.0, INF]),
-        ([1.0, 1.0], [1.0, 1.0], [0.0, 0.0], [0.0, 0.0], 0.0),
-    ],
-)
-def test_chains_by_angles_refuse_what_is_none(
-    kind: Callable[..., Chain], bad: tuple[list[float], ...]
-) -> None:
-    with pytest.raises(ValueError, match="must"):
-        kind(*bad)
-
-
-@pytest.mark.parametrize("bad", [(0.0, 1.0, [0.0]), (1.0, INF, [0.0]), (1.0, 1.0, [])])
-def test_a_rope_refuses_what_is_none(bad: tuple[float, float, list[float]]) -> None:
-    with pytest.raises(ValueError, match="must"):
-        AngleRope(*bad)
+def test_rod_tensions_without_a_unique_solution_are_an_arithmetic_error() -> None:
+    chain = [Particle(Vector3(1.0)), Particle(Vector3(2.0), mass=INF)]
+    with pytest.raises(ArithmeticError, match="rod 1"):
+        RodTensions(chain, Vector3()).update_forces()

@@ -16,7 +16,6 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.free_box import FreeBox
 from studies.drawing import slope
 
-NAN, INF = math.nan, math.inf
 SIDES = (0.2, 0.3, 0.1)  # the moments about X, Y and Z have the ratio 10 : 5 : 13
 SPEED = 2.0 * math.pi
 STEP = 1.0 / 60.0
@@ -191,37 +190,6 @@ def test_about_the_other_two_axes_a_disturbance_stays_as_small_as_it_was(
             most = max(most, math.hypot(*spin))
         assert most < grows * SPEED * disturbance
         assert least > 0.95 * SPEED
-
-
-WRONG: list[tuple[Any, type[Exception], str]] = [
-    (lambda: FreeBox(0.0, Vector3(1, 1, 1), Vector3()), ValueError, "mass must be positive"),
-    (lambda: FreeBox(INF, Vector3(1, 1, 1), Vector3()), ValueError, "mass must be positive"),
-    (lambda: FreeBox("1", Vector3(1, 1, 1), Vector3()), TypeError, "mass must be a number"),  # type: ignore[arg-type]
-    (lambda: FreeBox(1.0, Vector3(1, 0, 1), Vector3()), ValueError, "sides must be positive"),
-    (lambda: FreeBox(1.0, Vector3(1, 1, -1), Vector3()), ValueError, "sides must be positive"),
-    (lambda: FreeBox(1.0, Vector3(1, NAN, 1), Vector3()), ValueError, "sides must have finite"),
-    (lambda: FreeBox(1.0, (1, 1, 1), Vector3()), TypeError, "sides must be a Vector3"),  # type: ignore[arg-type]
-    (lambda: FreeBox(1.0, Vector3(1, 1, 1), Vector3(NAN)), ValueError, "angular_velocity must"),
-    (lambda: FreeBox(1.0, Vector3(1, 1, 1), 2.0), TypeError, "angular_velocity must"),  # type: ignore[arg-type]
-]
-
-
-@pytest.mark.parametrize(("call", "error", "complaint"), WRONG)
-def test_what_no_box_can_be_is_refused_by_name(
-    call: Any, error: type[Exception], complaint: str
-) -> None:
-    with pytest.raises(error, match=complaint):
-        call()
-
-
-@pytest.mark.parametrize("duration", [0.0, -STEP, NAN, INF])
-def test_a_step_of_no_time_is_refused_and_changes_nothing(duration: float) -> None:
-    box = thrown(1.0, 2.0, 3.0)
-    box.step(STEP)
-    before = box.orientation.copy()
-    with pytest.raises(ValueError, match="duration must be positive and finite"):
-        box.step(duration)
-    assert box.orientation == before
 
 
 def test_a_box_at_rest_stays_and_has_no_energy() -> None:

@@ -93,15 +93,3 @@ def test_no_time_is_lost(frames: list[float], duration: float, most: int | None)
     assert abs(float(known - elapsed)) <= 8000 * 2.0 * 2.0**-53
     if most is None:
         assert clock.dropped == 0.0
-
-
-def test_what_a_fixed_step_cannot_be_made_of_is_named() -> None:
-    with pytest.raises(TypeError, match="step must be"):
-        FixedStep(None, 0.25)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="duration"):
-        FixedStep(print, 0.0)
-    with pytest.raises(ValueError, match="max_steps"):
-        FixedStep(print, 0.25, 0)
-    for wrong in (2.0, True):
-        with pytest.raises(TypeError, match="max_steps"):
-            FixedStep(print, 0.25, wrong)  # type: ignore[arg-type]

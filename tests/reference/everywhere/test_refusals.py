@@ -1,0 +1,325 @@
+"""What the reference refuses: the message names the argument and shows its value.
+
+Functions that students write have robust checks in tests/chNN_name/. This file has what these
+checks leave out: arguments.py, and the constructors and modules that are given.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from ch02_vectors import arguments
+from ch02_vectors.vector import Vector3
+from ch04_particle_engine.ballistics import aim
+from ch04_particle_engine.catherine_wheel import CatherineWheel
+from ch04_particle_engine.exact_frames import places_in_frames
+from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, Payload
+from ch04_particle_engine.screen_rotation import screen_angle
+from ch04_particle_engine.targets import TargetBlock
+from ch05_forces.forces import (
+    Airbrake,
+    Drag,
+    Gravity,
+    InverseSquareGravity,
+    PointGravity,
+    Uplift,
+)
+from ch05_forces.particle import Particle
+from ch05_forces.sniper import Wind
+from ch06_springs.adaptive import adaptive
+from ch07_constraints.angle_chain import AngleChain
+from ch07_constraints.angle_pendulum import DoublePendulum
+from ch07_constraints.angle_rope import AngleRope
+from ch07_constraints.bouncing_ball import heights_in_frames
+from ch07_constraints.contacts import Contact, ContactResolver
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.direct_net import DirectNet
+from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top_ball_speed
+from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
+from ch07_constraints.rod_tensions import RodTensions
+from ch07_constraints.sequential_impulses import SequentialImpulses
+from ch07_constraints.small_steps import SmallSteps
+from ch07_constraints.smooth_net import SmoothNet
+from ch08_mass_aggregate.ball_game import Rules
+from ch08_mass_aggregate.blob import Blob
+from ch08_mass_aggregate.bridge import Bridge, Deck
+from ch08_mass_aggregate.bridge_plan import make_rows
+from ch08_mass_aggregate.cube import Cube
+from ch08_mass_aggregate.fixed_step import FixedStep
+from ch08_mass_aggregate.tilting_platform import balancing_mass
+from ch08_mass_aggregate.trebuchet import PIVOT_HEIGHT, START, Design
+from ch08_mass_aggregate.wheel import Wheel
+from ch08_mass_aggregate.world import ParticleWorld
+from ch09_rotations.euler import rate_map
+from ch09_rotations.free_box import FreeBox
+from ch09_rotations.matrix import Matrix3, Matrix4
+from ch09_rotations.plane import angle_to_vector
+from ch09_rotations.quaternion import Quaternion
+
+NAN, INF = math.nan, math.inf
+HUGE = 10**400  # no float is as large
+UP, ONES, NOWHERE = Vector3(0.0, 1.0), Vector3(1.0, 1.0, 1.0), Vector3(NAN)
+A, B = Particle(), Particle(Vector3(2.0))
+LOWEST = PIVOT_HEIGHT + 4.0 * math.sin(START)  # m, initial height of the tip of a long arm of 4 m
+
+Refused = tuple[str, Any, Callable[[Any], object]]  # name, bad value, function of the value
+
+
+def rule(**values: Any) -> FireworkRule:
+    right = {"min_age": 0.5, "max_age": 1.0, "min_velocity": (0.0, 0.0, 0.0), "damping": 1.0}
+    right |= {"max_velocity": (1.0, 1.0, 1.0), "payloads": ()}
+    return FireworkRule(1, **(right | values))
+
+
+def show() -> FireworksShow:
+    return FireworksShow([rule()], 10, 1)
+
+
+def damped(damping: float) -> Particle:
+    return Particle(damping=damping)
+
+
+def chain(*values: float) -> list[Particle]:
+    """Return particles along X, the last of which is immovable if its mass is infinite."""
+    return [Particle(Vector3(float(i)), mass=mass) for i, mass in enumerate(values, 1)]
+
+
+NUMBERS: dict[Callable[..., object], tuple[object, ...]] = {
+    arguments.finite: (NAN, INF, -INF, HUGE),
+    arguments.not_negative: (-5e-324, NAN, INF, HUGE),
+    arguments.positive: (0.0, -0.0, -1, NAN, INF, HUGE),
+    arguments.positive_or_infinite: (0.0, -1.0, NAN, -INF, HUGE),
+}
+VALUES: dict[str, list[Refused]] = {
+    "ch02_vectors": [
+        *(("mass", b, lambda x, f=f: f("mass", x)) for f, bad in NUMBERS.items() for b in bad),
+        *(("count", bad, lambda x: arguments.whole("count", x)) for bad in (0, -1)),
+        *(
+            ("v", bad, lambda x: arguments.finite_vector("v", x))
+            for bad in (NOWHERE, Vector3(0.0, INF), Vector3(0.0, 0.0, -INF))
+        ),
+    ],
+    "ch03_laws_of_motion": [("position", NOWHERE, lambda x: Particle(x))],
+    "ch04_particle_engine": [
+        ("count", 0, lambda x: Payload(1, x)),
+        ("min_age", -0.1, lambda x: rule(min_age=x)),
+        ("max_age", 0.25, lambda x: rule(max_age=x)),
+        ("max_age", NAN, lambda x: rule(max_age=x)),
+        ("max_velocity", (1.0, -1.0, 1.0), lambda x: rule(max_velocity=x)),
+        ("max_velocity", INF, lambda x: rule(max_velocity=(x, 0.0, 0.0))),
+        ("min_velocity", (0.0, 1.0), lambda x: rule(min_velocity=x)),
+        ("damping", -0.5, lambda x: rule(damping=x)),
+        ("types", 1, lambda _: FireworksShow([rule(), rule()], 5, 1)),
+        ("payload", 7, lambda x: FireworksShow([rule(payloads=(Payload(x, 1),))], 5, 1)),
+        ("capacity", 0, lambda x: FireworksShow([rule()], x, 1)),
+        ("when_full", "wait", lambda x: FireworksShow([rule()], 5, 1, x)),
+        ("spark_type", 2, lambda x: CatherineWheel(show(), x, Vector3(), 1.0, 3.0, 9.0)),
+        ("radius", 0.0, lambda x: CatherineWheel(show(), 1, Vector3(), x, 3.0, 9.0)),
+        ("start", NAN, lambda x: screen_angle(x, 1.0, 1.0)),
+        ("elevation", INF, lambda x: aim(1.0, 0.0, x)),
+        ("size", 0.0, lambda x: TargetBlock(Vector3(), (1.0, x, 1.0), mass=1.0)),
+    ],
+    "ch05_forces": [
+        ("acceleration", NOWHERE, lambda x: Gravity(x)),
+        ("k1", -1.0, lambda x: Drag(x, 0.0)),
+        ("k2", NAN, lambda x: Drag(0.0, x)),
+        ("radius", -1.0, lambda x: Uplift(UP, x, UP)),
+        ("force", NOWHERE, lambda x: Uplift(UP, 1.0, x)),
+        ("k must", INF, lambda x: Airbrake(x)),
+        ("strength", NAN, lambda x: PointGravity(UP, x)),
+        ("center", NOWHERE, lambda x: PointGravity(x, 1.0)),
+        ("mu", INF, lambda x: InverseSquareGravity(UP, x)),
+        ("k2", -1.0, lambda x: Wind(1.0, x)),
+        ("force must", Vector3(INF), lambda x: Particle().add_force(x)),
+    ],
+    "ch06_springs": [
+        ("tolerance", 0.0, adaptive),
+        ("tolerance", INF, adaptive),
+    ],
+    "ch07_constraints": [
+        ("bounce_height", -0.1, lambda x: restitution_of_drop(1.0, x)),
+        ("height", -1.0, lambda x: top_ball_speed(x, 1.0, 1.0, 0.5, 0.5)),
+        ("height", NAN, lambda x: GroundPlane([], x)),
+        ("radius", -0.1, lambda x: GroundPlane([], 0.0, x)),
+        ("radius", 0.0, lambda x: ParticlePairs([], x)),
+        ("a and b", A, lambda x: Cable(x, x, 1.0)),
+        ("max_length", 0.0, lambda x: Cable(A, B, x)),
+        ("max_length", -1.0, lambda x: AnchoredCable(A, UP, x)),
+        ("length", NAN, lambda x: Rod(A, B, x)),
+        ("length", 0.0, lambda x: AnchoredRod(A, UP, x)),
+        ("min_length", -0.1, lambda x: Limits(A, B, x, 1.0)),
+        ("min_length", 2.0, lambda x: Limits(A, B, x, 1.0)),
+        ("max_length", 0.0, lambda x: Limits(A, B, 0.0, x)),
+        ("normal", Vector3(1.0 + 1.1e-6), lambda x: Contact(A, None, x)),
+        ("normal", Vector3(1.0 - 1.1e-6), lambda x: Contact(A, None, x)),
+        ("penetration", NAN, lambda x: Contact(A, None, UP, 0.5, x)),
+        ("particle and other", A, lambda x: Contact(x, x, UP)),
+        ("iterations", 0, lambda x: ContactResolver(x)),
+        ("duration", 0.0, lambda x: Contact(A, None, UP).resolve(x)),
+        ("iterations", 0, lambda x: SequentialImpulses([], [], x)),
+        ("compliance", -1.0, lambda x: SmallSteps([], [], x)),
+        ("compliance", INF, lambda x: SmallSteps([], [], x)),
+        ("particles[0]", INF, lambda x: DirectChain(chain(x, 1.0), Vector3())),
+        ("particles[0]", INF, lambda x: DirectChain(chain(x), Vector3())),
+        ("particles[1]", INF, lambda x: DirectChain(chain(1.0, x, 1.0), Vector3())),
+        ("length of rod 1", 0.0, lambda _: DirectChain([*chain(1.0), *chain(1.0)], Vector3())),
+        ("anchor", Vector3(INF), lambda x: DirectChain(chain(1.0), x)),
+        ("particles", "none", lambda _: DirectChain([], Vector3())),
+        *(("link", "none", lambda _, kind=kind: kind([])) for kind in (DirectNet, SmoothNet)),
+        ("damping of particle 0", 0.0, lambda x: SmoothNet([AnchoredCable(damped(x), UP, 1.0)])),
+        ("length", 0.0, lambda _: RodTensions([Particle()], Vector3())),
+        ("mass", INF, lambda x: RodTensions(chain(x), Vector3())),
+        ("mass", INF, lambda x: RodTensions(chain(1.0, x, 1.0), Vector3())),
+        *(("correction", x, lambda x: RodTensions([B], UP, x)) for x in (-1.0, NAN, INF)),
+        *(
+            (name, bad, lambda _, kind=kind, given=given: kind(*given))
+            for kind in (AngleChain, DoublePendulum)
+            for name, bad, given in (
+                ("mass", 0.0, ([1.0, 1.0], [1.0, 0.0], [0.0, 0.0])),
+                ("length", INF, ([1.0, INF], [1.0, 1.0], [0.0, 0.0])),
+                ("angle", NAN, ([1.0, 1.0], [1.0, 1.0], [0.0, NAN])),
+                ("angular_velocity", INF, ([1.0, 1.0], [1.0, 1.0], [0.0, 0.0], [0.0, INF])),
+                ("gravity", 0.0, ([1.0, 1.0], [1.0, 1.0], [0.0, 0.0], [0.0, 0.0], 0.0)),
+            )
+        ),
+        ("lists", [1, 2], lambda _: AngleChain([1.0], [1.0, 1.0], [0.0, 0.0])),
+        ("lists", [0], lambda _: AngleChain([], [], [])),
+        ("lengths", [1.0], lambda x: DoublePendulum(x, [1.0, 1.0], [0.0, 0.0])),
+        ("length", 0.0, lambda x: AngleRope(x, 1.0, [0.0])),
+        ("mass", INF, lambda x: AngleRope(1.0, x, [0.0])),
+        ("lists", 0, lambda _: AngleRope(1.0, 1.0, [])),
+        ("height", -1.0, lambda x: heights_in_frames(x, 0.0, 0.5, 0.1, 3)),
+        ("speed", INF, lambda x: heights_in_frames(1.0, x, 0.5, 0.1, 3)),
+        ("restitution", 1.1, lambda x: heights_in_frames(1.0, 0.0, x, 0.1, 3)),
+        ("restitution", -0.1, lambda x: heights_in_frames(1.0, 0.0, x, 0.1, 3)),
+        ("frame", 0.0, lambda x: heights_in_frames(1.0, 0.0, 0.5, x, 3)),
+        ("frames", 0, lambda x: heights_in_frames(1.0, 0.0, 0.5, 0.1, x)),
+        ("frame", 0.0, lambda x: places_in_frames(A, x, 3)),
+        ("frames", 0, lambda x: places_in_frames(A, 0.1, x)),
+        ("gravity", -9.81, lambda x: heights_in_frames(1.0, 0.0, 0.5, 0.1, 3, x)),
+    ],
+    "ch08_mass_aggregate": [
+        ("radius", 0.0, lambda x: Deck(A, x, make_rows())),
+        ("rows", "none", lambda _: Deck(A, 0.5, [])),
+        ("ball_mass", 0.0, lambda x: Bridge(x)),
+        ("x must", INF, lambda x: Bridge(5.0, x)),
+        ("height", 0.49, lambda x: Blob(x)),
+        ("height", NAN, lambda x: Blob(x)),
+        ("height", 0.0, lambda x: Cube(x)),
+        *(("driven", x, lambda x: Wheel(driven=x)) for x in (-1, 9, 2.0)),
+        ("force", INF, lambda x: Wheel(x)),
+        ("rows", 0, lambda x: Rules(x)),
+        ("balancing mass", INF, lambda _: balancing_mass([1e308], [-1e10], 1.0)),
+        ("sling", LOWEST, lambda x: Design(400.0, 1.0, 4.0, x, 40.0)),
+        ("particles", "twice", lambda _: ParticleWorld([A, A])),
+        ("duration", 0.0, lambda x: FixedStep(print, x)),
+        ("max_steps", 0, lambda x: FixedStep(print, 0.25, x)),
+    ],
+    "ch09_rotations": [
+        ("y", NAN, lambda x: rate_map(0, x, 0)),
+        ("z", NAN, lambda x: rate_map(0, 0, x)),
+        ("angle", INF, lambda x: angle_to_vector(x)),
+        ("mass", 0.0, lambda x: FreeBox(x, ONES, ONES)),
+        ("mass", INF, lambda x: FreeBox(x, ONES, ONES)),
+        *(("sides", x, lambda x: FreeBox(1.0, Vector3(1, x, 1), ONES)) for x in (0.0, -1.0, NAN)),
+        ("angular_velocity", NOWHERE, lambda x: FreeBox(1.0, ONES, x)),
+    ],
+}
+TYPES: dict[str, list[Refused]] = {
+    "ch02_vectors": [
+        *(
+            ("mass", b, lambda x, f=f: f("mass", x))
+            for f in NUMBERS
+            for b in ("1", None, [1.0], 1j)
+        ),
+        *(("count", b, lambda x: arguments.whole("count", x)) for b in (2.0, True, "3", None)),
+        *(("v", bad, lambda x: arguments.finite_vector("v", x)) for bad in (3.0, (1, 2, 3), None)),
+        ("v", 3, lambda x: arguments.instance_of("v", x, Vector3)),
+    ],
+    "ch05_forces": [("origin", None, lambda x: Uplift(x, 1.0, UP))],
+    "ch07_constraints": [
+        ("force", (0, 1, 0), lambda x: force_for_frame(x, 0.0, 0.1)),
+        ("particles", A, lambda x: GroundPlane(x)),
+        ("particles[0]", None, lambda x: GroundPlane([x])),
+        ("a must", None, lambda x: Rod(x, B, 1.0)),
+        ("b must", None, lambda x: Cable(A, x, 1.0)),
+        ("anchor", None, lambda x: AnchoredCable(A, x, 1.0)),
+        ("anchor", (0, 0, 0), lambda x: AnchoredRod(A, x, 1.0)),
+        ("particle", None, lambda x: Contact(x, None, UP)),
+        ("other", UP, lambda x: Contact(A, x, UP)),
+        ("normal", (0.0, 1.0, 0.0), lambda x: Contact(A, None, x)),
+        ("iterations", True, lambda x: ContactResolver(x)),
+        *(("link", A, lambda x, kind=kind: kind([x])) for kind in (DirectNet, SmoothNet)),
+    ],
+    "ch08_mass_aggregate": [
+        ("contact_generators[0]", A, lambda x: ParticleWorld([A], [x])),
+        ("integrator", None, lambda x: ParticleWorld([A], integrator=x)),
+        ("step", None, lambda x: FixedStep(x, 0.25)),
+        ("max_steps", 2.0, lambda x: FixedStep(print, 0.25, x)),
+    ],
+    "ch09_rotations": [
+        *(("nine numbers", n, lambda n: Matrix3(*range(n))) for n in (8, 12)),
+        *(("twelve numbers", n, lambda n: Matrix4(*range(n))) for n in (9, 16)),
+        ("sides", (1, 1, 1), lambda x: FreeBox(1.0, x, ONES)),
+        ("'Matrix3' and", "int", lambda _: Matrix3(*range(9)) @ 2),
+        ("'Matrix3' and", "Matrix4", lambda _: Matrix3(*range(9)) @ Matrix4(*range(12))),
+        ("'Matrix4' and", "Matrix3", lambda _: Matrix4(*range(12)) @ Matrix3(*range(9))),
+    ],
+}
+PLACES: dict[str, list[Refused]] = {
+    "ch08_mass_aggregate": [("rods", x, lambda x: Cube(rods=[x])) for x in ((0, -1), (8, 0))],
+    "ch09_rotations": [
+        *(("row", place, lambda x: Matrix3(*range(9))[x]) for place in ((3, 0), (0, -1))),
+        *(("row", place, lambda x: Matrix4(*range(12))[x]) for place in ((0, 4), (3, 3))),
+    ],
+}
+CASES = [
+    (chapter, error, *row)
+    for error, table in ((ValueError, VALUES), (TypeError, TYPES), (IndexError, PLACES))
+    for chapter, rows in table.items()
+    for row in rows
+]
+
+
+@pytest.mark.parametrize(
+    ("chapter", "error", "name", "bad", "call"), CASES, ids=[f"{c[0]}-{c[2]}" for c in CASES]
+)
+def test_a_refusal_names_the_argument_and_shows_its_value(
+    chapter: str,  # noqa: ARG001, for make test CH=6
+    error: type[Exception],
+    name: str,
+    bad: Any,
+    call: Callable[[Any], object],
+) -> None:
+    with pytest.raises(error) as refusal:
+        call(bad)
+    shown = bad if isinstance(bad, str) else repr(bad)
+    assert name in str(refusal.value)
+    assert shown in str(refusal.value)
+
+
+@pytest.mark.parametrize("kind", [Vector3, Quaternion, lambda x: Matrix3(*[x] * 9)])
+def test_components_are_numbers(kind: Callable[[Any], object]) -> None:
+    with pytest.raises(TypeError):
+        kind(None)
+    with pytest.raises(ValueError, match="'a'"):
+        kind("a")
+
+
+def test_valid_arguments_come_back_as_floats_and_copies() -> None:
+    for check in NUMBERS:
+        assert isinstance(check("a", 3), float)
+    assert arguments.not_negative("a", 0) == 0.0
+    assert arguments.positive("a", 5e-324) == 5e-324
+    assert arguments.positive_or_infinite("a", INF) == INF
+    assert arguments.finite("a", -1.7976931348623157e308) == -1.7976931348623157e308
+    assert arguments.whole("a", 1) == 1
+    v = arguments.finite_vector("v", ONES)
+    assert v == ONES
+    assert v is not ONES
+    assert arguments.instance_of("v", ONES, Vector3) is ONES

@@ -1,6 +1,6 @@
 """A template that is forked from the waiting process works like one in a new Python process.
 
-Each test has a grader of its own, in a process that has ended before the test looks at what is left.
+Each test has a grader of its own, a process that has ended before the test looks at what is left.
 """
 
 from __future__ import annotations

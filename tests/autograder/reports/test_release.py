@@ -20,7 +20,7 @@ from autograder.reports.results import write_result
 from autograder.similarity.code import read_functions
 from autograder.submissions.stage import stage
 from graded import SHOUT, report_of
-from small import RIGHT, hand_in, make_root
+from small import RIGHT, hand_in
 from staging import zip_of
 
 CH02 = load_chapters()[0]
@@ -52,11 +52,6 @@ def work(self, items):
     def inner(x): return (x)
     return engine._Pair(total, make()(3))
 '''
-
-
-@pytest.fixture
-def root(tmp_path: Path) -> Path:
-    return make_root(tmp_path / "root")
 
 
 def test_what_is_written_in_a_body_is_counted() -> None:

@@ -237,25 +237,6 @@ def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:
     assert "check: chapter 2 cannot be given: its reference is not in this folder" in refused.stderr
 
 
-@pytest.mark.parametrize(
-    ("arguments", "complaint"),
-    [
-        (["--chapter", "3", "--given", "3"], "there is nothing left to check: chapter 3 is given"),
-        (["--chapter", "3", "--given", "19"], "there is no chapter 19 here"),
-        (
-            ["--exercise", "2.1", "--given", "2"],
-            "there is nothing left to check: chapter 2 is given",
-        ),
-    ],
-)
-def test_a_mistake_in_what_is_given_is_one_clear_sentence(
-    arguments: list[str], complaint: str
-) -> None:
-    done = check("solutions", *arguments)
-    assert done.returncode == 2
-    assert complaint in done.stderr
-
-
 def test_a_hand_out_without_the_earlier_chapter_says_what_to_bring(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
 
 import browser as browsers
-import course_site
 from copies import reference
 from course_site import Served, built_with_solutions, served_site
 from site_page import check, turn, visit, write
 
 browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +34,7 @@ def test_a_chapter_is_taken_from_the_reference(browser: Any, generous: Served) -
         panel.get_by_role("link", name="Take earlier chapters from the reference").click()
         whole = page.locator("[data-whole]")
         whole.get_by_label("2", exact=True).check()
-        assert check(panel).startswith("All checks of B3.4 pass on the reference's chapter 2.")
+        assert re.match(r"All checks of B3\.4 pass.* chapter 2\.", check(panel))
         page.reload()
         whole.scroll_into_view_if_needed()
         assert whole.get_by_label("2", exact=True).is_checked()

@@ -148,7 +148,7 @@ def test_what_a_killed_worker_was_at_is_done_by_another(
     assert sorted(landed) == ["ann", "slow"]
     assert landed["ann"] == ann, "down to the seconds that it took: it is not graded again"
     said = capsys.readouterr().out
-    assert "1 of 2 reports were kept from an earlier run." in said
+    assert "1 of 2 reports" in said
     assert said.count("/2 slow") == 1
     assert _becomes_true(lambda: not folder.exists()), "nothing is left of it on its machine"
     if allowed_failures:

@@ -83,11 +83,11 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
     ("student", "low", "high", "words"),
     [
         ("ada", POSSIBLE, POSSIBLE, ""),
-        ("ben", 15, 30, "not written yet: Exercise B2.8"),
+        ("ben", 15, 30, "Exercise B2.8"),
         ("cleo", 40, 60, "(E-14)"),
-        ("dina", 0, 0, "vector.py cannot be read: '(' was never closed"),
-        ("eli", 0, 0, "vector.py is missing: it was not handed in"),
-        ("finn", 5, 20, "did not finish within 3 seconds. Is there an endless loop?"),
+        ("dina", 0, 0, "'(' was never closed"),
+        ("eli", 0, 0, "vector.py is missing"),
+        ("finn", 5, 20, "within 3 seconds"),
         ("gwen", 3, 15, "SystemExit: clear is not done yet"),
     ],
 )
@@ -214,16 +214,14 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
         assert report["score"] == report["score_on_given"] == points_of(CHAPTER)
         later = [e for e in report["exercises"] if e["chapter"] == 3]
         assert {e["status"] for e in later} == {"failed", "blocked"}
-        assert "ch03_laws_of_motion/particle.py is missing: it was not handed in" in messages(
-            report
-        )
+        assert "ch03_laws_of_motion/particle.py is missing" in messages(report)
     assert runs == [2, 3, 2]
     # What became of the first student's files is no other's.
     once = OnceForAll()
     earlier = tmp_path / "ann/ch02_vectors/vector.py"
     earlier.write_bytes(b"\xff")
     report = graded("ann")
-    assert "ch02_vectors/vector.py was rejected: it is not UTF-8" in messages(report)
+    assert "ch02_vectors/vector.py was rejected" in messages(report)
     report = graded("bob")
     assert "was rejected" not in messages(report)
     runs.clear()
@@ -231,7 +229,7 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
     refused.parent.mkdir()
     refused.write_bytes(b"\xff")
     report = graded("bob")
-    assert "ch03_laws_of_motion/particle.py was rejected: it is not UTF-8" in messages(report)
+    assert "ch03_laws_of_motion/particle.py was rejected" in messages(report)
     assert runs[:2] == [2, 3]
 
 

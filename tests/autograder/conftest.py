@@ -1,7 +1,9 @@
-"""What holds before any of these tests is read."""
+"""What holds before any of these tests is read, and the class that most tests of grading use."""
 
 import signal
+from pathlib import Path
 
+import pytest
 from hypothesis import settings
 
 settings.register_profile("long", max_examples=3000)
@@ -9,3 +11,19 @@ settings.register_profile("long", max_examples=3000)
 # Under nohup an interrupt is ignored, and would be by all that the tests start and interrupt.
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    """Return a repository with a single small chapter."""
+    from small import make_root  # tests/helpers/ is on the path only once pytest is configured
+
+    return make_root(tmp_path / "root")
+
+
+@pytest.fixture
+def submissions(tmp_path: Path) -> Path:
+    """Return a class of three that has handed in the small chapter."""
+    from small_class import make_class
+
+    return make_class(tmp_path / "class")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -158,13 +157,6 @@ def test_it_is_accessible_and_fits(
         assert found == [], json.dumps([(v["id"], v["nodes"][0]["html"]) for v in found])
         assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
     page.close()
-
-
-def test_stubs_show_their_exercise(page: Any) -> None:
-    with served(engine="chapters") as address:
-        page.goto(f"{address}?scene=one-spring")
-        page.wait_for_selector("#trouble:not([hidden])")
-        assert re.search(r"not written yet: Exercise B\d\.\d", page.inner_text("#trouble"))
 
 
 def test_a_loop_is_ended_and_a_save_starts_again(page: Any, tmp_path: Path) -> None:

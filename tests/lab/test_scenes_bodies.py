@@ -173,13 +173,6 @@ def test_euler_angles_break_near_the_lock_and_a_quaternion_does_not() -> None:
     assert about_x.errors()[2] < 1e-9
 
 
-def test_a_matrix_that_is_not_repaired_grows() -> None:
-    """Each step adds a perpendicular move, so that the length grows by sqrt(1 + (w h)^2)."""
-    scene = after("orientations", 4.0, repair="no", tilt=90.0, speed=180.0)
-    grown = (1.0 + (math.pi / 60.0) ** 2) ** (0.5 * 240)
-    assert scene.columns[1].magnitude() == pytest.approx(grown, rel=1e-9)
-
-
 @pytest.mark.parametrize("rate", [10, 30])
 def test_normalizing_does_not_repair_the_angle(rate: int) -> None:
     """A step moves q by w h / 2 along the tangent, so the rotation is only 2 atan(w h / 2)."""

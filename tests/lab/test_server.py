@@ -85,14 +85,22 @@ def test_another_host_is_refused(address: str) -> None:
 
 
 def test_a_socket_from_another_origin_is_refused(address: str) -> None:
-    async def connect(origin: str) -> None:
+    async def connect(**headers: str) -> None:
         url = address.replace("http", "ws", 1) + "engine"
-        (await websocket_connect(HTTPRequest(url, headers={"Origin": origin}))).close()
+        (await websocket_connect(HTTPRequest(url, headers=headers))).close()
 
-    for origin in ("http://evil.example", "http://127.0.0.1:1", "null"):
+    evil = "http://evil.example"
+    for headers in (
+        {"Origin": evil},
+        {"Origin": "http://127.0.0.1:1"},
+        {"Origin": "null"},
+        {"Origin": "http://["},
+        {"Origin": evil, "Sec-Fetch-Site": "same-origin"},
+        {"Origin": evil, "Host": "evil.example"},  # a name that now leads to this machine
+    ):
         with pytest.raises(HTTPClientError, match="403"):
-            asyncio.run(connect(origin))
-    asyncio.run(connect(address.rsplit("/", 2)[0]))
+            asyncio.run(connect(**headers))
+    asyncio.run(connect(Origin=address.rsplit("/", 2)[0]))
 
 
 def test_an_engine_plays_a_scene(address: str) -> None:
@@ -105,7 +113,7 @@ def test_stubs_name_their_exercise() -> None:
     with served(engine="chapters") as address:
         (stopped,) = talk(address, LOAD)
     assert stopped["kind"] == "stopped"
-    assert "not written yet: Exercise B" in stopped["why"]
+    assert "Exercise B" in stopped["why"]
 
 
 ENDINGS = {
@@ -129,3 +137,57 @@ def test_code_that_hangs_or_dies_ends_itself_alone(body: str, words: str, tmp_pa
         assert stopped["kind"] == "stopped"
         assert words in stopped["why"]
         assert talk(address, LOAD, engine="reference")[-1]["kind"] == "frame"
+
+
+# The lab waits for a moment until an engine has ended, because its child keeps the pipe open.
+LEAVES_A_CHILD = """
+import ctypes, os, time
+
+if ctypes.CDLL(None).fork() == 0:
+    time.sleep(3)
+    os._exit(0)
+"""
+
+
+def test_pages_that_close_leave_no_file_and_do_not_stop_the_lab(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They close while the lab tells one page after the other that a file was saved."""
+    engine, temporary = tmp_path / "engine", tmp_path / "temporary"
+    copy_tree(ROOT / "solutions", engine)
+    temporary.mkdir()
+    monkeypatch.setenv("TMPDIR", str(temporary))
+    springs = engine / "ch06_springs/springs.py"
+    with springs.open("a", encoding="utf-8") as file:
+        file.write(LEAVES_A_CHILD)
+
+    async def open_pages(address: str) -> list[Any]:
+        sockets = [await websocket_connect(address) for _ in range(2)]
+        for socket in sockets:
+            await socket.write_message(json.dumps(LOAD))
+            for _ in ("scene", "frame"):
+                await socket.read_message()
+        return sockets
+
+    async def saved(sockets: list[Any]) -> Any:
+        """Save a file, and return the first page that hears of it."""
+        springs.touch()
+        heard = [asyncio.ensure_future(socket.read_message()) for socket in sockets]
+        await asyncio.wait(heard, return_when=asyncio.FIRST_COMPLETED, timeout=10.0)
+        return next(s for s, h in zip(sockets, heard, strict=True) if h.done())
+
+    async def use(address: str) -> None:
+        sockets = await asyncio.wait_for(open_pages(address), 30.0)
+        first = await saved(sockets)
+        next(socket for socket in sockets if socket is not first).close()
+        assert await saved([first]) is first
+        first.close()
+        for _ in range(100):
+            if not [*temporary.iterdir()]:
+                break
+            await asyncio.sleep(0.05)
+
+    with served(engine=str(engine)) as address:
+        asyncio.run(use(address.replace("http", "ws", 1) + "engine"))
+        assert [*temporary.iterdir()] == []
+        assert get(address).code == 200

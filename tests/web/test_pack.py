@@ -66,7 +66,7 @@ def test_a_chapter_may_be_taken_from_the_reference(engines: NodeEngines) -> None
     own = {path: text for path, text in reference().items() if path.startswith(third.name)}
     report = engines.check(own, third, given=[2])
     assert report["passed"]
-    assert report["summary"] == "All checks pass on the reference's chapter 2."
+    assert report["summary"].endswith(" on the reference's chapter 2.")
 
 
 def test_what_an_earlier_chapter_spoils_is_inherited(engines: NodeEngines) -> None:
@@ -78,4 +78,4 @@ def test_what_an_earlier_chapter_spoils_is_inherited(engines: NodeEngines) -> No
     states = {check["status"] for result in report["results"] for check in result["checks"]}
     assert states == {"passed", "inherited"}
     assert report["failure"]["heading"].startswith("Inherited, for example: ")
-    assert "because of mistakes in chapter 2" in report["notes"][0]
+    assert "chapter 2" in report["notes"][0]

@@ -9,12 +9,10 @@ from xml.etree import ElementTree
 
 import pytest
 
-from autograder.handouts.stubs import make_stubs
 from autograder.manifest import ROOT
 from lab.drawing.pen import ARROWS, COLORS, Pen
 from web import __main__ as site
 from web import node
-from web.course import course
 from web.svg import HEIGHT, WIDTH, svg
 
 
@@ -52,11 +50,6 @@ def test_a_missing_node_is_told_before_anything_is_built(tmp_path: Path) -> None
     assert done.returncode == 1
     assert done.stderr.startswith("make site: there is no node")
     assert done.stdout == ""
-
-
-def test_the_pages_get_the_stubs_and_no_solution() -> None:
-    files = {path: text for c in course()["chapters"] for path, text in c["files"].items()}
-    assert {f"chapters/{path}": text for path, text in files.items()} == make_stubs()
 
 
 def test_a_picture_has_all_that_a_pen_draws_in_both_colors() -> None:

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 import browser as browsers
-import course_site
 from copies import reference
-from course_site import BELOW, Served, built_with_solutions, pack_in, served_site
+from course_site import Served, built_with_solutions, served_site
 from site_page import check, turn, visit, write
 
 browser = pytest.fixture(browsers.browser_alone, scope="module")
-site = pytest.fixture(course_site.site, scope="module")
 
 
 @pytest.fixture(scope="module")
@@ -23,18 +21,6 @@ def generous(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
     """The same pages with the pack of `make site SOLUTIONS=1`."""
     with served_site(built_with_solutions(tmp_path_factory)) as server:
         yield server
-
-
-def names_in(folder: Path) -> list[str]:
-    with pack_in(folder / BELOW) as archive:
-        return archive.namelist()
-
-
-def test_by_default_there_is_no_solution(site: Served, generous: Served) -> None:
-    assert not [name for name in names_in(site.folder) if "solutions" in name]
-    given = [name for name in names_in(generous.folder) if "solutions" in name]
-    assert given
-    assert all(name.endswith((".pyc", ".csv")) for name in given), "nobody reads them"
 
 
 def test_a_chapter_is_taken_from_the_reference(browser: Any, generous: Served) -> None:
@@ -48,7 +34,7 @@ def test_a_chapter_is_taken_from_the_reference(browser: Any, generous: Served) -
         panel.get_by_role("link", name="Take earlier chapters from the reference").click()
         whole = page.locator("[data-whole]")
         whole.get_by_label("2", exact=True).check()
-        assert check(panel).startswith("All checks of B3.4 pass on the reference's chapter 2.")
+        assert re.match(r"All checks of B3\.4 pass.* chapter 2\.", check(panel))
         page.reload()
         whole.scroll_into_view_if_needed()
         assert whole.get_by_label("2", exact=True).is_checked()

@@ -5,11 +5,8 @@ from __future__ import annotations
 import csv
 import io
 import random
-import re
-import signal
 import subprocess
 import sys
-import time
 import zipfile
 from pathlib import Path
 
@@ -91,7 +88,7 @@ def folder(kinds: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> P
 
 
 def grade(folder: Path, *more: str) -> list[str]:
-    if best_level() == "none":
+    if not best_level().is_sandbox:
         more = (*more, "--unsafe-no-sandbox")
     command = [sys.executable, "-m", "autograder", "grade", str(folder / "lab1.zip")]
     command += ["--assignment", "lab1", "--course", str(folder / "course.toml")]
@@ -100,16 +97,10 @@ def grade(folder: Path, *more: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def printed(folder: Path, kinds: dict[str, str]) -> list[str]:
-    """Grade in a run that is killed, in a second one, with times, and one student again.
+    """Grade the class, grade it with the times of submissions, and grade one student again.
 
     With the two files of the fixture above, these are all commands from a class list to an import.
     """
-    results = folder / "grades" / "results"
-    with subprocess.Popen(grade(folder), cwd=ROOT, stdout=subprocess.DEVNULL) as run:
-        while len([*results.glob("*.json")]) < 8 and run.poll() is None:
-            time.sleep(0.02)
-        run.send_signal(signal.SIGKILL)
-    assert 8 <= len([*results.glob("*.json")]) < 38
     said = [run_whole(grade(folder))]
     days = {i: "25 23:00" if kind == "late" else "23 12:00" for i, kind in kinds.items()}
     times = [f"{i},2026-10-{day}" for i, day in days.items() if kinds[i] != "missing"]
@@ -131,13 +122,8 @@ def table(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
-def test_a_killed_run_is_resumed_and_everybody_is_accounted_for(
-    printed: list[str], kinds: dict[str, str]
-) -> None:
+def test_everybody_is_accounted_for(printed: list[str], kinds: dict[str, str]) -> None:
     first, second, again = printed
-    kept = re.search(r"(\d+) of 38 reports were kept", first)
-    assert kept
-    assert int(kept[1]) >= 8
     assert "38 of 38 reports were kept" in second, "the times change penalties only"
     assert "5 points before, 5 now. Changed: no exercise. Logged in" in again
     missing = "; ".join(f"Student {i}" for i, kind in kinds.items() if kind == "missing")

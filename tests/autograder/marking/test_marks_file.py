@@ -89,9 +89,7 @@ def test_a_mark_that_somebody_else_has_changed_is_not_overwritten(marks: MarksFi
 def test_a_file_with_a_mistake_stays_as_it_is(marks: MarksFile) -> None:
     text = f"{HEADER}ada,2.3,9,\n"
     marks.path.write_text(text, encoding="utf-8")
-    with pytest.raises(
-        ValueError, match=r"line 2: the points for 2\.3 must be a number from 0 to 3, got '9'"
-    ):
+    with pytest.raises(ValueError, match=r"line 2: .* '9'"):
         marks.change("bob", "2.3", Mark(1.0, ""), None)
     assert text_of(marks) == text
 

@@ -9,8 +9,8 @@ import pytest
 
 from autograder.grader import cohort
 from graded import message_of
-from small import RIGHT, hand_in, make_root
-from small_class import everything_in, grade, make_class, results, scores
+from small import RIGHT, hand_in
+from small_class import everything_in, grade, results, scores
 
 HIDDEN = '''
 import pytest
@@ -37,16 +37,6 @@ from ch90_small.small import double
 def double_twice(x):
     return double(double(x))
 """
-
-
-@pytest.fixture
-def root(tmp_path: Path) -> Path:
-    return make_root(tmp_path / "root")
-
-
-@pytest.fixture
-def submissions(tmp_path: Path) -> Path:
-    return make_class(tmp_path / "class")
 
 
 def test_hidden_checks_count_and_tell_a_rationale_alone(

@@ -112,6 +112,10 @@ def who():
     return os.getuid(), os.geteuid()
 
 
+def number():
+    return os.getpid()
+
+
 def leave(code):
     os._exit(code)
 
@@ -134,14 +138,20 @@ def level() -> Level:
 
 
 @pytest.fixture
-def start(level: Level, tmp_path: Path) -> Iterator[Callable[[], Session]]:
-    """Starts workers over an engine of one module, ch91_box/box.py."""
+def engine(tmp_path: Path) -> Path:
+    """An engine of one module, ch91_box/box.py."""
     module = tmp_path / "engine/ch91_box/box.py"
     module.parent.mkdir(parents=True)
     module.write_text(MODULE, encoding="utf-8")
+    return tmp_path / "engine"
+
+
+@pytest.fixture
+def start(level: Level, engine: Path, tmp_path: Path) -> Iterator[Callable[[], Session]]:
+    """Starts workers over that engine."""
     (tmp_path / "own").mkdir()
     (tmp_path / "probes").mkdir()
-    folders = [str(tmp_path / "engine")], str(tmp_path / "probes"), tmp_path / "own"
+    folders = [str(engine)], str(tmp_path / "probes"), tmp_path / "own"
     template = Template(level, *folders, seconds=2.0)
     yield partial(template.start_worker, hang)
     template.close()
@@ -306,15 +316,13 @@ def test_a_worker_that_leaves_is_no_exception_that_a_check_may_expect(
 
 
 def test_a_worker_that_the_machine_kills_is_no_fault_of_the_student(
-    tmp_path: Path, level: Level
+    engine: Path, tmp_path: Path, level: Level
 ) -> None:
-    # Without bubblewrap, behind which the worker's number is another one.
-    inside = replace(level, bubblewrap=False)
-    template = Template(inside, [], str(tmp_path), tmp_path, 5.0)
+    inside = replace(level, bubblewrap=False)  # it hides the process ID of a worker
+    template = Template(inside, [str(engine)], str(engine), tmp_path, 5.0)
     with contextlib.closing(template):
         session = template.start_worker(hang)
-        assert template._worker is not None
-        os.kill(template._worker.number, signal.SIGKILL)
+        os.kill(name(session, "number")(), signal.SIGKILL)
         with pytest.raises(TemplateError, match="killed from outside") as caught:
             session.ask("show", 1)
         assert not isinstance(caught.value, Exception), "no check can expect it"
@@ -324,20 +332,18 @@ def test_a_worker_that_the_machine_kills_is_no_fault_of_the_student(
 
 
 def test_a_fresh_template_serves_each_check_as_a_forked_one_does(
-    tmp_path: Path, level: Level
+    engine: Path, tmp_path: Path, level: Level
 ) -> None:
-    (tmp_path / "engine/ch91_box").mkdir(parents=True)
-    (tmp_path / "engine/ch91_box/box.py").write_text(MODULE, encoding="utf-8")
-    (tmp_path / "own").mkdir()
-    own = tmp_path / "own"
-    template = Template(level, [str(tmp_path / "engine")], str(own), own, 5.0, fresh=True)
+    inside = replace(level, bubblewrap=False)
+    template = Template(inside, [str(engine)], str(engine), tmp_path, 5.0, fresh=True)
+    parents = set()
     with contextlib.closing(template):
-        processes = set()
         for n in (1, 2):
-            assert name(template.start_worker(hang), "Box")(n).n == n
-            assert template._process is not None
-            processes.add(template._process.pid)
-    assert len(processes) == 2
+            session = template.start_worker(hang)
+            assert name(session, "Box")(n).n == n
+            status = Path(f"/proc/{name(session, 'number')()}/stat").read_text(encoding="utf-8")
+            parents.add(status.rpartition(")")[2].split()[1])
+    assert len(parents) == 2, "each has a template of its own"
 
 
 def test_a_worker_that_does_not_answer_is_a_hang(session: Session) -> None:

@@ -37,22 +37,31 @@ def test_a_judge_that_is_killed_at_once_is_waited_for(tmp_path: Path) -> None:
         judge.stdin.close()
 
 
+# A grader that prints the process ID of its child, which starts the judges, and then leaves.
+GRADER = """
+import contextlib, os, sys
+from pathlib import Path
+from autograder.isolation.judges import ForkedJudge
+
+ForkedJudge(Path("none"), Path(sys.argv[1]), dict(os.environ), open(os.devnull, "w+b"))
+for status in Path("/proc").glob("[0-9]*/stat"):
+    with contextlib.suppress(OSError):  # a process that has just ended
+        if status.read_text().rpartition(")")[2].split()[1] == str(os.getpid()):
+            print(status.parent, flush=True)
+os._exit(0)
+"""
+
+
 def test_the_process_that_starts_judges_ends_with_its_grader(tmp_path: Path) -> None:
-    program = (
-        "from pathlib import Path; from autograder.isolation import judges; import os; "
-        f"judges.ForkedJudge(Path('none'), Path({str(tmp_path)!r}), dict(os.environ), "
-        "open(os.devnull, 'w+b')); "
-        "print(judges._waiting[os.getpid()]._process.pid, flush=True); os._exit(0)"
-    )
     grader = subprocess.run(
-        [sys.executable, "-c", program],
+        [sys.executable, "-c", GRADER, str(tmp_path)],
         cwd=ROOT,
         capture_output=True,
         check=True,
         timeout=60,
         encoding="utf-8",
     )
-    waiting = Path(f"/proc/{int(grader.stdout)}")
+    (waiting,) = map(Path, grader.stdout.split())
     for _ in range(500):
         if not waiting.exists():
             return

@@ -21,6 +21,7 @@ from autograder.checks import judge, runner
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.manifest import Chapter, load_chapter
+from autograder.message import Kind
 from autograder.scores import results_of, total
 from small import CHECKS, RIGHT, make_root
 from walls import behind_walls
@@ -147,7 +148,7 @@ def test_an_object_is_told_in_the_same_words_in_every_run(
         ("def double(x:\n    return x + x\n", "ch90_small/small.py cannot be read"),
         ("import sys\nsys.exit()\n", "ch90_small/small.py cannot be imported: SystemExit"),
         ("import nowhere\n", "No module named 'nowhere'"),
-        ("while True:\n    pass\n", "small.py cannot be imported: did not finish within 0.7"),
+        ("while True:\n    pass\n", "small.py cannot be imported: did not"),
         ("import os\nos._exit(0)\n", "cannot be imported: the process ended early"),
         ("def quadruple(x):\n    return 4 * x\n", "small.py does not define double"),
         (None, "ch90_small/small.py is missing: it was not handed in"),
@@ -202,7 +203,7 @@ def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
     quiet += "    time.sleep(60)"
     verdicts = run_beside(root, chapter, RIGHT.replace("return x + x", quiet))
     assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
-    assert "did not finish within 0.7 seconds" in says(verdicts, "test_double")
+    assert verdicts["test_double"].message.kind is Kind.HUNG
 
 
 def test_after_a_silent_process_one_that_leaves_is_told_from_it(
@@ -212,7 +213,7 @@ def test_after_a_silent_process_one_that_leaves_is_told_from_it(
     quiet = "import faulthandler, os, time\n    faulthandler.cancel_dump_traceback_later()\n"
     quiet += "    time.sleep(60) if x else os._exit(1)"
     verdicts = run_beside(root, chapter, RIGHT.replace("return x + x", quiet))
-    assert "did not finish" in says(verdicts, "test_double")
+    assert verdicts["test_double"].message.kind is Kind.HUNG
     assert "ended early" in says(verdicts, "test_double_of_zero")
 
 
@@ -260,9 +261,9 @@ def test_what_builds_on_a_hang_waits_for_it_once(root: Path, chapter: Chapter, r
     code = "def double(x):\n    while True: pass\n\n\ndef quadruple(x):\n    return double(x)\n"
     verdicts = run(root, chapter, code)
     assert statuses(verdicts) == ["failed", "failed", "blocked", "blocked"]
-    assert "did not finish within 0.7 seconds" in says(verdicts, "test_double_of_zero")
+    assert "0.7 seconds" in says(verdicts, "test_double_of_zero")
     # Two checks hung in double: from then on a check has a quarter of the time.
-    assert "did not finish within 0.175 seconds" in says(verdicts, "test_quadruple")
+    assert "0.175 seconds" in says(verdicts, "test_quadruple")
     assert "not run: another check of this exercise did not finish" in str(
         verdicts["test_quadruple_of_zero"].message
     )

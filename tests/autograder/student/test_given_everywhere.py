@@ -71,11 +71,8 @@ def test_an_exercise_above_what_is_given_has_its_hints() -> None:
 
 
 @pytest.mark.parametrize("command", [("studies", "plot"), ("lab", "record", "ballistics")])
-@pytest.mark.parametrize(("given", "words"), [("19", "no chapter 19"), ("x", "must look like")])
-def test_what_cannot_be_given_is_one_sentence(
-    command: tuple[str, ...], given: str, words: str
-) -> None:
-    refused = run(*command, "--given", given)
+def test_what_cannot_be_given_is_one_sentence(command: tuple[str, ...]) -> None:
+    refused = run(*command, "--given", "19")
     assert refused.returncode == 2
-    assert words in refused.stderr
+    assert "no chapter 19" in refused.stderr
     assert "Traceback" not in refused.stderr

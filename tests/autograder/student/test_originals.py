@@ -109,20 +109,3 @@ def test_an_exercise_is_in_the_state_of_its_physics_first(
         Verdict("b", exercise.id, 1, robust, "", robust=True),
     ]
     assert result_of(exercise, checks).status == status
-
-
-@pytest.mark.parametrize(
-    ("wanted", "words"),
-    [("2.9", "Did you mean B2.9?"), ("B2.4", "B2.4"), ("split", "An id looks like B2.1 or")],
-)
-def test_an_exercise_that_is_not_there_is_answered_in_a_line(wanted: str, words: str) -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "autograder", "hint", wanted],
-        cwd=ROOT,
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
-    said = done.stdout + done.stderr
-    assert words in said
-    assert len(said) < 400

@@ -56,13 +56,13 @@ def test_it_outlives_a_syntax_error_a_deleted_file_and_an_endless_loop(
 ) -> None:
     terminal.wait_for("not written yet", KEYS)
     save(root, "def double(x):\n    return (x + \n")
-    terminal.wait_for("small.py cannot be read: '(' was never closed", KEYS)
+    terminal.wait_for("'(' was never closed", KEYS)
     save(root, "")  # an editor that is about to write the rest
     terminal.wait_for("small.py is empty", KEYS)
     small(root).unlink()
     terminal.wait_for("ch90_small/small.py is missing", KEYS)
     save(root, RIGHT.replace("return x + x", "while True:\n        pass"))
-    terminal.wait_for("did not finish within 3 seconds", KEYS)
+    terminal.wait_for("within 3 seconds", KEYS)
     save(root, RIGHT)
     terminal.wait_for("B90.1 Double is done", KEYS)
     assert "Traceback" not in terminal.text

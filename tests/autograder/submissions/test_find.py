@@ -12,8 +12,6 @@ from hypothesis import strategies as st
 
 from autograder.submissions.find import file_name, find_submissions
 
-posix = pytest.mark.skipif(os.name != "posix", reason="such names are POSIX's")
-
 
 def test_folders_and_zips_are_submissions_sorted_by_student(tmp_path: Path) -> None:
     for name in ("zoe", "[red]Åsa B", "ann", "ann.zip", "bob-b"):  # a folder like a zip, too

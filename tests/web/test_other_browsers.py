@@ -1,0 +1,115 @@
+"""The main path of the site in Firefox and in WebKit. All other tests of pages use Chromium."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import course_site
+from autograder.manifest import load_chapters
+from by_keyboard import Student
+from copies import reference
+from course_site import Served
+from lab.host import Host
+from site_page import VECTOR
+from webdriver import BROWSERS, until
+from wrong import read_wrong, write_wrong
+
+CHAPTER = load_chapters()[0]
+SOLUTIONS = reference(CHAPTER.name)
+SCENE = "spring-bridge"
+MINE = f"{SOLUTIONS[VECTOR]}# größer\n"
+
+site = pytest.fixture(course_site.site, scope="module")
+
+
+@pytest.fixture(params=BROWSERS)
+def student(request: pytest.FixtureRequest, site: Served, tmp_path: Path) -> Iterator[Student]:
+    """A new visitor, on whose pages no error may occur."""
+    with BROWSERS[request.param](tmp_path) as browser:
+        student = Student(browser, site)
+        yield student
+        assert student.troubles() == []
+
+
+def test_the_start_page_opens(student: Student) -> None:
+    student.open("index.html")
+    words = student.shown("Nothing yet. What you write in the lessons is kept in this browser.")
+    for chapter in load_chapters():
+        assert chapter.title in words
+
+
+def test_a_wrong_answer_is_explained_and_a_right_one_is_told(
+    student: Student, tmp_path: Path
+) -> None:
+    (wrong,) = (each for each in read_wrong(CHAPTER) if each.mistake == "Forgets z.")
+    write_wrong(CHAPTER, [wrong], tmp_path)
+    student.open(f"{CHAPTER.name}.html")
+    panel = student.turn("B2.2")
+    student.write(panel, (tmp_path / VECTOR).read_text(encoding="utf-8"))
+    assert student.check(panel).startswith("B2.2: failed")
+    assert wrong.says in student.shown("likely", f"{panel}.querySelector('.failure')")
+    student.write(panel, SOLUTIONS[VECTOR])
+    assert student.check(panel).startswith("All checks of B2.2 pass")
+
+
+def test_the_solutions_of_a_chapter_earn_all_points(student: Student) -> None:
+    student.open(f"{CHAPTER.name}.html")
+    for exercise, file in (("B2.1", "vector.py"), ("B2.11", "exercises.py")):
+        student.write(student.turn(exercise), SOLUTIONS[f"{CHAPTER.name}/{file}"])
+    whole = student.panel("[data-whole]", "button")
+    assert student.check(whole, "Check the whole chapter").startswith("All checks pass")
+    points = sum(each.points for each in CHAPTER.exercises if each.kind != "written")
+    student.shown(f"{points} of {points} points earned so far", whole)
+    student.open("index.html")
+    student.shown(f"{points} of {points} points")
+
+
+def test_work_leaves_as_a_zip_and_comes_back_from_it(student: Student, tmp_path: Path) -> None:
+    student.open(f"{CHAPTER.name}.html")
+    student.write(student.turn("B2.1"), MINE)
+    student.open("index.html")
+    student.press("Download my work (.zip)")
+    student.shown("Your work is downloaded.")
+    archive = until(lambda: next(filter(zipfile.is_zipfile, tmp_path.rglob("my-engine.zip")), None))
+    with zipfile.ZipFile(archive) as file:
+        assert {*SOLUTIONS} <= {*file.namelist()}
+        assert file.read(VECTOR).decode("utf-8") == MINE
+    student.open(f"{CHAPTER.name}.html")
+    student.write(student.turn("B2.1"), "# nothing is left\n")
+    student.open("index.html")
+    student.upload(archive)
+    student.press("Replace them", "document.querySelector('dialog')")
+    student.shown("1 file taken from my-engine.zip")
+    assert student.stored(VECTOR) == MINE
+
+
+def test_a_scene_runs_and_its_cost_is_plausible(student: Student, tmp_path: Path) -> None:
+    """A frame takes less time than a tick of these browsers' clocks, which is 1 ms."""
+    archive = tmp_path / "everything.zip"
+    with zipfile.ZipFile(archive, "w") as file:
+        for path, text in reference().items():
+            file.writestr(path, text)
+    student.open("index.html")
+    student.upload(archive)
+    student.shown("taken from everything.zip")
+    student.open(f"lab.html?scene={SCENE}")
+    student.see("document.querySelector('#contenders tbody tr')")
+    student.press("Play")
+    cell = "document.querySelector('#contenders tbody tr').cells[2]"
+    value, unit = student.see(f"/\\d/.test({cell}.innerText) && {cell}.innerText").split()
+    print(value,unit,native())
+    assert student.see("parseFloat(document.querySelector('#clock').innerText)") > 0.5
+    assert student.browser.run("return document.querySelector('#trouble').hidden")
+    assert 0.5 * native() < float(value) * {"µs": 1.0, "ms": 1000.0}[unit] < 20.0 * native()
+
+
+def native() -> float:
+    """Return what a frame of the scene costs outside a browser, in µs."""
+    host = Host(str)
+    host.receive({"kind": "load", "scene": SCENE, "values": {}, "peer": ""})
+    costs = [host.receive({"kind": "run", "frames": 30})[0]["cost"] for _ in range(20)]
+    return float(costs[-1])

@@ -60,13 +60,18 @@ class Student:
         self.browser.open(f"{self.site.address}{page}")
         self.browser.run(PREPARED)
 
-    def see(self, condition: str) -> Any:
-        """Wait until an expression of JavaScript is true, and return its value."""
-        return self.browser.run(f"return until(() => {condition})")
+    def see(self, condition: str) -> None:
+        """Wait until an expression of JavaScript is true."""
+        self.browser.run(f"await until(() => {condition})")
 
-    def shown(self, words: str, place: str = "document.body") -> str:
+    def text(self, place: str) -> str:
+        """Return the text that a part of the page shows."""
+        return str(self.browser.run(f"return {place}.innerText"))
+
+    def read(self, words: str, place: str = "document.body") -> str:
         """Wait until a part of the page shows these words, and return all of its text."""
-        return str(self.see(f"{place}.innerText.includes({json.dumps(words)}) && {place}.innerText"))
+        self.see(f"{place}?.innerText.includes({json.dumps(words)})")
+        return self.text(place)
 
     def press(self, button: str, place: str = "document") -> None:
         """Move the focus to a button in a part of the page, and press Enter."""
@@ -101,7 +106,8 @@ class Student:
         self.press(button, panel)
         done = f"{panel}.querySelector('.result:not([aria-busy])')"
         said = f"!/^(Checking|Python is starting|$)/.test({status}.innerText)"
-        return str(self.see(f"{done} && {said} && {status}.innerText"))
+        self.see(f"{done} && {said}")
+        return self.text(status)
 
     def upload(self, archive: Path) -> None:
         """Choose a zip on the start page."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,7 +16,7 @@ from copies import reference
 from course_site import Served
 from lab.host import Host
 from site_page import VECTOR
-from webdriver import BROWSERS, until
+from webdriver import BROWSERS, Browser, until
 from wrong import read_wrong, write_wrong
 
 CHAPTER = load_chapters()[0]
@@ -26,13 +27,22 @@ MINE = f"{SOLUTIONS[VECTOR]}# größer\n"
 site = pytest.fixture(course_site.site, scope="module")
 
 
-@pytest.fixture(params=BROWSERS)
-def student(request: pytest.FixtureRequest, site: Served, tmp_path: Path) -> Iterator[Student]:
+@pytest.fixture(scope="module", params=BROWSERS)
+def browser(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Browser]:
+    with BROWSERS[request.param](tmp_path_factory.mktemp("home")) as browser:
+        yield browser
+
+
+@pytest.fixture
+def student(browser: Browser, site: Served) -> Iterator[Student]:
     """A new visitor, on whose pages no error may occur."""
-    with BROWSERS[request.param](tmp_path) as browser:
-        student = Student(browser, site)
-        yield student
-        assert student.troubles() == []
+    browser.begin()
+    student = Student(browser, site)
+    yield student
+    student.listen()
+    assert student.troubles == []
 
 
 def test_the_start_page_opens(student: Student) -> None:
@@ -68,13 +78,13 @@ def test_the_solutions_of_a_chapter_earn_all_points(student: Student) -> None:
     student.read(f"{points} of {points} points")
 
 
-def test_work_leaves_as_a_zip_and_comes_back_from_it(student: Student, tmp_path: Path) -> None:
+def test_work_leaves_as_a_zip_and_comes_back_from_it(student: Student) -> None:
     student.open(f"{CHAPTER.name}.html")
     student.write(student.turn("B2.1"), MINE)
     student.open("index.html")
     student.press("Download my work (.zip)")
     student.read("Your work is downloaded.")
-    archive = until(lambda: next(filter(zipfile.is_zipfile, tmp_path.rglob("my-engine.zip")), None))
+    archive = student.download("my-engine.zip")
     with zipfile.ZipFile(archive) as file:
         assert {*SOLUTIONS} <= {*file.namelist()}
         assert file.read(VECTOR).decode("utf-8") == MINE
@@ -87,8 +97,24 @@ def test_work_leaves_as_a_zip_and_comes_back_from_it(student: Student, tmp_path:
     assert student.stored(VECTOR) == MINE
 
 
+def test_work_is_kept_if_its_page_is_left_while_it_is_saved(student: Student) -> None:
+    """It is saved 150 ms after a change. Five pages are left before that, meanwhile and after."""
+    for number in range(5):
+        student.open(f"{CHAPTER.name}.html")
+        mine = f"{MINE}# {number}\n"
+        student.write(student.turn("B2.1"), mine)
+        time.sleep(0.06 * number)
+        student.open("index.html")
+        student.read("You have changed 1 file in 1 chapter.")
+        until(lambda mine=mine: student.stored(VECTOR) == mine)
+
+
 def test_a_scene_runs_and_its_cost_is_plausible(student: Student, tmp_path: Path) -> None:
-    """A frame takes less time than a tick of these browsers' clocks, which is 1 ms."""
+    """A frame takes less than 1 ms, and these browsers round their clocks to 1 ms.
+
+    In WebAssembly, it took 3 to 9 times as long as outside a browser. The limits leave room for a
+    busy machine, but not for another unit, nor for a clock that always shows the same time.
+    """
     archive = tmp_path / "everything.zip"
     with zipfile.ZipFile(archive, "w") as file:
         for path, text in reference().items():
@@ -97,19 +123,19 @@ def test_a_scene_runs_and_its_cost_is_plausible(student: Student, tmp_path: Path
     student.upload(archive)
     student.read("taken from everything.zip")
     student.open(f"lab.html?scene={SCENE}")
-    student.see("document.querySelector('#contenders tbody tr')")
+    cost = "document.querySelector('#contenders tbody tr')?.cells[2]"
+    student.see(cost)
     student.press("Play")
-    cell = "document.querySelector('#contenders tbody tr').cells[2]"
-    student.see(f"/\\d/.test({cell}.innerText)")
-    value, unit = student.text(cell).split()
-    print(value,unit,native())
+    student.see(f"/\\d/.test({cost}.innerText)")  # before that, it is not known yet
+    value, unit = student.text(cost).split()
     assert float(student.text("document.querySelector('#clock')").removesuffix(" s")) > 0.5
-    assert student.browser.run("return document.querySelector('#trouble').hidden")
-    assert 0.5 * native() < float(value) * {"µs": 1.0, "ms": 1000.0}[unit] < 20.0 * native()
+    assert student.text("document.querySelector('#trouble')") == ""
+    shown = float(value) * {"µs": 1.0, "ms": 1000.0}[unit]
+    assert 0.5 < shown / outside_a_browser() < 40.0
 
 
-def native() -> float:
-    """Return what a frame of the scene costs outside a browser, in µs."""
+def outside_a_browser() -> float:
+    """Return the time that a frame of the scene takes in this process, in µs."""
     host = Host(str)
     host.receive({"kind": "load", "scene": SCENE, "values": {}, "peer": ""})
     costs = [host.receive({"kind": "run", "frames": 30})[0]["cost"] for _ in range(20)]

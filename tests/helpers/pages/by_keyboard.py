@@ -4,25 +4,25 @@ from __future__ import annotations
 
 import base64
 import json
+import zipfile
 from pathlib import Path
-from typing import Any
 
 from course_site import Served
 from site_page import STORED
-from webdriver import CONTROL, ENTER, Browser
+from webdriver import CONTROL, ENTER, Browser, until
 
 # What each page gets: a list of its errors, and functions that wait for something or find a button.
 PREPARED = """
 window.troubles = [];
 addEventListener("error", ({message}) => troubles.push(message));
 addEventListener("unhandledrejection", ({reason}) => troubles.push(String(reason)));
-window.until = async (condition) => {
+window.until = async (condition, shown = () => "") => {
   for (const end = Date.now() + 60_000; Date.now() < end; ) {  // machines of CI are slow
     const found = condition();
     if (found) return found;
     await new Promise((done) => setTimeout(done, 20));
   }
-  throw new Error(`never true: ${condition}`);
+  throw new Error(`never true: ${condition} ${shown()}`);
 };
 window.button = (words, place) =>
   [...(place?.querySelectorAll("button") ?? [])].find((each) => each.textContent === words);
@@ -54,9 +54,11 @@ class Student:
 
     def __init__(self, browser: Browser, site: Served) -> None:
         self.browser, self.site = browser, site
+        self.troubles: list[str] = []
 
     def open(self, page: str) -> None:
         """Open a page of the site."""
+        self.listen()
         self.browser.open(f"{self.site.address}{page}")
         self.browser.run(PREPARED)
 
@@ -70,21 +72,23 @@ class Student:
 
     def read(self, words: str, place: str = "document.body") -> str:
         """Wait until a part of the page shows these words, and return all of its text."""
-        self.see(f"{place}?.innerText.includes({json.dumps(words)})")
+        text = f"{place}?.innerText"
+        self.browser.run(f"await until(() => {text}.includes({json.dumps(words)}), () => {text})")
         return self.text(place)
 
     def press(self, button: str, place: str = "document") -> None:
         """Move the focus to a button in a part of the page, and press Enter."""
         found = f"button({json.dumps(button)}, {place})"
         self.see(found)
-        self.browser.run(f"{found}.focus()")
+        # A dialog that has just opened moves the focus before the next frame.
+        self.browser.run(f"await new Promise(requestAnimationFrame); {found}.focus()")
         self.browser.press(ENTER)
 
     def panel(self, selector: str, ready: str) -> str:
         """Go to a panel that is filled when it comes near. Return it, as an expression."""
         panel = f"document.querySelector({json.dumps(selector)})"
-        self.browser.run(f"{panel}.scrollIntoView()")
-        self.see(f"{panel}.querySelector({json.dumps(ready)})")
+        # The editor that was used last may still scroll to its cursor.
+        self.see(f"({panel}.scrollIntoView(), {panel}.querySelector({json.dumps(ready)}))")
         return panel
 
     def turn(self, exercise: str) -> str:
@@ -115,11 +119,15 @@ class Student:
         sent = [archive.name, base64.b64encode(archive.read_bytes()).decode()]
         self.browser.run(CHOSEN % json.dumps(sent))
 
+    def download(self, name: str) -> Path:
+        """Return a zip that the browser is downloading, when all of it is there."""
+        files = self.browser.home.rglob
+        return until(lambda: next(filter(zipfile.is_zipfile, files(name)), None))
+
     def stored(self, path: str) -> str:
         """Return the text of a file that the page keeps in the browser."""
         return str(self.browser.run(f"return ({STORED})({json.dumps(path)})"))
 
-    def troubles(self) -> list[str]:
-        """Return the errors on the page that is open."""
-        found: list[str] = self.browser.run("return window.troubles")
-        return found
+    def listen(self) -> None:
+        """Note the errors that have occurred since the page was opened."""
+        self.troubles += self.browser.run("return window.troubles ?? []")

@@ -20,7 +20,7 @@ import signal
 import socket
 import subprocess
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from http.client import HTTPConnection
 from pathlib import Path
@@ -40,7 +40,14 @@ Found = TypeVar("Found")
 
 
 class Browser:
-    """A browser with one page, as a new visitor has it."""
+    """A browser with one page. It downloads files to somewhere in its home folder."""
+
+    def __init__(self, home: Path) -> None:
+        self.home = home
+
+    def begin(self) -> None:
+        """Give the browser a new visitor, for whom nothing is stored yet."""
+        raise NotImplementedError
 
     def open(self, address: str) -> None:
         """Open a page, and wait until it has loaded."""
@@ -64,13 +71,14 @@ class Browser:
 class Firefox(Browser):
     """Firefox, controlled by WebDriver BiDi over a WebSocket."""
 
-    def __init__(self, address: str) -> None:
+    def __init__(self, home: Path, address: str) -> None:
+        super().__init__(home)
         self.runner = asyncio.Runner()
         self.number = 0
         self.socket = self.runner.run(self._connected(f"{address}/session"))
         self.send("session.new", capabilities={})
-        # The first tab has the focus in its address bar, and a new one has it in the page.
-        self.page = self.send("browsingContext.create", type="tab")["context"]
+        self.visitor: dict[str, str] = {}
+        self.page = ""
 
     async def _connected(self, address: str) -> Any:
         return await websocket_connect(address)
@@ -91,6 +99,13 @@ class Firefox(Browser):
             if answer.get("id") == command["id"]:
                 return answer
         raise ConnectionError("Firefox has closed the connection")
+
+    def begin(self) -> None:
+        if self.visitor:
+            self.send("browser.removeUserContext", **self.visitor)
+        self.visitor = self.send("browser.createUserContext")
+        # Only in a new tab is the focus in the page, and not in the address bar.
+        self.page = self.send("browsingContext.create", type="tab", **self.visitor)["context"]
 
     def open(self, address: str) -> None:
         self.send("browsingContext.navigate", context=self.page, url=address, wait="complete")
@@ -118,11 +133,10 @@ class Firefox(Browser):
 class WebKit(Browser):
     """WebKit's small browser, controlled by the classic WebDriver over HTTP."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, home: Path, port: int) -> None:
+        super().__init__(home)
         self.port = port
         self.session = ""
-        self.session = f"/session/{self.send('', capabilities={})['sessionId']}"
-        self.send("/timeouts", script=1e3 * ANSWERED)
 
     def send(self, command: str, method: str = "POST", **parameters: Any) -> Any:
         """Send a command, and return the result."""
@@ -133,6 +147,11 @@ class WebKit(Browser):
         if isinstance(answer, dict) and "error" in answer:
             raise RuntimeError(f"{command}: {answer['message']}")
         return answer
+
+    def begin(self) -> None:
+        self.close()
+        self.session = f"/session/{self.send('', capabilities={})['sessionId']}"
+        self.send("/timeouts", script=1e3 * ANSWERED)
 
     def open(self, address: str) -> None:
         self.send("/url", url=address)
@@ -145,26 +164,31 @@ class WebKit(Browser):
 
     def close(self) -> None:
         """End the browser, but not its driver."""
-        self.send("", method="DELETE")
+        if self.session:
+            self.send("", method="DELETE")
+        self.session = ""
 
 
 @contextmanager
 def firefox(home: Path) -> Iterator[Firefox]:
-    """Yield a Firefox that keeps its files in a folder, and downloads below it."""
+    """Yield a Firefox with its home folder."""
     need("" if FIREFOX else "there is no Firefox; on Debian: apt-get install firefox-esr")
     profile, log = home / "profile", home / "firefox.log"
     profile.mkdir()
+    # The list of downloads would take the focus from the page.
+    settings = 'user_pref("browser.download.alwaysOpenPanel", false);\n'
+    (profile / "user.js").write_text(settings, encoding="utf-8")
     command = [FIREFOX, "--headless", "--remote-debugging-port=0", "--profile", str(profile)]
     with log.open("w", encoding="utf-8") as file, running(command, home, stderr=file):
         began = until(lambda: re.search("BiDi listening on (ws:.*)", log.read_text("utf-8")))
-        browser = Firefox(began[1])
+        browser = Firefox(home, began[1])
         yield browser
         browser.close()
 
 
 @contextmanager
 def webkit(home: Path) -> Iterator[WebKit]:
-    """Yield a WebKit that keeps its files in a folder, and downloads below it."""
+    """Yield a WebKit with its home folder."""
     for command, package in WEBKIT.items():
         found = shutil.which(command)
         need("" if found else f"there is no {command}; on Debian: apt-get install {package}")
@@ -174,23 +198,24 @@ def webkit(home: Path) -> Iterator[WebKit]:
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
-        with running(["WebKitWebDriver", f"--port={port}"], home, display=f":{number}"):
+        drawn = {"DISPLAY": f":{number}", "WEBKIT_DISABLE_DMABUF_RENDERER": "1"}  # twice as fast
+        with running(["WebKitWebDriver", f"--port={port}"], home, drawn):
             until(lambda: is_open(port))
-            browser = WebKit(port)
+            browser = WebKit(home, port)
             yield browser
             browser.close()
 
 
 @contextmanager
 def running(
-    command: list[str], home: Path, display: str = "", **files: Any
+    command: list[str], home: Path, variables: Mapping[str, str] = {}, **files: Any
 ) -> Iterator[subprocess.Popen[bytes]]:
-    """Run a command that sees nothing of this machine's user, and end it with all it started."""
-    # A desktop's own settings, such as Wayland's display, would come before these.
+    """Run a command with its own home folder. In the end, kill it with all that it has started."""
+    # Nothing else is passed on, because a desktop's settings would come before the virtual screen.
     kept = {name: value for name, value in os.environ.items() if name in ("PATH", "TMPDIR")}
     process = subprocess.Popen(
         command,
-        env=kept | {"HOME": str(home), "LANG": "C.UTF-8", "DISPLAY": display},
+        env={**kept, "HOME": str(home), "LANG": "en_US.UTF-8", **variables},
         start_new_session=True,
         **{"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL} | files,
     )

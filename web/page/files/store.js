@@ -3,6 +3,22 @@
 const NAME = `game-physics-companion ${new URL(".", document.baseURI).pathname}`; // each site has its own
 let opening = null;
 
+// In WebKit, a transaction that is running when you leave its page never ends, and blocks the database for
+// all pages that you open later. So a page that is left aborts its transactions, and starts no others.
+const running = new Set();
+let isLeft = false;
+addEventListener("pagehide", () => {
+  isLeft = true;
+  running.forEach(abort);
+});
+addEventListener("pageshow", ({persisted}) => persisted && location.reload()); // the browser has kept it
+
+function abort(transaction) {
+  try {
+    transaction.abort();
+  } catch {} // it is about to end
+}
+
 function open() {
   opening ??= new Promise((resolve, reject) => {
     const request = indexedDB.open(NAME, 1);
@@ -21,10 +37,13 @@ function open() {
 export async function run(names, mode, act) {
   const database = await open();
   return new Promise((resolve, reject) => {
+    if (isLeft) return; // nobody waits for the result
     const transaction = database.transaction(names, mode);
+    running.add(transaction);
     let result;
-    transaction.oncomplete = () => resolve(result instanceof IDBRequest ? result.result : result?.value);
-    transaction.onerror = transaction.onabort = () => reject(transaction.error);
+    const end = (act) => () => (running.delete(transaction), act());
+    transaction.oncomplete = end(() => resolve(result instanceof IDBRequest ? result.result : result?.value));
+    transaction.onerror = transaction.onabort = end(() => reject(transaction.error));
     result = act(...[names].flat().map((name) => transaction.objectStore(name)));
   });
 }

@@ -12,6 +12,7 @@ class Workspace extends EventTarget {
     super();
     this.files = new Map(); // path -> {text, version}; text is null if the stub was restored
     this.waiting = new Map(); // path -> timer of a change that is not saved yet
+    this.unsaved = new Set(); // paths of these changes, and of those that are being saved
     this.saving = Promise.resolve();
     this.channel = new BroadcastChannel(UNSAVED);
     this.channel.onmessage = ({data}) => this.heard(data);
@@ -44,6 +45,7 @@ class Workspace extends EventTarget {
     const file = this.files.get(path) ?? {path, version: 0};
     if (file.text === text) return;
     this.files.set(path, {...file, text});
+    this.unsaved.add(path);
     this.tell("text", {path, text, from});
     if (!this.waiting.has(path)) this.waiting.set(path, setTimeout(() => this.save(path), SAVED_AFTER));
   }
@@ -73,6 +75,7 @@ class Workspace extends EventTarget {
     const {text, version} = this.files.get(path);
     const kept = text === (await stubOf(path)) ? null : text;
     const {theirs, version: now} = await putFile({path, text: kept}, version);
+    if (this.files.get(path).text === text) this.unsaved.delete(path);
     if (theirs) return this.yieldTo(theirs, text);
     this.files.set(path, {...this.files.get(path), version: now});
     this.channel.postMessage({kind: "saved", path});
@@ -112,7 +115,7 @@ class Workspace extends EventTarget {
   }
 
   keepUnsaved() {
-    for (const path of this.waiting.keys()) localStorage.setItem(UNSAVED + path, JSON.stringify(this.files.get(path)));
+    for (const path of this.unsaved) localStorage.setItem(UNSAVED + path, JSON.stringify(this.files.get(path)));
   }
 
   async recover(key) {
@@ -122,6 +125,7 @@ class Workspace extends EventTarget {
     const there = this.files.get(path);
     if ((there?.version ?? 0) === version) {
       this.files.set(path, {path, text, version});
+      this.unsaved.add(path);
       await this.save(path);
     } else if (there?.text !== text) await keepCopy(path, text, "not saved when its tab was closed");
   }

@@ -145,6 +145,7 @@ def run(root: Path, *command: str) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
 def test_an_exercise_takes_what_the_page_lists_and_no_more(root: Path) -> None:
     """Run the commands of the page. Make only plans those that take minutes."""

@@ -180,6 +180,7 @@ def test_every_command_of_the_readmes_is_there() -> None:
         assert set(commands) <= targets, readme
 
 
+@pytest.mark.slow
 def test_every_pytest_command_of_the_pages_finds_tests() -> None:
     """A test that was renamed leaves a command that runs nothing, which pytest calls status 5."""
     for name in ("CONTRIBUTING.md", "tests/README.md"):

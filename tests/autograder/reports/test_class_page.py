@@ -192,6 +192,7 @@ def test_progress_compares_assignments(tmp_path: Path) -> None:
         assert complaint in done.stderr
 
 
+@pytest.mark.slow
 def test_the_pages_are_accessible_and_fit(browser: Any, tmp_path: Path) -> None:
     from axe_playwright_python.sync_playwright import Axe
 

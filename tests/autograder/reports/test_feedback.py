@@ -321,6 +321,7 @@ def asked() -> Iterator[tuple[str, list[str]]]:
     server.server_close()
 
 
+@pytest.mark.slow
 def test_a_browser_shows_and_prints_the_pages_and_nothing_leaves(
     tmp_path: Path, asked: tuple[str, list[str]]
 ) -> None:

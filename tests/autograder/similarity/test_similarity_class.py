@@ -136,6 +136,7 @@ def opened(browser: Any) -> Iterator[Any]:
     page.close()
 
 
+@pytest.mark.slow
 def test_the_pages_are_accessible_and_fit(opened: Any, out: Path) -> None:
     from axe_playwright_python.sync_playwright import Axe
 

@@ -26,7 +26,7 @@ def item(file: str, **parameters: object) -> SimpleNamespace:
         ("reference/test_links.py", {}, {7}),  # it also imports chapters 2, 5 and 6
         ("reference/test_links.py", {"count": 3, "name": "ch06"}, {7}),
         ("studies/test_limits.py", {}, {6}),  # because of the studies that it imports
-        ("studies/plots/test_plot_rotations.py", {}, {9}),  # because of the names in its text
+        ("studies/plots/test_engines.py", {}, {9}),  # because of the names in its text
         ("studies/plots/test_plot.py", {"name": "ch02_vectors/addition"}, {2}),
         ("project/test_proofs.py", {"chapter": CHAPTERS[2]}, {4}),
         ("project/test_structure.py", {"path": ROOT / "solutions/ch05_forces/forces.py"}, {5}),

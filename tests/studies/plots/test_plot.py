@@ -1,4 +1,4 @@
-"""Plots of the reference show what theory says. With any other engine they say what is wrong."""
+"""Plots of the reference show what theory says, and each has its numbers beside it."""
 
 from __future__ import annotations
 
@@ -6,17 +6,15 @@ import csv
 import importlib
 import math
 import re
+from collections.abc import Iterator
 from pathlib import Path
-from subprocess import CompletedProcess
+from typing import Any
 
 import pytest
 from matplotlib import pyplot
 from matplotlib.text import Text
 
-from autograder.manifest import ROOT, load_chapters
-from copies import copy_tree
-from made import made_stubs
-from studied import study
+from autograder.manifest import load_chapters
 from studies.drawing import Picture
 from studies.plot import draw
 
@@ -61,17 +59,18 @@ SAYS: dict[str, tuple[str, ...]] = {
         "4.905 of 9.81 N",
         "2.943 of 8 N",
     ),
-    "ch06_springs/three_regimes": ("2 N s/m: under", "20 N s/m: critical", "40 N s/m: over"),
+    "ch06_springs/three_regimes": ("2 N s/m: under", r"up to 0\.0\d+, 0\.0\d+, 0\.0\d+ m"),
     "ch06_springs/stability_map": (
         f"theory by a fraction of at most {TINY}",
         "backward Euler: at most x 0.99",
         "trapezoidal rule: at most x 1.0000",
     ),
-    # The true factors are e^(-c h / 2), the period is 2 pi / 20 s. The last limit is known.
+    # The true factors are e^(-c h / 2), the period is 2 pi / 20 s. The faked one grows
+    # most beyond a phase of pi per step.
     "ch06_springs/fake_spring": (
         "True: x 1.0000 per frame, period 0.314 s",
         "True: x 0.9672",
-        "no damping: at most x 1.129",
+        r"no damping: at most x 1.129, at \S+ h = 3\.[2-9]",
         "critical damping: at most x 0.99",
     ),
     # With k h^2 / m = z = 1/36, each step multiplies the energy by 1 + z, or divides it. For
@@ -94,7 +93,7 @@ SAYS: dict[str, tuple[str, ...]] = {
         "explicit Euler, c = 0 N s/m: always explodes",
         "semi-implicit Euler, c = 0 N s/m: stable from (82|85|90) Hz",
     ),
-    "ch06_springs/penalty_bounces": ("0.0556: up to 1.00 m", "over 5 % higher than they fell"),
+    "ch06_springs/penalty_bounces": ("0.0556: up to 1.00 m", r"one rises [3-9]\.\d times"),
     # A fall takes sqrt(0.4) s and each flight half of the one before: sqrt(0.4) (1 + 2) s in all.
     "ch07_constraints/bounce_heights": (
         "explicit Euler: up to 2.750 m",
@@ -127,6 +126,7 @@ SAYS: dict[str, tuple[str, ...]] = {
     "ch08_mass_aggregate/hanging_rope": (
         "catenary: sag 1.00527 m",
         r"DirectChain by -?\de-(09|1\d) m",
+        "10 links sink by 0.036 and 0.00018 m",
     ),
     "ch08_mass_aggregate/variable_frames": (
         "(?s)even frames with an error of 0 m.*even frames with an error of 0 m",
@@ -205,194 +205,37 @@ def test_a_plot_says_what_theory_says_and_has_its_numbers_beside_it(
     pyplot.close("all")
 
 
+# Numbers that are in the pictures and tables alone
+
+
+def rows_of(plot: str) -> Iterator[list[Any]]:
+    """Yield the rows of a plot's table."""
+    chapter, _, name = plot.partition("/")
+    yield from getattr(importlib.import_module(f"lab.plots.{chapter}"), name)().rows
+    pyplot.close("all")
+
+
+def test_the_artillery_shell_lands_where_it_is_known_to() -> None:
+    *_, (_, _, time, _, _, z, _) = [
+        row for row in rows_of("ch04_particle_engine/shots") if row[1] == "artillery"
+    ]
+    # At the end, the step is a t h / 2 = 0.5 m too high, so it lands at most 2 frames late.
+    assert 3.0347583 - 1.0 / 60.0 < time < 3.0347583 + 2.0 / 60.0
+    assert z == pytest.approx(119.557788, abs=1.5)
+
+
+def test_ropes_are_slack_and_a_spring_gets_softer_beyond_its_limit() -> None:
+    rows = rows_of("ch06_springs/force_against_length")
+    forces = {(name, place): force for name, place, force in rows}
+    assert forces["Bungee", 1.0] == 0.0
+    assert forces["Bungee", 3.0] == pytest.approx(-10.0, rel=1e-12)  # k 10, rest 2
+    assert forces["ElasticLimitSpring", 4.0] == pytest.approx(-13.0, rel=1e-12)  # 10 + 0.3 * 10
+
+
 def test_the_rates_near_gimbal_lock_are_those_of_theory() -> None:
-    """The title of the plot has their slope alone."""
-    rows = importlib.import_module("lab.plots.ch09_rotations").gimbal_lock().rows
+    rows = rows_of("ch09_rotations/gimbal_lock")
     rates = {90.0 - y: rate for what, y, rate in rows if what.startswith("rates")}
     assert len(rates) == 32
     for left, rate in rates.items():  # the difference of angles has 8 digits at least
         wanted = 1.0 / (math.sqrt(2.0) * math.sin(math.radians(0.5 * left)))
         assert rate == pytest.approx(wanted, rel=1e-7)
-    pyplot.close("all")
-
-
-# Engines other than the reference, drawn by the command
-
-
-def plot(
-    engine: str | Path, out: Path, chapter: str, only: tuple[str, ...] = ()
-) -> CompletedProcess[str]:
-    """Draw the plots of a chapter with an engine, or only those that ``only`` names."""
-    number = str(int(chapter[2:4]))
-    return study("plot", "--chapter", number, "--engine", str(engine), "--out", str(out), only=only)
-
-
-def engine_with(chapter: str, added: dict[str, str], at: Path) -> Path:
-    """Return a copy of the reference with lines appended to some modules of a chapter."""
-    copy_tree(ROOT / "solutions", at / "engine")
-    for module, lines in added.items():
-        with (at / "engine" / chapter / f"{module}.py").open("a", encoding="utf-8") as file:
-            file.write(f"\n\n{lines}\n")
-    return at / "engine"
-
-
-def series(out: Path, chapter: str, name: str, column: int) -> list[str]:
-    """Return the different values in a column of the table beside a plot."""
-    with (out / chapter / f"{name}.csv").open(encoding="utf-8", newline="") as file:
-        return [*dict.fromkeys(row[column] for row in [*csv.reader(file)][1:])]
-
-
-NOTHING = "raise NotImplementedError('Exercise B9.9')"
-# For each chapter, functions that do nothing, return nonsense or raise an error.
-NONSENSE = [
-    (
-        "ch02_vectors",
-        {
-            "vector": """\
-Vector3.__add__ = lambda *_: None
-Vector3.__sub__ = lambda *_: 'text'
-Vector3.cross = lambda *_: Vector3(math.nan, math.inf, 0.0)"""
-        },
-    ),
-    (
-        "ch06_springs",
-        {
-            "integrators": """\
-explicit_euler = trapezoidal = watched = lambda *_: None
-backward_euler = lambda *_: (math.nan, math.inf)""",
-            "closed_form": "damped_spring_state = lambda *_: (math.nan, math.inf)",
-        },
-    ),
-    (
-        "ch07_constraints",
-        {
-            "contacts": "Contact.separating_velocity = lambda *_: float('nan')",
-            "detectors": "GroundPlane.next_impact = lambda *_: None",
-            "exercises": "def table_of_drops(drops): return []",
-        },
-    ),
-    (
-        "ch09_rotations",
-        {
-            "quaternion": """\
-def _refuse(*_):
-    raise ValueError('no')
-
-
-Quaternion.from_axis_angle = staticmethod(lambda *_: None)
-Quaternion.add_scaled = _refuse
-Quaternion.rotate_by = Quaternion.rotate = lambda *_: float('nan')""",
-            "matrix": "Matrix3.product = Matrix3.from_quaternion = lambda *_: None",
-            "euler": "rate_map = euler_rates = lambda *_: (float('nan'), float('inf'))",
-            "angular": "integrate_rotation = first_order_drift = lambda *_: None",
-            "exercises": "balance_offset = masses_beside = lambda *_: float('nan')",
-        },
-    ),
-]
-
-
-@pytest.mark.parametrize(("chapter", "wrong"), NONSENSE, ids=[name for name, _ in NONSENSE])
-def test_an_engine_of_nonsense_gives_pictures(
-    chapter: str, wrong: dict[str, str], tmp_path: Path
-) -> None:
-    done = plot(engine_with(chapter, wrong, tmp_path), tmp_path, chapter)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert not done.stderr
-    pictures = {path.stem for path in (tmp_path / chapter).glob("*.png")}
-    assert pictures == {name.partition("/")[2] for name in SAYS if chapter in name}
-
-
-# These need only modules that are given.
-NEED_NO_EXERCISE = {"rope_by_method", "pendulum_energy", "hanging_rope"}
-
-
-@pytest.mark.parametrize("chapter", [chapter.name for chapter in load_chapters()])
-def test_a_plot_of_stubs_names_the_exercise_to_write(chapter: str, tmp_path: Path) -> None:
-    engine = engine_with(chapter, {}, tmp_path)
-    for path, text in made_stubs().items():
-        if path.startswith(f"chapters/{chapter}/"):
-            (engine / path.removeprefix("chapters/")).write_text(text, encoding="utf-8")
-    done = plot(engine, tmp_path, chapter)
-    assert done.returncode == 1
-    said = re.findall(
-        rf"(?m)^(\w+): not drawn, not written yet: Exercise [BP]?{chapter[3]}\.", done.stdout
-    )
-    plots = {name.partition("/")[2] for name in SAYS if chapter in name}
-    assert {*said} == plots - NEED_NO_EXERCISE, done.stdout
-    assert {path.stem for path in (tmp_path / chapter).glob("*.png")} == plots & NEED_NO_EXERCISE
-
-
-def test_a_curve_that_is_not_written_is_left_out(tmp_path: Path) -> None:
-    stub = f"def _stub(*_):\n    {NOTHING}\n\n\n"
-    added = {
-        "matrix": f"{stub}Matrix3.from_quaternion = _stub",
-        "quaternion": f"{stub}Quaternion.rotate_by = _stub",
-        "euler": f"{stub}euler_rates = _stub",
-        "angular": f"{stub}first_order_drift = _stub",
-    }
-    done = plot(engine_with("ch09_rotations", added, tmp_path), tmp_path, "ch09_rotations")
-    assert re.findall(r"(\w+): not drawn, (.*)", done.stdout) == [
-        ("turning_motion", "not written yet: Exercise B9.9")
-    ]
-    assert series(tmp_path, "ch09_rotations", "order_of_turns", 2) == ["quaternions"]
-    assert series(tmp_path, "ch09_rotations", "drift_of_first_order", 1) == [
-        "Eq. 9.5",
-        "steady axis, Eq. 9.5",
-        "steady axis, Eq. 9.5, normalized",
-        "moving axis, Eq. 9.5, normalized",
-    ]
-    assert len(series(tmp_path, "ch09_rotations", "gimbal_lock", 0)) == 3
-
-
-def test_an_explosion_is_drawn_even_if_no_watch_is_written(tmp_path: Path) -> None:
-    engine = engine_with(
-        "ch06_springs", {"integrators": f"def watched(*_):\n    {NOTHING}"}, tmp_path
-    )
-    only = ("energy_over_time", "cloth_frame_rates")
-    done = plot(engine, tmp_path, "ch06_springs", only)
-    assert done.returncode == 0, done.stdout
-
-
-def test_a_plot_that_fails_leaves_no_older_picture_and_says_why(tmp_path: Path) -> None:
-    old = tmp_path / "ch02_vectors/addition.png"
-    old.parent.mkdir()
-    old.write_bytes(b"an older picture")
-    wrong = f"def _stub(*_):\n    {NOTHING}\n\n\nVector3.__add__ = _stub\ndel Vector3.dot"
-    done = plot(engine_with("ch02_vectors", {"vector": wrong}, tmp_path), tmp_path, "ch02_vectors")
-    assert done.returncode == 1
-    assert "addition: not drawn, not written yet: Exercise B9.9" in done.stdout
-    assert not old.exists()
-    assert "projection: not drawn, AttributeError: 'Vector3' object has no" in done.stdout
-
-
-def test_a_plot_without_the_student_s_drops_shows_the_sample(tmp_path: Path) -> None:
-    engine = engine_with("ch07_constraints", {}, tmp_path)
-    (engine / "ch07_constraints/drops.csv").write_text(
-        "material,initial_height,bounce_height\n", encoding="utf-8"
-    )
-    done = plot(engine, tmp_path, "ch07_constraints", only=("restitution_of_materials",))
-    assert done.returncode == 0, done.stdout
-    with (tmp_path / "ch07_constraints/restitution_of_materials.csv").open() as file:
-        assert sum(line.startswith("drop,") for line in file) == 13
-
-
-def test_a_plot_without_stones_says_so(tmp_path: Path) -> None:
-    engine = engine_with("ch09_rotations", {}, tmp_path)
-    (engine / "ch09_rotations/stones.csv").write_text("what,mass,x,y\n", encoding="utf-8")
-    done = plot(engine, tmp_path, "ch09_rotations", only=("balance_lines",))
-    assert done.returncode == 1
-    assert "balance_lines: not drawn, ValueError: there are no stones in stones.csv" in done.stdout
-
-
-def test_an_engine_that_cannot_be_read_is_one_sentence(tmp_path: Path) -> None:
-    done = plot("sample_class/dina", tmp_path, "ch02_vectors")
-    assert done.returncode == 1
-    assert "chapter 2 cannot be drawn: SyntaxError: '(' was never closed" in done.stdout
-    assert "(sample_class/dina/ch02_vectors/vector.py, line " in done.stdout
-    assert "Traceback" not in done.stdout + done.stderr
-
-
-def test_a_mistake_on_the_command_line_is_a_clear_sentence(tmp_path: Path) -> None:
-    done = plot("nowhere", tmp_path, "ch02_vectors")
-    assert done.returncode == 2
-    assert "engine must be a folder of chapters, got 'nowhere'" in done.stderr

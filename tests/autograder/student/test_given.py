@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 import shutil
-import subprocess
-import sys
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
@@ -26,17 +25,15 @@ from autograder.student.check import check as check_chapters
 from autograder.submissions.find import Submission
 from copies import copy_tree
 from graded import points_of
+from typed import typed
 
 CH02, CH03 = select_chapters("2-3")
 WHOLE = f"{points_of(CH03)} of {points_of(CH03)}"
 REFERENCE = [ROOT / "solutions", ROOT / "chapters"]
 
 
-def check(
-    engine: Path | str, *arguments: str, root: Path = ROOT
-) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "autograder", "check", "--engine", str(engine), *arguments]
-    return subprocess.run(command, cwd=root, capture_output=True, encoding="utf-8", check=False)
+def check(engine: Path | str, *arguments: str, root: Path = ROOT) -> CompletedProcess[str]:
+    return typed("autograder", "check", "--engine", engine, *arguments, cwd=root)
 
 
 @pytest.fixture

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from subprocess import CompletedProcess
@@ -207,15 +206,6 @@ def test_a_fault_of_the_second_run_is_no_score_on_given_chapters(
     assert report.status == "error, retry"
     assert (report.score or 0.0) > 0
     assert report.score_on_given is None
-
-
-def test_a_check_that_fails_both_times_is_told_as_it_fails_on_the_reference() -> None:
-    lost = Verdict("a", "B3.1", 1, "failed", Message("as it fails on chapter 2"))
-    first = [lost, replace(lost, name="b")]
-    again = [replace(lost, message=Message("by itself")), replace(lost, name="b", status="passed")]
-    one, two = explained_on_given(mark_inherited(first, again), again)
-    assert (one.status, one.message) == ("failed", Message("by itself"))
-    assert (two.status, two.message) == ("inherited", lost.message)
 
 
 def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from autograder.diagnosis.explain import explain_exception
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import ROOT, load_chapters, select_chapters
 from copies import copy_tree
 from expect import expect_error
 from typed import typed
@@ -150,6 +150,11 @@ def test_hints_come_one_at_a_time() -> None:
     assert hints[1] in second
     assert all(hint in all_of_them for hint in hints)
     assert "more" not in all_of_them.splitlines()[-1]
+
+
+def test_chapters_are_selected_by_number_and_range() -> None:
+    assert [chapter.number for chapter in select_chapters("2,4-6")] == [2, 4, 5, 6]
+    assert select_chapters("") == load_chapters()
 
 
 def test_a_python_without_the_packages_is_told_what_to_do() -> None:

@@ -9,9 +9,12 @@ import struct
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
+from small import make_students_root
 
 fcntl = pytest.importorskip("fcntl", reason="there are no pseudo-terminals here")
 pty = pytest.importorskip("pty")
@@ -82,3 +85,15 @@ class Terminal:
         self.process.wait()
         os.close(self.ours)
         os.close(self.its)
+
+
+def make_handout(tmp_path: Path) -> Path:
+    """Create a handout of the small chapter, for a fixture."""
+    return make_students_root(tmp_path)
+
+
+def opened(root: Path) -> Iterator[Terminal]:
+    """Run watch in a terminal, for a fixture."""
+    terminal = Terminal(root)
+    yield terminal
+    terminal.close()

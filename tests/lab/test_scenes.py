@@ -127,10 +127,6 @@ MEASURED = {"bounce", "stack", "bridge", "cube", "trebuchet", "orientations"}
 @pytest.mark.parametrize(
     ("name", "peer", "most"),
     [
-        ("one-spring", "exact", 1e-12),
-        # Both methods have order 1, but pymunk evaluates the force at another point of the step.
-        # After one second, a tenth of the amplitude is more than the error of either method.
-        ("one-spring", "pymunk", 0.1),
         # One step of a fall at 6.3 m/s, for each of the two bounces.
         ("bounce", "pymunk", 2.0 * 6.3 / 60.0),
         # The pull of the spokes turns by 3 rad/s / 60 Hz per step, which is 5 % of 3 rad/s.

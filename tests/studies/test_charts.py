@@ -71,11 +71,6 @@ ODES: dict[str, tuple[Callable[..., list[float]], list[float], Callable[..., lis
         [0.04, 0.0],
         lambda s: [0.0, s[0]],
     ),
-    "pendulum from horizontal": (
-        lambda _, s: [s[1], -10.0 * math.sin(s[0])],
-        [0.5 * math.pi, 0.0],
-        lambda s: [math.sin(s[0]), -math.cos(s[0])],
-    ),
     SPRING.format("10", "0.632"): (
         rates_of(10.0, 0.2 * math.sqrt(10.0)),
         [1.0, 0.0],

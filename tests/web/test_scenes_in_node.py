@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from autograder.manifest import ROOT
 from copies import reference
 from course_site import BELOW, built
 from in_node import NodeEngines, engines, engines_of
 from lab.catalog import entries
+from typed import typed
 
 RIGHT = reference()
 SPRINGS = "ch06_springs/springs.py"
@@ -51,14 +49,9 @@ def on_cpython(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, 
         messages.append({"kind": "load", "scene": name, "values": {}, "peer": ""})
         messages.append({"kind": "run", "frames": FRAMES})
     stack = tmp_path_factory.mktemp("engine") / "stack.txt"
-    done = subprocess.run(
-        [sys.executable, "-m", "lab.child", "--engine", "solutions", "--stack", str(stack)],
-        input="".join(json.dumps(message) + "\n" for message in messages),
-        capture_output=True,
-        encoding="utf-8",
-        cwd=ROOT,
-        check=True,
-    )
+    text = "".join(json.dumps(message) + "\n" for message in messages)
+    done = typed("lab.child", "--engine", "solutions", "--stack", stack, text=text)
+    assert done.returncode == 0, done.stderr
     answers = [json.loads(line) for line in done.stdout.splitlines() if line]
     last = [answer for answer in answers if answer["kind"] == "frame"][1::2]
     return dict(zip(SCENES, last, strict=True))

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import csv
-import subprocess
-import sys
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -14,11 +12,12 @@ import pytest
 import browser as browsers
 import course_site
 import site_page
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import load_chapters
 from copies import reference
 from course_site import Served
 from site_page import STUB, VECTOR, accessible, check, marked, stored, turn, upload, write
 from staging import NO_UTF8, TOO_LARGE
+from typed import typed
 
 browser = pytest.fixture(browsers.browser_alone, scope="module")
 site = pytest.fixture(course_site.site, scope="module")
@@ -165,11 +164,8 @@ def test_the_download_is_graded_with_the_points_of_the_page(
     assert download.value.suggested_filename == "Ada Example.zip"
     (tmp_path / "class").mkdir()
     download.value.save_as(tmp_path / "class" / "Ada Example.zip")
-    command = [sys.executable, "-m", "autograder", "grade", str(tmp_path / "class")]
-    options = ["--chapters", "2-3", "--seed", "1", "--out", str(tmp_path / "grades")]
-    done = subprocess.run(
-        [*command, *options], cwd=ROOT, capture_output=True, encoding="utf-8", check=False
-    )
+    options = ("--chapters", "2-3", "--seed", "1", "--out", tmp_path / "grades")
+    done = typed("autograder", "grade", tmp_path / "class", *options)
     assert done.returncode in (0, 1), done.stderr
     with (tmp_path / "grades" / "gradebook.csv").open(encoding="utf-8", newline="") as file:
         graded = {row["student"]: row for row in csv.DictReader(file)}["Ada Example"]

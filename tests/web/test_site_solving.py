@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import random
-import subprocess
-import sys
 import time
 from pathlib import Path
 from typing import Any
@@ -14,11 +12,12 @@ import pytest
 import browser as browsers
 import course_site
 import site_page
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import Chapter, load_chapters
 from autograder.message import laid_out
 from copies import reference
 from course_site import Served
 from site_page import accessible, check, everything_written, rows, turn, write
+from typed import typed
 from wrong import read_wrong, write_wrong
 
 CHAPTERS = load_chapters()
@@ -100,14 +99,7 @@ def test_a_mistake_is_told_as_on_the_command_line(
 
 def printed(exercise: str, engine: Path) -> str:
     """Return what the command line prints of an exercise."""
-    command = [sys.executable, "-m", "autograder", "check", "--exercise", exercise]
-    done = subprocess.run(
-        [*command, "--engine", str(engine)],
-        cwd=ROOT,
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+    done = typed("autograder", "check", "--exercise", exercise, "--engine", engine)
     assert done.returncode == 1, done.stdout + done.stderr
     return done.stdout
 

@@ -9,7 +9,6 @@ import socket
 import subprocess
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
@@ -17,8 +16,7 @@ from autograder.commands import sentence
 from autograder.files import is_new, replace_bytes, temporary_of
 from autograder.handouts import handout
 from autograder.manifest import ROOT, load_chapters
-from studies import __main__ as studies
-from studies.reason import reason
+from typed import typed
 from web.__main__ import put_in_place
 
 FULL = "Free some space on that disk, and run the same command again"
@@ -58,30 +56,32 @@ def test_a_folder_is_new_until_its_first_file_is_written(tmp_path: Path) -> None
     assert not is_new(tmp_path / "new", first)
 
 
-def test_a_command_that_may_not_write_says_what_to_do(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("command", "begins"),
+    [("autograder release 2", "release: "), ("studies plot --chapter 2 --engine solutions", "")],
+)
+def test_a_command_that_may_not_write_says_what_to_do(
+    command: str, begins: str, tmp_path: Path
+) -> None:
     done = subprocess.run(
-        [sys.executable, "-m", "autograder", "release", "2", "--out", str(tmp_path / "out")],
+        [sys.executable, "-m", *command.split(), "--out", str(tmp_path / "out")],
         cwd=ROOT,
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10, 10)),
         capture_output=True,
         encoding="utf-8",
         check=False,
     )
+    assert done.returncode == (2 if begins else 1), "a picture that is not drawn is a diagnosis"
+    said = done.stdout + done.stderr
+    assert f"{begins}[Errno 27] File too large" in said
+    assert said.endswith("A limit on the size of files is too low here (see ulimit -f)\n")
+
+
+def test_a_study_that_cannot_write_is_a_sentence() -> None:
+    done = typed("studies", "figures", "--out", "LICENSE/a")
     assert done.returncode == 2
-    assert done.stderr.startswith("release: [Errno 27] File too large: ")
-    assert done.stderr.endswith("A limit on the size of files is too low here (see ulimit -f)\n")
-
-
-def test_the_studies_say_what_to_do(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(sys, "argv", ["studies", "plot"])
-    monkeypatch.setattr(studies.importlib, "import_module", lambda _: SimpleNamespace(main=full))
-    assert studies.main() == 2
-    assert FULL in capsys.readouterr().err
-    with pytest.raises(OSError, match="No space") as caught:
-        full()
-    assert reason(caught.value).endswith(f"\nlikely    {FULL}")
+    assert done.stderr.startswith("figures: [Errno 20] Not a directory: 'LICENSE/a")
+    assert len(done.stderr.splitlines()) == 1
 
 
 @pytest.mark.parametrize("exists", [False, True])

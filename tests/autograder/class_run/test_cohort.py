@@ -27,6 +27,7 @@ from autograder.manifest import ROOT
 from copies import copy_tree
 from small import RIGHT, WRITTEN, hand_in
 from small_class import HALF, everything_in, grade, results, scores
+from typed import typed
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
@@ -276,15 +277,9 @@ def test_without_a_wall_only_the_sample_class_is_graded(
 
 def test_the_command_takes_every_option(tmp_path: Path) -> None:
     copy_tree(ROOT / "sample_class/dina", tmp_path / "class/dina")
-    command = "-m autograder grade class --out out --jobs 2 --seed 5 --chapters 2,3"
-    done = subprocess.run(
-        [sys.executable, *command.split(), "--unsafe-no-sandbox"],
-        cwd=tmp_path,
-        env=os.environ | {"PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+    command = "autograder grade class --out out --jobs 2 --seed 5 --chapters 2,3"
+    command += " --unsafe-no-sandbox"
+    done = typed(*command.split(), cwd=tmp_path, PYTHONPATH=str(ROOT))
     assert done.returncode == 0, done.stderr
     assert "1/1 dina" in done.stdout
     assert results(tmp_path / "out")["dina"]["seed"] == "5"

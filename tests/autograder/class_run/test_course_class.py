@@ -33,20 +33,10 @@ from autograder.reports.gradescope import gradescope_results
 from autograder.scores import results_of
 from autograder.student.screen import Report, first_open, points_of
 from copies import copy_tree
-from small import RIGHT, hand_in, make_root
-from small_class import results, scores
+from small import RIGHT, WRITTEN, hand_in, make_root
+from small_class import HALF, results, scores
 
 CH02 = load_chapters()[0]
-WRITTEN = """
-[[exercise]]
-id = "90.2"
-title = "Why"
-kind = "written"
-stars = 1
-points = 3
-hints = ["think"]
-terms = []
-"""
 SMALL = """
 [[assignment]]
 name = "lab1"
@@ -100,7 +90,7 @@ def submissions(tmp_path: Path) -> Path:
     """Return a class: right, half right, and wrong only in what lab2 does not grade."""
     folder = tmp_path / "class"
     hand_in(folder, "ann", RIGHT)
-    hand_in(folder, "bob", RIGHT.replace("4 * x", "3 * x"))
+    hand_in(folder, "bob", HALF)
     hand_in(folder, "cem", RIGHT.replace("x + x", "x"))
     return folder
 

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import re
 import shutil
-import subprocess
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -28,6 +25,7 @@ from autograder.records import to_json
 from autograder.submissions.find import Submission
 from copies import copy_tree
 from graded import message_of, points_of
+from typed import typed
 
 CHAPTERS = load_chapters()[:2]
 CHAPTER = CHAPTERS[0]
@@ -40,15 +38,9 @@ TABLE = (ROOT / "sample_class/README.md").read_text(encoding="utf-8").partition(
 def graded(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
     """Where the sample class was graded to, and what was printed."""
     out = tmp_path_factory.mktemp("grades")
-    command = [sys.executable, "-m", "autograder", "grade", "sample_class", "--out", str(out)]
-    done = subprocess.run(
-        [*command, "--seed", "1", "--chapters", "2-3"],
-        cwd=ROOT,
-        env=os.environ | {"COLUMNS": "1000"},
-        capture_output=True,
-        encoding="utf-8",
-        check=True,
-    )
+    options = ("--seed", "1", "--chapters", "2-3")
+    done = typed("autograder", "grade", "sample_class", "--out", out, *options, COLUMNS="1000")
+    assert done.returncode == 0, done.stderr
     return out, done.stdout
 
 

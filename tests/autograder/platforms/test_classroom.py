@@ -17,6 +17,7 @@ import yaml
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.platforms.classroom import WORKFLOW, make_classroom, workflow
 from graded import points_of
+from typed import typed
 
 CHAPTERS = load_chapters()
 CH02 = CHAPTERS[0]
@@ -112,6 +113,5 @@ def test_an_exercise_gets_its_points_for_its_own_checks_alone(
     assert passed.returncode == 0, passed.stdout
     assert " B2.9 " not in passed.stdout, "what does not decide is not shown"
     assert run(out, steps["B2.9"]).returncode == 1
-    command = [sys.executable, "-m", "autograder", "check", "--exercise", "B2.10"]
-    with_needs = subprocess.run(command, cwd=out, capture_output=True, check=False)
+    with_needs = typed("autograder", "check", "--exercise", "B2.10", cwd=out)
     assert with_needs.returncode == 1, "without --only, what it builds on must pass too"

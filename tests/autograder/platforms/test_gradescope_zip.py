@@ -24,6 +24,7 @@ from autograder.platforms.grade_one import main, students
 from autograder.platforms.gradescope import make_gradescope
 from graded import points_of
 from made import made_stubs
+from typed import typed
 from walls import behind_walls
 
 SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))
@@ -39,11 +40,8 @@ pytestmark = pytest.mark.skipif(
 def make(out: Path, *arguments: str) -> Path:
     """Make a zip by the command, for what the walls of this machine allow."""
     unsafe = [] if WALLS else ["--unsafe-no-sandbox"]
-    command = [sys.executable, "-m", "autograder", "gradescope", *arguments, "--out", str(out)]
-    done = subprocess.run(
-        [*command, *unsafe], cwd=ROOT, capture_output=True, encoding="utf-8", check=True
-    )
-    assert str(out) in done.stdout
+    done = typed("autograder", "gradescope", *arguments, "--out", out, *unsafe)
+    assert str(out) in done.stdout, done.stderr
     return out
 
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,7 +16,6 @@ from autograder.analysis.class_page import write_class_page
 from autograder.analysis.discrimination import FEWEST, discrimination
 from autograder.analysis.mistakes import mistakes_of
 from autograder.analysis.progress import write_progress
-from autograder.manifest import ROOT
 from autograder.message import Kind, Message
 from autograder.release.compare import Code, Compared, Pair
 from autograder.release.counts import Counts
@@ -26,6 +23,7 @@ from autograder.release.pages import write_page
 from autograder.reports.report import CheckReport, StudentReport
 from autograder.reports.results import write_result
 from graded import CHAPTERS, SHOUT, check, failed_run, hostile, report_of, with_exercise
+from typed import typed
 
 browser = pytest.fixture(browsers.browser, scope="module")
 GONE = Message(wanted="1", likely="The stub is gone.", kind=Kind.GONE)
@@ -176,18 +174,11 @@ def test_progress_compares_assignments(tmp_path: Path) -> None:
     assert rows["bob"] == ["50 %", "25 %", "−25"]  # noqa: RUF001
     assert rows["eve"] == ["–", "–", "–"]  # noqa: RUF001
     assert rows[SQUARED] == ["2", "1", "1"]
-    command = [sys.executable, "-m", "autograder", "progress", "--out", str(tmp_path / "out")]
     for runs, complaint in (
         ([folders[0]], "progress needs at least 2 graded folders, got 1"),
         ([folders[0], tmp_path / "lab3"], "has no results"),
     ):
-        done = subprocess.run(
-            [*command, *map(str, runs)],
-            cwd=ROOT,
-            capture_output=True,
-            encoding="utf-8",
-            check=False,
-        )
+        done = typed("autograder", "progress", "--out", tmp_path / "out", *runs)
         assert done.returncode == 2
         assert complaint in done.stderr
 

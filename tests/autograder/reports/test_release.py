@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,6 +20,7 @@ from autograder.submissions.stage import stage
 from graded import SHOUT, report_of
 from small import RIGHT, hand_in
 from staging import zip_of
+from typed import typed
 
 CH02 = load_chapters()[0]
 MINE = f'''
@@ -126,9 +125,8 @@ def test_a_class_with_a_roster_is_compared_under_its_names(
 def test_the_class_may_be_the_zip_of_a_platform(tmp_path: Path) -> None:
     (tmp_path / "class.zip").write_bytes(zip_of({"ann/ch02_vectors/vector.py": b"x = 1\n"}))
     write_result(tmp_path / "grades", report_of("ann"))
-    command = [sys.executable, "-m", "autograder", "release", "2", "--out", str(tmp_path / "out")]
-    command += ["--submissions", str(tmp_path / "class.zip"), "--grades", str(tmp_path / "grades")]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    graded = ("--submissions", tmp_path / "class.zip", "--grades", tmp_path / "grades")
+    done = typed("autograder", "release", "2", "--out", tmp_path / "out", *graded)
     assert done.returncode == 0, done.stderr
     assert "ann has no page" in done.stdout
 
@@ -176,14 +174,13 @@ def test_an_assignment_is_released_after_its_last_due_date(tmp_path: Path) -> No
     course, out = tmp_path / "course.toml", tmp_path / "out"
     text = '[[assignment]]\nname = "lab1"\nexercises = ["B2.1"]\ndue = 2020-01-01T12:00:00+00:00\n'
     late = "extensions = { ann = 2999-01-01T12:00:00+00:00 }\n"
-    command = [sys.executable, "-m", "autograder", "release", "--assignment", "lab1"]
-    command += ["--course", str(course), "--out", str(out)]
+    command = ("autograder", "release", "--assignment", "lab1", "--course", course, "--out", out)
     for more, status, words in (
         (late, 2, "lab1 is due 2999-01-01 12:00 UTC, counting extensions"),
         ("", 0, "Released of chapter 2: B2.1"),
     ):
         course.write_text(text + more, encoding="utf-8")
-        done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+        done = typed(*command)
         assert done.returncode == status, done.stdout + done.stderr
         assert words in done.stdout + done.stderr
         assert out.exists() == (status == 0)
@@ -219,13 +216,7 @@ def test_an_exercise_waits_for_every_assignment_that_contains_it(
         ),
         encoding="utf-8",
     )
-    done = subprocess.run(
-        [sys.executable, "-m", "autograder", "release", *arguments, "--out", "out"],
-        cwd=tmp_path,
-        env=os.environ | {"PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+    command = ("autograder", "release", *arguments, "--out", "out")
+    done = typed(*command, cwd=tmp_path, PYTHONPATH=str(ROOT))
     assert words in done.stderr
     assert (done.returncode, (tmp_path / "out").exists()) == ((2, False) if words else (0, True))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,6 +17,7 @@ from autograder.message import Kind, Message
 from autograder.submissions.stage import stage
 from copies import copy_tree
 from small import RIGHT, make_root
+from typed import typed
 from walls import behind_walls
 
 VECTOR = "ch02_vectors/vector.py"
@@ -75,23 +75,13 @@ def test_scenes_plots_and_recordings_reject_what_the_grader_rejects(
     why = stage(tmp_path / "ann", load_chapters()[:1], tmp_path / "box").missing[
         "ch02_vectors.vector"
     ]
-    engine = ["--engine", str(tmp_path / "ann")]
     load = '{"kind": "load", "scene": "one-spring", "values": {}, "peer": ""}\n'
-    stack = ["--stack", str(tmp_path / "stack.txt")]
-    for arguments, typed in (
-        (["studies", "plot", "--chapter", "2", "--out", str(tmp_path / "plots")], ""),
-        (["lab", "record", "ball-game", "--out", str(tmp_path)], ""),
-        (["lab.child", *stack], load),
+    for arguments, text in (
+        (("studies", "plot", "--chapter", "2", "--out", tmp_path / "plots"), ""),
+        (("lab", "record", "ball-game", "--out", tmp_path), ""),
+        (("lab.child", "--stack", tmp_path / "stack.txt"), load),
     ):
-        done = subprocess.run(
-            [sys.executable, "-m", *arguments, *engine],
-            cwd=ROOT,
-            input=typed,
-            capture_output=True,
-            encoding="utf-8",
-            check=False,
-        )
-        assert why in done.stdout
+        assert why in typed(*arguments, "--engine", tmp_path / "ann", text=text).stdout
 
 
 def test_rejected_answers_are_reported_at_home_in_the_same_words(tmp_path: Path) -> None:

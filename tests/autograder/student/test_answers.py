@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import pytest
 
@@ -13,6 +12,7 @@ from autograder.answers import PLACE, blank_answers, model_answer, questions_of,
 from autograder.handouts.handout import make_handout
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.student.written import open_questions
+from typed import typed
 
 CH02 = load_chapters()[0]
 WRITTEN = [(c, e) for c in load_chapters() for e in c.exercises if e.kind == "written"]
@@ -29,15 +29,8 @@ def put(folder: Path, text: str) -> list[Path]:
     return [folder]
 
 
-def check(exercise: str, engine: Path | str, root: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "autograder", "check", "--exercise", exercise]
-    return subprocess.run(
-        [*command, "--engine", str(engine)],
-        cwd=root,
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+def check(exercise: str, engine: Path | str, root: Path = ROOT) -> CompletedProcess[str]:
+    return typed("autograder", "check", "--exercise", exercise, "--engine", engine, cwd=root)
 
 
 @pytest.mark.parametrize(("chapter", "exercise"), WRITTEN, ids=lambda item: getattr(item, "id", ""))

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import re
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -14,14 +14,11 @@ from autograder.diagnosis.explain import explain_exception
 from autograder.manifest import ROOT, load_chapters, select_chapters
 from copies import copy_tree
 from expect import expect_error
+from typed import typed
 
 SAMPLES = "sample_class"
+autograder = partial(typed, "autograder")
 SQUARES = "math.sqrt(self.x**2 + self.y**2 + self.z**2)"
-
-
-def autograder(*arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "autograder", *arguments]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
 
 
 @pytest.fixture
@@ -97,12 +94,10 @@ def test_what_is_blocked_is_not_the_first_to_repair_and_half_written_is_no_failu
 
 
 def test_a_console_that_lacks_a_character_is_no_crash() -> None:
-    environment = os.environ | {"PYTHONIOENCODING": "ascii"}
-    command = [sys.executable, "-m", "autograder", "check", "--chapter", "2"]
-    command += ["--engine", f"{SAMPLES}/dina"]
-    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, check=False)
+    dina = ("check", "--chapter", "2", "--engine", f"{SAMPLES}/dina")
+    done = autograder(*dina, PYTHONIOENCODING="ascii")
     assert done.returncode == 1
-    assert b"Traceback" not in done.stderr
+    assert "Traceback" not in done.stderr
 
 
 def test_a_syntax_error_is_named_with_its_line() -> None:
@@ -140,7 +135,7 @@ def test_a_syntax_error_is_named_with_its_line() -> None:
 def test_a_mistake_on_the_command_line_is_one_clear_sentence(
     arguments: list[str], complaint: str, tmp_path: Path
 ) -> None:
-    done = autograder(*(str(tmp_path / "out") if word == "OUT" else word for word in arguments))
+    done = autograder(*(tmp_path / "out" if word == "OUT" else word for word in arguments))
     assert done.returncode == 2
     assert complaint in done.stderr
     assert len(done.stderr.strip().splitlines()) == 1
@@ -158,14 +153,8 @@ def test_hints_come_one_at_a_time() -> None:
 
 
 def test_chapters_are_selected_by_number_and_range() -> None:
-    assert [chapter.number for chapter in select_chapters("2")] == [2]
+    assert [chapter.number for chapter in select_chapters("2,4-6")] == [2, 4, 5, 6]
     assert select_chapters("") == load_chapters()
-    with pytest.raises(ValueError, match="there is no chapter 1 here"):
-        select_chapters("1-2")
-
-
-def test_an_id_may_be_written_small() -> None:
-    assert autograder("hint", "b2.10").stdout.startswith("B2.10 An orthonormal basis")
 
 
 def test_a_python_without_the_packages_is_told_what_to_do() -> None:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import re
 import shutil
-import subprocess
-import sys
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
@@ -26,17 +24,15 @@ from autograder.student.check import check as check_chapters
 from autograder.submissions.find import Submission
 from copies import copy_tree
 from graded import points_of
+from typed import typed
 
 CH02, CH03 = select_chapters("2-3")
 WHOLE = f"{points_of(CH03)} of {points_of(CH03)}"
 REFERENCE = [ROOT / "solutions", ROOT / "chapters"]
 
 
-def check(
-    engine: Path | str, *arguments: str, root: Path = ROOT
-) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "autograder", "check", "--engine", str(engine), *arguments]
-    return subprocess.run(command, cwd=root, capture_output=True, encoding="utf-8", check=False)
+def check(engine: Path | str, *arguments: str, root: Path = ROOT) -> CompletedProcess[str]:
+    return typed("autograder", "check", "--engine", engine, *arguments, cwd=root)
 
 
 @pytest.fixture
@@ -210,15 +206,6 @@ def test_a_fault_of_the_second_run_is_no_score_on_given_chapters(
     assert report.status == "error, retry"
     assert (report.score or 0.0) > 0
     assert report.score_on_given is None
-
-
-def test_a_check_that_fails_both_times_is_told_as_it_fails_on_the_reference() -> None:
-    lost = Verdict("a", "B3.1", 1, "failed", Message("as it fails on chapter 2"))
-    first = [lost, replace(lost, name="b")]
-    again = [replace(lost, message=Message("by itself")), replace(lost, name="b", status="passed")]
-    one, two = explained_on_given(mark_inherited(first, again), again)
-    assert (one.status, one.message) == ("failed", Message("by itself"))
-    assert (two.status, two.message) == ("inherited", lost.message)
 
 
 def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:

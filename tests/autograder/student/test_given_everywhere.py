@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from autograder.manifest import ROOT
 from copies import copy_tree
+from typed import typed
 
-
-def run(*arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", *arguments],
-        cwd=ROOT,
-        env=os.environ | {"MPLBACKEND": "Agg"},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+run = partial(typed, MPLBACKEND="Agg")
 
 
 @pytest.fixture

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import pytest
 
@@ -13,6 +12,7 @@ from autograder.manifest import ROOT
 from autograder.scores import result_of
 from copies import copy_tree
 from graded import exercise_of
+from typed import typed
 
 CH02 = "ch02_vectors"
 
@@ -26,14 +26,8 @@ def engine(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def check(engine: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "autograder", "check", "--engine", str(engine), *arguments],
-        cwd=ROOT,
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+def check(engine: Path, *arguments: str) -> CompletedProcess[str]:
+    return typed("autograder", "check", "--engine", engine, *arguments)
 
 
 def test_a_complete_file_that_was_edited_is_named_and_is_no_success(engine: Path) -> None:
@@ -79,13 +73,7 @@ def test_a_class_with_another_name_is_named_and_not_made_twice(engine: Path) -> 
     screen = check(engine, "--exercise", "B2.1").stdout
     assert "vector.py no longer has a class Vector3" in screen
     assert "renamed it to Vector," in screen
-    done = subprocess.run(
-        [sys.executable, "-m", "autograder", "reset", "B2.1", "--engine", str(engine)],
-        cwd=ROOT,
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
+    done = typed("autograder", "reset", "B2.1", "--engine", engine)
     assert done.returncode == 2
     assert "no class Vector3, but a class Vector" in done.stderr
     assert vector.read_text(encoding="utf-8") == text

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import ast
-import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import libcst
 import pytest
@@ -18,6 +16,7 @@ from autograder.student.put_back import put_back
 from autograder.student.reset import question, reset
 from made import made_stubs
 from small import RIGHT, STUB, make_students_root
+from typed import typed
 
 CHAPTERS = load_chapters()
 CH02 = CHAPTERS[0]
@@ -249,9 +248,5 @@ def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
     assert written == RIGHT.partition("def quadruple")[0] + STUB[STUB.index("def quadruple") :]
 
 
-def autograder(root: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "autograder", *arguments]
-    environment = os.environ | {"PYTHONPATH": str(root)}
-    return subprocess.run(
-        command, cwd=root, env=environment, capture_output=True, encoding="utf-8", check=False
-    )
+def autograder(root: Path, *arguments: str) -> CompletedProcess[str]:
+    return typed("autograder", *arguments, cwd=root, PYTHONPATH=str(root))

@@ -7,31 +7,31 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
 from autograder.student.watching import keys
-from small import RIGHT, make_students_root
-from terminal import KEYS, PATIENCE, Terminal, command, pty, save, small, termios
+from small import RIGHT
+from terminal import (
+    KEYS,
+    PATIENCE,
+    Terminal,
+    command,
+    make_handout,
+    opened,
+    pty,
+    save,
+    small,
+    termios,
+)
 
 HALF = RIGHT.replace("return 4 * x", 'raise NotImplementedError("Exercise 90.1: Quadruple")')
 
 
-@pytest.fixture
-def root(tmp_path: Path) -> Path:
-    """A handout of the small chapter."""
-    return make_students_root(tmp_path)
-
-
-@pytest.fixture
-def terminal(root: Path) -> Iterator[Terminal]:
-    terminal = Terminal(root)
-    yield terminal
-    terminal.close()
-
+root = pytest.fixture(make_handout)
+terminal = pytest.fixture(opened)
 
 BAR = "#" * 20 + "." * 20  # one of two exercises
 

@@ -12,8 +12,8 @@ import pytest
 from autograder.manifest import ROOT
 from autograder.message import laid_out
 from autograder.text.wrapping import cut, few_lines, wrapped, wrapped_rows
-from small import RIGHT, make_students_root
-from terminal import HEIGHT, KEYS, WIDTH, Terminal, save
+from small import RIGHT
+from terminal import HEIGHT, KEYS, WIDTH, Terminal, make_handout, opened, save
 
 TIERS_MANIFEST = """
 title = "Small"
@@ -104,17 +104,8 @@ UNWRITTEN = "raise NotImplementedError('Exercise B90.1: Two and three')"
 QUADRUPLE = 'raise NotImplementedError("Exercise 90.1: Quadruple")'
 
 
-@pytest.fixture
-def root(tmp_path: Path) -> Path:
-    """A handout of the small chapter."""
-    return make_students_root(tmp_path)
-
-
-@pytest.fixture
-def terminal(root: Path) -> Iterator[Terminal]:
-    terminal = Terminal(root)
-    yield terminal
-    terminal.close()
+root = pytest.fixture(make_handout)
+terminal = pytest.fixture(opened)
 
 
 def test_the_physics_of_all_comes_first_and_then_the_robust_checks(

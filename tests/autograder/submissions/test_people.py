@@ -5,18 +5,16 @@ from __future__ import annotations
 import csv
 import re
 import stat
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
-from autograder.manifest import ROOT
 from autograder.platforms.uploads import Column
 from autograder.submissions.unpack import class_folder
 from small import RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, everything_in, grade, scores
 from staging import zip_of
+from typed import typed
 
 SMALL = "ch90_small/small.py"
 ROSTER = """id,name,email,login
@@ -145,9 +143,8 @@ def test_the_command_takes_a_zip_and_reports_a_mistake_in_the_roster(
 ) -> None:
     (tmp_path / "lab.zip").write_bytes(zip_of({"doejane_77_3_work.zip": zip_of({SMALL: b""})}))
     roster.write_text(ROSTER + "77,Ann,,\n", encoding="utf-8")
-    command = [sys.executable, "-m", "autograder", "grade", str(tmp_path / "lab.zip")]
-    command += ["--roster", str(roster), "--out", str(tmp_path / "out"), "--title", "Lab 1 (12)"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    options = ("--roster", roster, "--out", tmp_path / "out", "--title", "Lab 1 (12)")
+    done = typed("autograder", "grade", tmp_path / "lab.zip", *options)
     assert done.returncode == 2
     assert done.stdout.startswith(f"lab.zip is unpacked in {tmp_path / 'lab'}: 1 entries")
     where = f"grade: {roster}, line 5: the id '77' is already in line 2."

@@ -45,11 +45,12 @@ def student(browser: Browser, site: Served) -> Iterator[Student]:
     assert student.troubles == []
 
 
-def test_the_start_page_opens(student: Student) -> None:
+def test_the_start_page_opens_and_is_kept_for_use_offline(student: Student) -> None:
     student.open("index.html")
     words = student.read("Nothing yet. What you write in the lessons is kept in this browser.")
     for chapter in load_chapters():
         assert chapter.title in words
+    student.read("Everything is kept for use without the internet.")
 
 
 def test_a_wrong_answer_is_explained_and_a_right_one_is_told(

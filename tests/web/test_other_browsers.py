@@ -16,7 +16,7 @@ from copies import reference
 from course_site import Served
 from lab.host import Host
 from site_page import VECTOR
-from webdriver import BROWSERS, Browser, until
+from webdriver import BROWSERS, Browser
 from wrong import read_wrong, write_wrong
 
 CHAPTER = load_chapters()[0]
@@ -107,7 +107,7 @@ def test_work_is_kept_if_its_page_is_left_while_it_is_saved(student: Student) ->
         time.sleep(0.06 * number)
         student.open("index.html")
         student.read("You have changed 1 file in 1 chapter.")
-        until(lambda mine=mine: student.stored(VECTOR) == mine)
+        assert student.stored(VECTOR) == mine
 
 
 def test_a_scene_runs_and_its_cost_is_plausible(student: Student, tmp_path: Path) -> None:

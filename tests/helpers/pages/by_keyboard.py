@@ -16,13 +16,13 @@ PREPARED = """
 window.troubles = [];
 addEventListener("error", ({message}) => troubles.push(message));
 addEventListener("unhandledrejection", ({reason}) => troubles.push(String(reason)));
-window.until = async (condition, shown = () => "") => {
-  for (const end = Date.now() + 60_000; Date.now() < end; ) {  // machines of CI are slow
+window.until = async (condition, shown = () => document.body.innerText.slice(0, 2000)) => {
+  for (const end = Date.now() + 120_000; Date.now() < end; ) {  // machines of CI are slow
     const found = condition();
     if (found) return found;
     await new Promise((done) => setTimeout(done, 20));
   }
-  throw new Error(`never true: ${condition} ${shown()}`);
+  throw new Error(`never true: ${condition}\\n${shown()}`);
 };
 window.button = (words, place) =>
   [...(place?.querySelectorAll("button") ?? [])].find((each) => each.textContent === words);

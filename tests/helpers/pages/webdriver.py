@@ -34,7 +34,7 @@ FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox") or ""
 WEBKIT = {"WebKitWebDriver": "webkit2gtk-driver", "Xvfb": "xvfb"}  # command -> Debian's package
 CONTROL, ENTER = "\ue009", "\ue007"  # keys, as WebDriver encodes them
 STARTED = 60.0  # s; machines of CI are slow
-ANSWERED = 120.0  # s; more than any script waits for
+ANSWERED = 150.0  # s; longer than any script waits
 
 Found = TypeVar("Found")
 
@@ -212,6 +212,7 @@ def running(
 ) -> Iterator[subprocess.Popen[bytes]]:
     """Run a command with its own home folder. In the end, kill it with all that it has started."""
     # Nothing else is passed on, because a desktop's settings would come before the virtual screen.
+    # Pages learn the language from LANG, even if the system lacks it.
     kept = {name: value for name, value in os.environ.items() if name in ("PATH", "TMPDIR")}
     process = subprocess.Popen(
         command,
@@ -237,7 +238,7 @@ def until(condition: Callable[[], Found | None]) -> Found:
         if found := condition():
             return found
         time.sleep(0.02)
-    raise TimeoutError("a browser does not start")
+    raise TimeoutError("what a test waits for does not happen")
 
 
 def is_open(port: int) -> bool:

@@ -10,6 +10,7 @@ import timeit
 from collections.abc import Callable
 from itertools import chain, pairwise
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -111,6 +112,14 @@ def test_a_target_is_judged_by_the_median(
     target: Target | None, median: float, verdict: str
 ) -> None:
     assert timing.Line("made up", median, 0.0, 1e9, target).verdict == verdict
+
+
+@pytest.mark.parametrize(("minor", "bound"), [(12, 1.6), (13, 2.0)])
+def test_the_target_of_a_step_is_that_of_the_python_that_runs(
+    minor: int, bound: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(particles, "sys", SimpleNamespace(version_info=(3, minor)))
+    assert particles.lines()[0].target == Target("at most", bound)
 
 
 def test_the_table_is_printed_and_written_and_a_miss_is_no_failure(

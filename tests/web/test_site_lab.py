@@ -13,7 +13,7 @@ import site_page
 from autograder.manifest import load_chapters
 from copies import reference
 from course_site import Served
-from site_page import accessible, everything_written, turn, upload
+from site_page import accessible, everything_written, turn, upload, visit
 from web.stills import scenes_of_students
 from wrong import Wrong, write_wrong
 
@@ -163,3 +163,18 @@ def test_everything_but_the_charts_runs_with_an_unknown_language(
         visitor.troubles
     )  # uPlot's own
     visitor.troubles.clear()
+
+
+def test_a_scene_runs_if_the_library_of_the_charts_is_missing(
+    browser: Any, site: Served, tmp_path: Path
+) -> None:
+    with visit(browser, service_workers="block") as context:
+        page = context.new_page()
+        upload(page, site.address, reference(), tmp_path)
+        page.route("**/uPlot.iife.min.js", lambda route: route.abort())
+        page.goto(f"{site.address}lab.html?scene=one-spring")
+        page.locator("#contenders tbody tr").wait_for()
+        play_until(page.locator("#lab"), 0.5)
+        assert "the library that draws them did not load" in page.inner_text("#charts")
+        assert page.locator("#trouble").is_hidden()
+        context.troubles.clear()  # the browser reports the missing file

@@ -1,7 +1,7 @@
 """Commands that are killed at random moments lose nothing, and the same command completes them.
 
-KILLS=40 in the environment kills each command so often. Otherwise each is killed once, and the
-grading of a class three times. With KILL_SEED=2 the moments are others.
+KILLS=40 in the environment kills each command so often. Otherwise each is killed once, and those
+with a ``least`` a few times. With KILL_SEED=2 the moments are others.
 """
 
 from __future__ import annotations

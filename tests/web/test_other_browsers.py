@@ -113,8 +113,8 @@ def test_work_is_kept_if_its_page_is_left_while_it_is_saved(student: Student) ->
 def test_a_scene_runs_and_its_cost_is_plausible(student: Student, tmp_path: Path) -> None:
     """A frame takes less than 1 ms, and these browsers round their clocks to 1 ms.
 
-    In WebAssembly, it took 3 to 9 times as long as outside a browser. The limits leave room for a
-    busy machine, but not for another unit, nor for a clock that always shows the same time.
+    After a few seconds, in which the browser still compiles Python, it takes 3 to 9 times as long
+    as outside a browser. The limits leave room for a busy machine, but not for a wrong unit.
     """
     archive = tmp_path / "everything.zip"
     with zipfile.ZipFile(archive, "w") as file:
@@ -127,9 +127,8 @@ def test_a_scene_runs_and_its_cost_is_plausible(student: Student, tmp_path: Path
     cost = "document.querySelector('#contenders tbody tr')?.cells[2]"
     student.see(cost)
     student.press("Play")
-    student.see(f"/\\d/.test({cost}.innerText)")  # before that, it is not known yet
+    student.see("parseFloat(document.querySelector('#clock').innerText) > 5")
     value, unit = student.text(cost).split()
-    assert float(student.text("document.querySelector('#clock')").removesuffix(" s")) > 0.5
     assert student.text("document.querySelector('#trouble')") == ""
     shown = float(value) * {"µs": 1.0, "ms": 1000.0}[unit]
     assert 0.5 < shown / outside_a_browser() < 40.0

@@ -164,7 +164,7 @@ def test_the_other_right_bodies_earn_every_point(chapter: Chapter) -> None:
     assert lost(waiting.run([*rights], ids)) == {}
 
 
-@pytest.mark.parametrize(("chapter", "wrong"), wrong_submissions())
+@pytest.mark.parametrize(("chapter", "wrong"), [*wrong_submissions()])
 def test_a_wrong_submission_is_caught(
     chapter: Chapter, wrong: Wrong, pytestconfig: pytest.Config
 ) -> None:

@@ -116,6 +116,7 @@ def test_the_jacobian_of_a_step_is_symplectic_for_three_of_them(step: Integrator
         assert min(off, volume) > 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("step", "swing"), [(semi_implicit_euler, 0.25), (leapfrog, 0.02), (velocity_verlet, 0.02)]
 )

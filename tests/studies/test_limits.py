@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from studies import limits
 from studies.limits import maps, search
-from studies.limits.search import Bound, energy_drifts
+from studies.limits.search import energy_drifts
 
 SPRINGS = {
     ("explicit Euler", "d^h = 1"): 0.0,

@@ -29,6 +29,7 @@ def write_class(folder: Path, students: dict[str, Files]) -> Path:
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("numbers", "seed"), [("2-3", 1), ("2-3", 2), ("2-3", 3), ("5", 4)])
 def test_nine_of_ten_copies_are_found_at_one_false_pair_or_fewer(numbers: str, seed: int) -> None:
     chapters = select_chapters(numbers)

@@ -132,6 +132,7 @@ def test_points_on_the_reference_are_those_of_a_run_on_it(engine: Path) -> None:
     assert f"On the reference's chapter 2 you have {left}." in done.stdout  # a check of 3.3 passes
 
 
+@pytest.mark.slow
 def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(engine: Path) -> None:
     edit(
         engine,

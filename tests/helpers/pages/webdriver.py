@@ -180,7 +180,9 @@ def firefox(home: Path) -> Iterator[Firefox]:
     (profile / "user.js").write_text(settings, encoding="utf-8")
     command = [FIREFOX, "--headless", "--remote-debugging-port=0", "--profile", str(profile)]
     with log.open("w", encoding="utf-8") as file, running(command, home, stderr=file):
-        began = until(lambda: re.search("BiDi listening on (ws:.*)", log.read_text("utf-8")))
+        began = until(
+            lambda: re.search("BiDi listening on (ws:.*)", log.read_text(encoding="utf-8"))
+        )
         browser = Firefox(home, began[1])
         yield browser
         browser.close()

@@ -57,6 +57,7 @@ def test_a_hand_out_imports_what_every_system_has(tmp_path: Path) -> None:
         assert POSIX_ONLY.isdisjoint(imported_at_once(tree.body)), file
 
 
+@pytest.mark.slow
 def test_the_students_tools_call_nothing_that_windows_lacks(tmp_path: Path) -> None:
     """The type checker knows Python's library on Windows: os.killpg, say, needs a guard."""
     modules = [

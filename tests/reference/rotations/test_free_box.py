@@ -57,6 +57,7 @@ def test_moments_and_energy_are_those_of_a_cuboid() -> None:
     assert tuple(box.own_velocity()) == (2.0, 0.0, -1.0)
 
 
+@pytest.mark.slow
 def test_energy_and_momentum_are_kept_for_100_000_steps() -> None:
     """In almost half an hour, the energy oscillates with each flip, and not more at the end."""
     box = thrown(SPEED, 0.05 * SPEED, 0.0)

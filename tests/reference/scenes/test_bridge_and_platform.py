@@ -55,6 +55,7 @@ def half_a_minute(rate: int) -> tuple[Bridge, list[float]]:
     return bridge, [start, *run(bridge, 30.0 if rate == 60 else 12.0, rate)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [30, 60])
 def test_a_bridge_comes_to_rest_and_never_has_more_energy_than_at_first(rate: int) -> None:
     """In the last 5 s, 0.004 and 0.009 % of 425 J were measured, and 0.15 % stretch."""
@@ -191,6 +192,7 @@ def test_a_tipped_platform_lies_where_geometry_says() -> None:
         assert (up.x, up.y) == pytest.approx(wanted, abs=3e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.98, 1.02])
 def test_a_weight_lifts_a_platform_that_lies_on_its_other_end(share: float) -> None:
     """It takes 3 kg, because 2 kg are at 4.472 m, and 2 kg and the weight at -1.789 m.

@@ -2,7 +2,7 @@
 SUBMISSIONS ?= sample_class
 # It grades a class on all cores, and would do so once a process of the others.
 HOSTILE := tests/autograder/untrusted/test_hostile.py
-PYTEST = PYTHONPATH=tests/helpers $(RUN) -m pytest
+PYTEST = PYTHONPATH=tests/helpers $(RUN) -m pytest --dist worksteal
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 

@@ -46,7 +46,7 @@ def student(browser: Browser, site: Served) -> Iterator[Student]:
 
 
 def test_the_start_page_opens_and_is_kept_for_use_offline(student: Student) -> None:
-    student.open("index.html")
+    student.visit("index.html")
     words = student.read("Nothing yet. What you write in the lessons is kept in this browser.")
     for chapter in load_chapters():
         assert chapter.title in words
@@ -58,7 +58,7 @@ def test_a_wrong_answer_is_explained_and_a_right_one_is_told(
 ) -> None:
     (wrong,) = (each for each in read_wrong(CHAPTER) if each.mistake == "Forgets the square root.")
     write_wrong(CHAPTER, [wrong], tmp_path)
-    student.open(f"{CHAPTER.name}.html")
+    student.visit(f"{CHAPTER.name}.html")
     panel = student.turn("B2.2")
     student.write(panel, (tmp_path / VECTOR).read_text(encoding="utf-8"))
     assert student.check(panel).startswith("B2.2: failed")
@@ -68,30 +68,30 @@ def test_a_wrong_answer_is_explained_and_a_right_one_is_told(
 
 
 def test_the_solutions_of_a_chapter_earn_all_points(student: Student) -> None:
-    student.open(f"{CHAPTER.name}.html")
+    student.visit(f"{CHAPTER.name}.html")
     for exercise, file in (("B2.1", "vector.py"), ("B2.11", "exercises.py")):
         student.write(student.turn(exercise), SOLUTIONS[f"{CHAPTER.name}/{file}"])
     whole = student.panel("[data-whole]", "button")
     assert student.check(whole, "Check the whole chapter").startswith("All checks pass")
     points = sum(each.points for each in CHAPTER.exercises if each.kind != "written")
     student.read(f"{points} of {points} points earned so far", whole)
-    student.open("index.html")
+    student.visit("index.html")
     student.read(f"{points} of {points} points")
 
 
 def test_work_leaves_as_a_zip_and_comes_back_from_it(student: Student) -> None:
-    student.open(f"{CHAPTER.name}.html")
+    student.visit(f"{CHAPTER.name}.html")
     student.write(student.turn("B2.1"), MINE)
-    student.open("index.html")
+    student.visit("index.html")
     student.press("Download my work (.zip)")
     student.read("Your work is downloaded.")
     archive = student.download("my-engine.zip")
     with zipfile.ZipFile(archive) as file:
         assert {*SOLUTIONS} <= {*file.namelist()}
         assert file.read(VECTOR).decode("utf-8") == MINE
-    student.open(f"{CHAPTER.name}.html")
+    student.visit(f"{CHAPTER.name}.html")
     student.write(student.turn("B2.1"), "# nothing is left\n")
-    student.open("index.html")
+    student.visit("index.html")
     student.upload(archive)
     student.press("Replace them", "document.querySelector('dialog')")
     student.read("1 file taken from my-engine.zip")
@@ -101,11 +101,11 @@ def test_work_leaves_as_a_zip_and_comes_back_from_it(student: Student) -> None:
 def test_work_is_kept_if_its_page_is_left_while_it_is_saved(student: Student) -> None:
     """It is saved 150 ms after a change. Five pages are left before that, meanwhile and after."""
     for number in range(5):
-        student.open(f"{CHAPTER.name}.html")
+        student.visit(f"{CHAPTER.name}.html")
         mine = f"{MINE}# {number}\n"
         student.write(student.turn("B2.1"), mine)
         time.sleep(0.06 * number)
-        student.open("index.html")
+        student.visit("index.html")
         student.read("You have changed 1 file in 1 chapter.")
         assert student.stored(VECTOR) == mine
 
@@ -120,10 +120,10 @@ def test_a_scene_runs_and_its_cost_is_plausible(student: Student, tmp_path: Path
     with zipfile.ZipFile(archive, "w") as file:
         for path, text in reference().items():
             file.writestr(path, text)
-    student.open("index.html")
+    student.visit("index.html")
     student.upload(archive)
     student.read("taken from everything.zip")
-    student.open(f"lab.html?scene={SCENE}")
+    student.visit(f"lab.html?scene={SCENE}")
     cost = "document.querySelector('#contenders tbody tr')?.cells[2]"
     student.see(cost)
     student.press("Play")

@@ -56,7 +56,7 @@ class Student:
         self.browser, self.site = browser, site
         self.troubles: list[str] = []
 
-    def open(self, page: str) -> None:
+    def visit(self, page: str) -> None:
         """Open a page of the site."""
         self.listen()
         self.browser.open(f"{self.site.address}{page}")

@@ -29,6 +29,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from autograder.checks.arrange import shared_by_checks
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter
+from fingerprint import fingerprint
 from kept import FOLDER, keep
 from ready import Ready
 
@@ -182,10 +183,7 @@ def _state(chapter: str, check: str) -> str:
     for file in folder.glob("test_*.py"):
         if not check or f"def {check}(" in file.read_text(encoding="utf-8"):
             files.append(file)
-    digest = hashlib.sha256()
-    for file in sorted(files):
-        digest.update(file.read_bytes())
-    return digest.hexdigest()
+    return fingerprint(sorted(files))
 
 
 def read_survivors(chapter: Chapter) -> list[Survivor]:

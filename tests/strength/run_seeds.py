@@ -9,9 +9,7 @@ import sys
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter
-from kept import FILE, keep
-
-SECOND = ROOT / "sample_class" / "ada"
+from kept import FILE, SECOND, keep
 
 
 def run_seeds(chapters: list[Chapter], seeds: int, jobs: int) -> bool:

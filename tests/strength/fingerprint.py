@@ -1,0 +1,44 @@
+"""What figures were measured on: they are old once a check or a solution has changed since."""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import io
+import tokenize
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+from autograder.checks.arrange import shared_by_checks
+from autograder.manifest import ROOT, Chapter
+
+DOCUMENTED = ast.Module | ast.ClassDef | ast.FunctionDef
+
+
+def of_checks(chapter: Chapter, solution: Path) -> str:
+    """Return the fingerprint of a chapter's checks and of the modules of a solution."""
+    checks = sorted((ROOT / "tests" / chapter.name).glob("*.py"))
+    modules = [solution / chapter.name / file for file in chapter.edited_files]
+    return fingerprint([*checks, *shared_by_checks(ROOT), *modules])
+
+
+def fingerprint(files: Iterable[Path]) -> str:
+    """Return a hash of the code in Python files, without docstrings, comments and layout."""
+    digest = hashlib.sha256()
+    for file in files:
+        digest.update(_code(file.read_text(encoding="utf-8")).encode())
+    return digest.hexdigest()[:16]
+
+
+@cache
+def _code(source: str) -> str:
+    """Return a module's tokens in a row, without docstrings and comments."""
+    docstrings = {
+        (node.body[0].lineno, node.body[0].col_offset)
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, DOCUMENTED) and ast.get_docstring(node) is not None
+    }
+    tokens = tokenize.generate_tokens(io.StringIO(source).readline)
+    kept = [t.string for t in tokens if t.type != tokenize.COMMENT and t.start not in docstrings]
+    return "".join("".join(kept).split())

@@ -176,7 +176,9 @@ def test_a_plot_without_the_student_s_drops_shows_the_sample(tmp_path: Path) -> 
     )
     done = plot(engine, tmp_path, "ch07_constraints", only=("restitution_of_materials",))
     assert done.returncode == 0, done.stdout
-    with (tmp_path / "ch07_constraints/restitution_of_materials.csv").open() as file:
+    with (tmp_path / "ch07_constraints/restitution_of_materials.csv").open(
+        encoding="utf-8"
+    ) as file:
         assert sum(line.startswith("drop,") for line in file) == 13
 
 

@@ -14,7 +14,7 @@ import pytest
 TESTS = Path(__file__).parent.parent
 FILE = TESTS / "tiers.toml"
 TIERS = tomllib.loads(FILE.read_text(encoding="utf-8"))
-# Each path of the list, with "" if it is quick, and else with a name for its tests.
+# How the path of a test file may begin, with "" if the file is quick, and else with a name for it.
 PATHS: dict[str, str] = dict.fromkeys(TIERS["quick"], "") | TIERS["slow"]
 
 
@@ -25,7 +25,7 @@ def is_slow(file: Path) -> bool:
         pytest.Collector.CollectError: The list has neither the file nor a folder with the file.
     """
     path = file.relative_to(TESTS).as_posix()
-    fits = [p for p in PATHS if path == p or (p.endswith("/") and path.startswith(p))]
+    fits = [begin for begin in PATHS if path.startswith(begin)]
     if not fits:
         raise pytest.Collector.CollectError(f"no tier: add {path} or its folder to {FILE}")
     return bool(PATHS[max(fits, key=len)])
@@ -44,17 +44,16 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Read no file that has only slow tests if only quick ones will run."""
-    if collection_path.match("test_*.py") and is_slow(collection_path):
-        return config.getoption("tier") == "quick" or None
-    return None
+    is_left_out = collection_path.match("test_*.py") and is_slow(collection_path)
+    return True if is_left_out and config.getoption("tier") == "quick" else None
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    wanted = config.getoption("tier") == "slow"
-    tiers = [(is_slow(item.path) or item.get_closest_marker("slow") is not None) for item in items]
-    others = [item for item, slow in zip(items, tiers, strict=True) if slow != wanted]
+    chosen, others = [], []
+    for item in items:
+        slow = is_slow(item.path) or item.get_closest_marker("slow") is not None
+        (chosen if slow == (config.getoption("tier") == "slow") else others).append(item)
     config.hook.pytest_deselected(items=others)
-    chosen = [item for item, slow in zip(items, tiers, strict=True) if slow == wanted]
     items[:] = sorted(chosen, key=place)
 
 

@@ -156,23 +156,23 @@ class WebKit(Browser):
 
     def begin(self) -> None:
         """Start a new browser. Once in some hundred times it hangs, and another one is started."""
-        for is_last in (False, False, True):
-            self.close()
-            with socket.socket() as free:
-                free.bind(("127.0.0.1", 0))
-                self.port = free.getsockname()[1]
-            command = ["WebKitWebDriver", f"--port={self.port}"]
-            self.driver.enter_context(running(command, self.home, self.variables))
-            until(lambda: is_open(self.port))
-            try:
-                self.session = (
-                    f"/session/{self.send('', timeout=BEGUN, capabilities={})['sessionId']}"
-                )
+        for _ in range(2):
+            with contextlib.suppress(TimeoutError):
+                self._start()
                 break
-            except TimeoutError:
-                if is_last:
-                    raise
+        else:
+            self._start()
         self.send("/timeouts", script=1e3 * ANSWERED)
+
+    def _start(self) -> None:
+        self.close()
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            self.port = free.getsockname()[1]
+        command = ["WebKitWebDriver", f"--port={self.port}"]
+        self.driver.enter_context(running(command, self.home, self.variables))
+        until(lambda: is_open(self.port))
+        self.session = f"/session/{self.send('', timeout=BEGUN, capabilities={})['sessionId']}"
 
     def open(self, address: str) -> None:
         self.send("/url", url=address)

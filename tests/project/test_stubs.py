@@ -25,6 +25,7 @@ from autograder.handouts.tables import with_table
 from autograder.manifest import ROOT, Chapter, load_chapters
 from copies import copy_tree
 from made import made_stubs
+from typed import typed
 
 SOURCE = '''\
 """A module."""
@@ -122,12 +123,7 @@ def test_every_stub_is_as_tidy_as_ruff_would_make_it(tmp_path: Path) -> None:
     src = f"src = ['{ROOT / 'solutions'}', '{ROOT / 'chapters'}']"
     unused = ["check", "--select", "F401,F841,I", "--config", src, *options]
     for command in (unused, ["format", "--check", *options]):
-        done = subprocess.run(
-            [sys.executable, "-m", "ruff", *command, str(tmp_path)],
-            capture_output=True,
-            encoding="utf-8",
-            check=False,
-        )
+        done = typed("ruff", *command, tmp_path)
         assert done.returncode == 0, done.stdout
 
 

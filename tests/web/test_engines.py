@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 import random
 import re
-import subprocess
-import sys
 
 import pytest
 
@@ -16,6 +14,7 @@ from autograder.student.failure import failure_of
 from copies import reference
 from in_node import NodeEngines, engines
 from ready import ready
+from typed import typed
 from wrong import read_wrong, write_wrong
 
 SEED = 1  # of the wrong submissions that are drawn
@@ -33,8 +32,8 @@ EACH = [  # only the first one is quick
 def checks() -> dict[str, list[str]]:
     """Return the names of all graded checks of each chapter, as pytest finds them on CPython."""
     folders = [f"tests/{chapter.name}" for chapter in CHAPTERS]
-    command = [sys.executable, "-m", "pytest", "--collect-only", "-q", "-n", "0", *folders]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=True)
+    done = typed("pytest", "--collect-only", "-q", "-n", "0", *folders)
+    assert done.returncode == 0, done.stdout + done.stderr
     found: dict[str, list[str]] = {chapter.name: [] for chapter in CHAPTERS}
     for line in filter(lambda line: "::" in line, done.stdout.splitlines()):
         path, _, name = line.partition("::")

@@ -2,29 +2,16 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-from autograder.manifest import ROOT
 from lab.drawing.pen import ARROWS, COLORS, Pen
+from typed import typed
 from web import __main__ as site
 from web import node
 from web.svg import HEIGHT, WIDTH, svg
-
-
-def run(*arguments: str, path: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "web", *arguments],
-        cwd=ROOT,
-        env={"PATH": path},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
 
 
 def test_without_node_it_says_what_to_install(
@@ -46,7 +33,7 @@ def test_a_folder_with_something_else_in_it_is_left_alone(tmp_path: Path) -> Non
 
 
 def test_a_missing_node_is_told_before_anything_is_built(tmp_path: Path) -> None:
-    done = run("--out", str(tmp_path / "site"), path=str(tmp_path))
+    done = typed("web", "--out", tmp_path / "site", PATH=str(tmp_path))
     assert done.returncode == 1
     assert done.stderr.startswith("make site: there is no node")
     assert done.stdout == ""

@@ -35,6 +35,7 @@ from autograder.student.screen import Report, first_open, points_of
 from copies import copy_tree
 from small import RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, results, scores
+from typed import typed
 
 CH02 = load_chapters()[0]
 SMALL = """
@@ -295,17 +296,15 @@ def test_the_command_grades_an_assignment_and_lists_the_mistakes_of_its_file(
 ) -> None:
     course(tmp_path, VECTORS)
     copy_tree(ROOT / "sample_class/dina", tmp_path / "class/dina")
-    command = [sys.executable, "-m", "autograder", "grade", str(tmp_path / "class")]
-    command += ["--unsafe-no-sandbox", "--out", str(tmp_path / "out")]
-    command += ["--course", str(tmp_path / "course.toml"), "--assignment", "lab1"]
-    run = {"cwd": ROOT, "capture_output": True, "encoding": "utf-8", "check": False}
-    done = subprocess.run(command, **run)  # type: ignore[call-overload]
+    command = ["autograder", "grade", tmp_path / "class", "--out", tmp_path / "out"]
+    command += ["--course", tmp_path / "course.toml", "--assignment", "lab1", "--unsafe-no-sandbox"]
+    done = typed(*command)
     assert done.returncode == 0, done.stderr
     assert "0/20" in done.stdout
     wrong = VECTORS.replace("B2.5", "B2.55").replace("out_of = 20", "out_of = -20")
     (tmp_path / "course.toml").write_text(wrong, encoding="utf-8")
     shutil.rmtree(tmp_path / "out")
-    done = subprocess.run(command, **run)  # type: ignore[call-overload]
+    done = typed(*command)
     assert done.returncode == 2
     assert done.stderr.startswith(f"grade: {tmp_path / 'course.toml'} has ")
     assert "Traceback" not in done.stderr

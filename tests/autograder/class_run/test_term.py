@@ -5,16 +5,15 @@ from __future__ import annotations
 import csv
 import io
 import random
-import subprocess
-import sys
 import zipfile
 from pathlib import Path
 
 import pytest
 
 from autograder.isolation.probe import best_level
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import load_chapters
 from copies import reference
+from typed import typed
 from wrong import read_wrong, write_all, write_wrong
 
 CH02 = load_chapters()[0]
@@ -88,12 +87,14 @@ def folder(kinds: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> P
     return folder
 
 
-def grade(folder: Path, *more: str) -> list[str]:
+def grade(folder: Path, *more: str) -> str:
+    """Grade the class, and return what the command prints, as one line."""
     if not best_level().is_sandbox:
         more = (*more, "--unsafe-no-sandbox")
-    command = [sys.executable, "-m", "autograder", "grade", str(folder / "lab1.zip")]
-    command += ["--assignment", "lab1", "--course", str(folder / "course.toml")]
-    return [*command, "--out", str(folder / "grades"), *more]
+    command = ["autograder", "grade", folder / "lab1.zip", "--out", folder / "grades"]
+    done = typed(*command, "--assignment", "lab1", "--course", folder / "course.toml", *more)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return " ".join(done.stdout.split())
 
 
 @pytest.fixture(scope="module")
@@ -102,20 +103,14 @@ def printed(folder: Path, kinds: dict[str, str]) -> list[str]:
 
     With the two files of the fixture above, these are all commands from a class list to an import.
     """
-    said = [run_whole(grade(folder))]
+    said = [grade(folder)]
     days = {i: "25 23:00" if kind == "late" else "23 12:00" for i, kind in kinds.items()}
     times = [f"{i},2026-10-{day}" for i, day in days.items() if kinds[i] != "missing"]
     text = "\n".join(["student,submitted", *times, ""])
     (folder / "lab1" / "times.csv").write_text(text, encoding="utf-8")
-    said.append(run_whole(grade(folder)))
+    said.append(grade(folder))
     student = next(i for i, kind in kinds.items() if kind == "partial")
-    return [*said, run_whole(grade(folder, "--student", student, "--note", "asked for it"))]
-
-
-def run_whole(command: list[str]) -> str:
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return " ".join(done.stdout.split())
+    return [*said, grade(folder, "--student", student, "--note", "asked for it")]
 
 
 def table(path: Path) -> list[dict[str, str]]:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 import tomllib
 from typing import Any
 
@@ -12,6 +10,7 @@ import pytest
 import yaml
 
 from autograder.manifest import ROOT
+from typed import typed
 
 JOBS = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))["jobs"]
 STEPS = [step for job in JOBS.values() for step in job["steps"]]
@@ -71,8 +70,7 @@ def _of(step: dict[str, Any]) -> list[str]:
     ("module", "name", "rest"), COMMANDS, ids=[f"{module} {name}" for module, name, _ in COMMANDS]
 )
 def test_a_command_and_its_options_are_there(module: str, name: str, rest: str) -> None:
-    command = [sys.executable, "-m", module, name, "--help"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    done = typed(module, name, "--help")
     assert done.returncode == 0, done.stderr
     for option in re.findall(r"--\w+", rest):
         assert f"{option} " in done.stdout

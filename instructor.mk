@@ -76,9 +76,9 @@ site: .venv/pictures ## build the website; needs Node.js (OUT=dir SOLUTIONS=1)
 # == For those who work on the companion itself ==
 # One scene of the lab replays a study.
 lab: $(if $(filter charts,$(SCENE)),.venv/everything)
-test: say-what-test-is .venv/everything $(if $(CH),lint) ## run the quick tests, or the tests of one chapter (CH=6)
+test: say-what-test-is .venv/everything $(if $(CH),lint) ## run the quick tests, or those of one chapter (CH=6)
 ifneq ($(CH),)
-	@$(PYTEST) -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
+	@$(PYTEST) -n auto -p tiers --tier quick -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
 else
 	@$(PYTEST) -n $(WORKERS) -p tiers --tier quick
 endif

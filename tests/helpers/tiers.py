@@ -62,4 +62,5 @@ def pytest_terminal_summary(
 ) -> None:
     if config.getoption("tier") == "quick":
         names = ", ".join(dict.fromkeys(name for name in PATHS.values() if name))
-        terminalreporter.write_line(f"Left out: {names}. To run them too: make test-all")
+        text = f"Left out: {names}, and tests marked as slow. To run them too: make test-all"
+        terminalreporter.write_line(text)

@@ -26,7 +26,11 @@ def item(file: str, **parameters: object) -> SimpleNamespace:
         ("studies/test_limits.py", {}, {6}),  # because of the studies that it imports
         ("studies/plots/test_engines.py", {}, {9}),  # because of the names in its text
         ("project/test_proofs.py", {"chapter": CHAPTERS[2]}, {4}),
-        ("project/test_structure.py", {"path": ROOT / "solutions/ch05_forces/forces.py"}, {5}),
+        (
+            "reference/everywhere/test_examples.py",
+            {"path": ROOT / "solutions/ch05_forces/forces.py"},
+            {5},
+        ),
         ("project/test_structure.py", {}, set()),
         ("lab/test_scenes.py", {}, set()),  # it names no chapter
         ("web/test_site_solving.py", {"chapter": CHAPTERS[2]}, set()),

@@ -23,7 +23,13 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     """
     unsafe = "grade without a sandbox if this machine has none; only for a class you trust"
     command = commands.add_parser("grade", help="grade a folder of submissions")
-    command.add_argument("folder", type=Path, help="folder of submissions, or a zip of all of them")
+    command.add_argument(
+        "folder",
+        type=Path,
+        nargs="?",
+        help="folder of submissions, or a zip of all of them (default: the class that was graded "
+        "last into --out, or else the sample class)",
+    )
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
     command.add_argument("--seed", help="seed for the random numbers (default: a new one)")
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
@@ -85,6 +91,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "folder", type=Path, help="folder of submissions, one folder or .zip per student"
     )
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
+    command.add_argument("--roster", type=Path, help="the roster that the class is graded with")
     command.add_argument(
         "--no-browser", action="store_true", help="print the address instead of opening a browser"
     )
@@ -115,6 +122,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
     if arguments.student and not (arguments.chapters or arguments.given or arguments.assignment):
         arguments.chapters, arguments.given = earlier_choice(arguments.out)
     work = work_of(arguments)
+    folder = class_folder(arguments.folder) if arguments.folder else _class_of(arguments)
     options = ClassOptions(
         given=work.given,
         seed=arguments.seed or work.seed,
@@ -128,8 +136,30 @@ def run_grade(arguments: argparse.Namespace) -> int:
         roster=arguments.roster or work.roster,
         anonymous=arguments.anonymous,
         column=Column(arguments.title or work.title, arguments.points),
+        assignment=work.name,
     )
-    return grade(class_folder(arguments.folder), arguments.out, work.chapters, options)
+    return grade(folder, arguments.out, work.chapters, options)
+
+
+def _class_of(arguments: argparse.Namespace) -> Path:
+    """Return the class to grade if the command names none.
+
+    It is the class whose grades are in the folder for the results. If there are none, it is the
+    sample class, but never for a real assignment.
+
+    Raises:
+        ValueError: The command is for a real class that it must name.
+    """
+    from autograder.grader.class_folder import SAMPLE, graded_folder
+
+    if before := graded_folder(arguments.out):
+        print(f"grading the class in {before} again")
+        return before
+    if arguments.assignment or arguments.student or arguments.roster:
+        raise ValueError(
+            "name the folder or the zip of the submissions (make: SUBMISSIONS=../handed-in)"
+        )
+    return SAMPLE
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
@@ -176,8 +206,10 @@ def run_mark(arguments: argparse.Namespace) -> int:
     from autograder.marking.server import mark
     from autograder.submissions.unpack import class_folder
 
-    chapters = work_of(arguments).chapters
-    return mark(class_folder(arguments.folder), chapters, browser=not arguments.no_browser)
+    work = work_of(arguments)
+    roster = arguments.roster or work.roster
+    folder = class_folder(arguments.folder)
+    return mark(folder, work.chapters, roster=roster, browser=not arguments.no_browser)
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:

@@ -9,7 +9,8 @@ from typing import Literal
 from autograder.checks.verdict import Point, Status, Verdict
 from autograder.manifest import Chapter, Exercise
 
-ExerciseStatus = Status | Literal["waiting", "marked"]  # "marked" means that a person gave points
+# "marked" means that a person gave points, and "changed" that the answer is a new one since then.
+ExerciseStatus = Status | Literal["waiting", "marked", "changed"]
 PHYSICS_SHARE = 0.85  # the physics checks' part of the points, if there are robust checks too
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
@@ -61,15 +61,13 @@ def deduction(policy: LatePolicy, days: int, possible: float) -> float:
 
 
 def late_of(
-    deadline: Deadline, names: Iterable[str], said: HandedIn | None, possible: float
+    deadline: Deadline, granted: Sequence[datetime], said: HandedIn | None, possible: float
 ) -> Late:
     """Compute the lateness of a submission and the resulting penalty, with an explanation.
 
-    ``names`` lists the students who submitted the work together. If any of them have extensions,
-    the latest due date applies to the whole group. There is no penalty if the submission time is
-    unknown.
+    ``granted`` lists the extensions of the students who submitted the work together. The latest one
+    applies to all of them. There is no penalty if the submission time is unknown.
     """
-    granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
     was = f"It was due {clock(due)}{' (extended)' if granted else ''}."
     if said is None:

@@ -10,48 +10,45 @@ from typing import Any
 
 from autograder.course.dates import parse_time
 from autograder.course.late import HandedIn, late_of
-from autograder.course.mistakes import nearest
 from autograder.course.model import Deadline
 from autograder.course.times import TIMES, times_of
 from autograder.manifest import Chapter
 from autograder.reports.marks import Marks
 from autograder.reports.report import Late
 from autograder.scores import possible
-from autograder.submissions.find import Submission
+from autograder.submissions.class_list import ClassList, Member
+from autograder.submissions.names import Names, UnknownNameError
+from autograder.submissions.roster import read_roster
 
 
 def lateness(
-    deadline: Deadline, chapters: list[Chapter], folder: Path, submissions: list[Submission]
+    deadline: Deadline, chapters: list[Chapter], folder: Path, people: ClassList
 ) -> tuple[dict[str, Late], list[str]]:
     """Compute how late the work of each student in a class is, and how many points that costs.
 
-    Return the results together with a list of notes for the instructor. A note may say, for
-    example, that some submission times are unknown.
+    Return the results by report, and notes for the instructor. A note may say, for example, that
+    some submission times are unknown.
 
     Raises:
-        ValueError: A file with the times of the submissions is not valid.
+        ValueError: A file with the times of the submissions is not valid, or an extension is not
+            that of one student.
     """
-    said = times_of(folder, submissions, deadline.due.tzinfo or UTC)
+    said, notes = times_of(folder, people, deadline.due.tzinfo or UTC)
+    granted, more_notes = _extensions(deadline, people)
+    notes += more_notes
     points = points_of(chapters)
-    students = [submission.student for submission in submissions]
+    reports = [submission.student for submission in people.submissions]
     late = {
-        submission.student: late_of(
-            deadline, submission.names, said.get(submission.student), points
-        )
-        for submission in submissions
+        report: late_of(deadline, granted.get(report, []), said.get(report), points)
+        for report in reports
     }
-    notes = []
-    names = [name for submission in submissions for name in submission.names]
-    for name in (name for name in deadline.extensions if name not in names):
-        wanted = nearest(name, names, 1)
-        notes.append(f"Extension for {name!r}: no submission has this name. {wanted}".strip())
     add = f"To add times, write {folder / TIMES}."
-    if unknown := [student for student in students if student not in said]:
+    if unknown := [report for report in reports if report not in said]:
         notes.append(
-            f"The submission time is unknown for {len(unknown)} of {len(students)} students, who "
+            f"The submission time is unknown for {len(unknown)} of {len(reports)} students, who "
             f"therefore get no penalty: {_some(unknown)}. {add}"
         )
-    unclear = [student for student, at in said.items() if at.late and at.at is None]
+    unclear = [report for report, at in said.items() if at.late and at.at is None]
     if unclear:
         notes.append(
             f"Late by an unknown amount of time, and therefore without a penalty: {len(unclear)} "
@@ -61,6 +58,37 @@ def lateness(
         lose = sum(each.deduction > 0.0 for each in days)
         notes.append(f"Late: {len(days)}. With a penalty: {lose}.")
     return late, notes
+
+
+def _extensions(
+    deadline: Deadline, people: ClassList
+) -> tuple[dict[str, list[datetime]], list[str]]:
+    """Find out which reports the extensions in the course file apply to.
+
+    Without a roster, a name that nobody has may be that of a student who has not handed in yet.
+    """
+    granted: dict[str, list[datetime]] = {}
+    of_member: dict[Member, tuple[str, datetime]] = {}
+    problems: list[str] = []
+    notes: list[str] = []
+    for name, due in deadline.extensions.items():
+        try:
+            members = people.members_of(name)
+        except UnknownNameError as error:
+            (problems if people.has_roster else notes).append(f"Extension for {name!r}: {error}")
+            continue
+        except ValueError as error:
+            problems.append(f"Extension for {name!r}: {error}")
+            continue
+        for member in members:
+            before, time = of_member.setdefault(member, (name, due))
+            if time != due:
+                words = f"{before!r} is the same student and has another date. Give only one"
+                problems.append(f"Extension for {name!r}: {words}")
+            granted.setdefault(member.report, []).append(due)
+    if problems:
+        raise ValueError("\n".join(dict.fromkeys(problems)))
+    return granted, notes
 
 
 def _some(names: list[str]) -> str:
@@ -81,9 +109,46 @@ def late_on_gradescope(
         at = None
     users = metadata.get("users")
     users = [user for user in users if isinstance(user, dict)] if isinstance(users, list) else []
-    names = [str(user.get(key)) for user in users for key in ("name", "email")]
-    said = HandedIn("Gradescope", at) if at else None
-    return late_of(deadline, names, said, points_of(chapters))
+    known = Names((name, name, [name]) for name in deadline.extensions)
+    said = [str(user.get(key)) for user in users for key in ("name", "email")]
+    found = [known.all_of(one) for one in said]
+    granted = [deadline.extensions[names[0]] for names in found if len(names) == 1]
+    handed_in = HandedIn("Gradescope", at) if at else None
+    return late_of(deadline, granted, handed_in, points_of(chapters))
+
+
+def for_gradescope(deadline: Deadline, roster: Path | None) -> Deadline:
+    """Return a deadline whose extensions have the keys that Gradescope knows: names and emails.
+
+    Raises:
+        ValueError: An extension is not that of one student on the roster, or this student has a
+            name that another one has too, and no email.
+    """
+    if roster is None or not deadline.extensions:
+        return deadline
+    students = read_roster(roster)
+    names = Names((one, f"{one.name} in line {one.line}", one.names) for one in students)
+    extensions: dict[str, datetime] = {}
+    problems = []
+    for name, due in deadline.extensions.items():
+        found = names.all_of(name)
+        if len(found) != 1:
+            problems.append(f"Extension for {name!r}: {names.problem(name, found)}")
+            continue
+        (student,) = found
+        is_alone = names.all_of(student.name) == [student]
+        keys = [student.email, student.name if is_alone else ""]
+        if not any(keys):
+            problems.append(
+                f"Extension for {name!r}: Gradescope tells students of one name apart by email "
+                f"only. Add one to {roster}, line {student.line}"
+            )
+        for each in filter(None, keys):
+            if extensions.setdefault(each, due) != due:
+                problems.append(f"Extension for {name!r}: {student.name} has two dates")
+    if problems:
+        raise ValueError("\n".join(problems))
+    return replace(deadline, extensions=extensions)
 
 
 def points_of(chapters: Iterable[Chapter]) -> float:

@@ -15,7 +15,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from autograder.submissions.find import file_name
+from autograder.manifest import ROOT
+from autograder.submissions.class_list import ClassList
+from autograder.submissions.find import RECORD, file_name
+
+SAMPLE = (ROOT / "sample_class").resolve()
 
 
 def seed_of(state: Path, seed: str | None) -> str:
@@ -58,6 +62,49 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
         raise ValueError("the class was graded without a roster: leave out --roster")
 
 
+def graded_folder(out: Path) -> Path | None:
+    """Return the folder of the class whose grades are in ``out``, or None if there are none."""
+    folder = _recorded(out, "folder")
+    return Path(folder) if folder else None
+
+
+def refuse_other_class(out: Path, people: ClassList, folder: Path, assignment: str) -> None:
+    """Check that a run does not replace the grades of another class or of another assignment.
+
+    The grades of the sample class may be replaced. If the folder of the class is no longer where it
+    was, the same students must have handed in.
+
+    Raises:
+        ValueError: The folder has other grades.
+    """
+    before, earlier = graded_folder(out), _recorded(out, "assignment")
+    if before is None or before == SAMPLE:
+        return
+    what = ""
+    if before != folder.resolve():
+        names = {file_name(one.student) for one in people.submissions}
+        there = [path.stem for path in (out / "results").glob("*.json")]
+        same = sum(name in names for name in there)
+        if before.exists() or 2 * same < len(there):
+            what = f"the grades of the class in {before}, and not in {folder}"
+    elif assignment != earlier:
+        what = f"the grades of {earlier or 'whole chapters'}, and not of {assignment or 'these'}"
+    if what:
+        raise ValueError(
+            f"{out} has {what}. To keep them, add another --out (make: OUT=build/other). To "
+            f"replace them, rename or delete {out} first"
+        )
+
+
+def _recorded(out: Path, name: str) -> str:
+    """Return what the last run into this folder has recorded, or "" if there is nothing."""
+    try:
+        value = json.loads((out / RECORD).read_text(encoding="utf-8"))[name]
+    except (OSError, ValueError, KeyError, TypeError):
+        return ""
+    return value if isinstance(value, str) else ""
+
+
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
     """Lock the folder of reports, so that no other run of the grader writes to it.
@@ -76,7 +123,7 @@ def only_run(out: Path) -> Iterator[Path]:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             raise ValueError(f"another run is grading into {str(out)!r}") from None
-        yield out / "run.json"
+        yield out / RECORD
 
 
 @contextmanager

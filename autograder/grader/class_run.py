@@ -19,9 +19,10 @@ from rich.table import Table
 from autograder.checks.judge import is_stopped, stopping
 from autograder.checks.runner import GraderError
 from autograder.grader.assignment import Assignment, OnceForAll
-from autograder.grader.grading import digest_of, grade_submission
+from autograder.grader.grading import digest_of, grade_submission, report_of_failure
 from autograder.grader.run_key import run_key
-from autograder.reports.marks import Marks, apply_marks
+from autograder.marking.marked_answers import MarkedAnswers
+from autograder.reports.marks import Mark, Marks, apply_marks
 from autograder.reports.report import Late, StudentReport
 from autograder.reports.results import read_result, write_student
 from autograder.scores import shown
@@ -45,12 +46,14 @@ class ClassRun:
         console: Console,
         late: Mapping[str, Late] | None = None,
         *,
+        marked: MarkedAnswers | None = None,
         anonymous: bool = False,
     ) -> None:
         self.assignment = assignment
         self.out = out
         self.marks = marks
         self.late = late or {}
+        self.marked = marked
         self.key = run_key(assignment)
         self.once = OnceForAll()
         self.console = console
@@ -120,11 +123,12 @@ class ClassRun:
         left = []
         for submission in submissions:
             if report := self.earlier(submission):
-                yield self.save(report)
+                yield self.save(report, submission)
             else:
                 left.append(submission)
+        by_student = {submission.student: submission for submission in left}
         for report in grade_over(left):
-            yield self.save(replace(report, run=self.key))
+            yield self.save(replace(report, run=self.key), by_student[report.student])
 
     def one(self, submission: Submission) -> StudentReport:
         """Grade one student's submission, or reuse an earlier report on it that is still valid."""
@@ -133,18 +137,31 @@ class ClassRun:
             report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
             if is_stopped():
                 raise GraderError("the run was stopped")  # while this submission was being graded
-        return self.save(report)
+        return self.save(report, submission)
 
-    def save(self, report: StudentReport) -> StudentReport:
+    def save(self, report: StudentReport, submission: Submission) -> StudentReport:
         """Add marks and lateness to a student's report, and write the report to disk.
 
         The marks are those that people gave for written answers. In an anonymous class, names are
-        also removed from the notes in the report.
+        also removed from the report's texts about files. If the report cannot be written, the
+        other students are still graded, and this one counts as not graded.
         """
-        report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
+
+        def is_changed(exercise: str, mark: Mark, answer: str) -> bool:
+            marked, owner = self.marked, submission.owner
+            return marked is not None and marked.is_changed(owner, exercise, mark, answer)
+
+        report = apply_marks(report, self.marks, is_changed)
+        report = replace(report, late=self.late.get(report.student))
         if self.anonymous:
-            report = replace(report, notes=[without_names(note) for note in report.notes])
-        write_student(self.out, report)
+            notes = [without_names(note) for note in report.notes]
+            report = replace(report, notes=notes, nothing=without_names(report.nothing))
+        try:
+            write_student(self.out, report)
+        except Exception as error:  # whatever it is, it must not stop the rest of the class
+            reason = f"its report could not be written: {error!r}"
+            self.console.print(f"{report.student}: {reason}", markup=False)
+            return report_of_failure(self.assignment, report.student, reason)
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
@@ -166,7 +183,7 @@ class ClassRun:
         and the seed, have not changed. A report that says that the grader itself failed is never
         valid.
         """
-        if report.status != "graded" or report.run != self.key:
+        if report.status == "error, retry" or report.run != self.key:
             return False
         return report.submission == digest_of(self.assignment, submission)
 

@@ -125,10 +125,13 @@ def grade_over(
     chapters = load_chapters(assignment.root)
     whose = {}
     for submission in submissions:  # sent as data, so that no files are shared
+        if submission.nothing:
+            yield grade_submission(assignment, submission)
+            continue
         with tempfile.TemporaryDirectory(prefix="submission-") as folder:
             staged = stage(submission.path, chapters, Path(folder), assignment.root)
             box = _tree(Path(folder))
-        call = _call(grade_there, work, submission.student, staged, box)
+        call = _call(grade_there, work, submission, staged, box)
         future = client.submit(*call, pure=False)
         whose[future] = submission
     for future in as_completed(list(whose), loop=client.loop):
@@ -146,7 +149,7 @@ def grade_over(
         yield report
 
 
-def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
+def grade_there(work: Work, submission: Submission, staged: Staged, box: Tree) -> StudentReport:
     """Grade one student's submission on a worker of the cluster.
 
     Dask calls this function on the worker.
@@ -168,7 +171,7 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
         _write_tree(work.hidden, Path(folder))
         hidden = Path(folder) if work.hidden else None
         assignment = replace(_at_home(work), hidden=hidden)
-        return grade_submission(assignment, Submission(student, Path()), _shared(work), fill)
+        return grade_submission(assignment, submission, _shared(work), fill)
 
 
 def check_worker(work: Work) -> None:

@@ -23,22 +23,25 @@ from autograder.grader.assignment import Assignment
 from autograder.grader.class_folder import (
     only_run,
     put_others_aside,
+    refuse_other_class,
     refuse_other_roster,
     seed_of,
     temporary_files_in,
 )
 from autograder.grader.class_run import ClassRun, print_class
 from autograder.grader.cluster import connect, grade_over
-from autograder.grader.people import differences, folder_with_names, marks_of, people_of
+from autograder.grader.people import differences, folder_with_names, people_of
 from autograder.grader.regrade import Regrade
 from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.marking.marked_answers import MarkedAnswers
 from autograder.platforms.uploads import Column, write_uploads
-from autograder.reports.report import Late
+from autograder.reports.marks import Marks, read_marks
+from autograder.reports.report import Late, StudentReport
 from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
 from autograder.submissions.codes import key_path
-from autograder.submissions.find import Submission, find_submissions
+from autograder.submissions.find import Submission
 from autograder.text.wrapping import plain_console
 
 
@@ -59,6 +62,7 @@ class ClassOptions:
         roster: A CSV file that lists the students of the class.
         anonymous: True if the reports must show codes instead of names.
         column: The gradebook column of Canvas or Moodle that the grades are for.
+        assignment: The name of the assignment, or "" if whole chapters are graded.
         student: The only student to regrade, if the class has been graded before.
         why: The reason for the regrade, as it appears in the log.
     """
@@ -75,6 +79,7 @@ class ClassOptions:
     roster: Path | None = None
     anonymous: bool = False
     column: Column = field(default_factory=Column)
+    assignment: str = ""
     student: str | None = None
     why: str = ""
 
@@ -100,23 +105,26 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
-    found, notes = _submissions(folder, out)
-    people = people_of(found, out, options.roster, anonymous=options.anonymous)
+    people = people_of(folder, out, options.roster, anonymous=options.anonymous)
     submissions = people.submissions
+    _refuse_inside(out, folder, submissions)
+    refuse_other_class(out, people, folder, options.assignment)
     everyone = [submission.student for submission in submissions]
     manifests = load_chapters(options.root)
-    marks = marks_of(people, folder / "marks.csv", manifests)
+    marks, unused = read_marks(folder / "marks.csv", manifests, people)
+    notes = [*people.notes, *unused, *_marks_elsewhere(marks, chapters)]
     marks = scaled_marks(marks, chapters, manifests)
+    marked = MarkedAnswers(folder)
     late: dict[str, Late] = {}
     if options.deadline:
-        late, more_notes = lateness(options.deadline, chapters, folder, submissions)
+        late, more_notes = lateness(options.deadline, chapters, folder, people)
         notes += more_notes
     level = choose_level(folder, unsafe=options.unsafe)
     with only_run(out) as state:
         has_roster = options.roster is not None
         if options.student:
             refuse_other_roster(state, has_roster=has_roster)
-        again = Regrade(out, options.student, submissions) if options.student else None
+        again = Regrade(out, options.student, people) if options.student else None
         seed = again.seed(options.seed) if again else seed_of(state, options.seed)
         hidden = options.hidden and options.hidden.resolve()
         assignment = Assignment(
@@ -124,10 +132,13 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         )
         check_hidden(assignment)
         console = plain_console()
-        class_run = ClassRun(assignment, out, marks, console, late, anonymous=options.anonymous)
+        class_run = ClassRun(
+            assignment, out, marks, console, late, marked=marked, anonymous=options.anonymous
+        )
         if again:
             submissions = again.prepare(class_run)
         record = {"seed": seed, "finished": False, "roster": has_roster}
+        record |= {"folder": str(folder.resolve()), "assignment": options.assignment}
         replace_file(state, json.dumps(record) + "\n")
         for note in notes:
             console.print(note, markup=False)
@@ -139,13 +150,14 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
             else:
                 arriving = class_run.here(submissions, options.jobs or _cores())
             graded = class_run.collect(submissions, arriving)
+        marked.save()
         reports = again.finish(graded, options.why, console) if again else graded
         moved = put_others_aside(out, [report.student for report in reports])
-        places = write_class(out, chapters, reports, people.missing, people.unmatched)
+        places = write_class(out, chapters, reports, people)
         places.append(write_class_page(out, chapters, reports))
         named = folder_with_names(out, anonymous=options.anonymous)
         uploads, lines = write_uploads(named, chapters, people, reports, options.column)
-        finished = all(report.status == "graded" for report in reports)
+        finished = all(report.status != "error, retry" for report in reports)
         finished = finished and {*everyone} == {report.student for report in reports}
         replace_file(state, json.dumps({**record, "finished": finished}) + "\n")
     print_class(console, graded)
@@ -166,7 +178,8 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         console.print(
             f"{len(class_run.reused)} of {len(graded)} reports were kept from an earlier run."
         )
-    for line in [*differences(people), *lines]:
+    lines += _marks_for_nothing(marks, graded)
+    for line in [*differences(people, reports), *lines]:
         console.print(line, markup=False)
     console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
     if options.anonymous:
@@ -176,28 +189,36 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     for place in uploads:
         only_you = ": keep this private, because it contains names" if options.anonymous else ""
         console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
-    return int(any(report.status != "graded" for report in graded))
+    return int(any(report.status == "error, retry" for report in graded))
 
 
-def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions in a class's folder, along with notes on the other items in it.
-
-    If the folder for the reports is inside the class's folder, it does not count as a submission.
-
-    Raises:
-        ValueError: The reports would be written directly into the class's folder or into a
-            submission.
-    """
-    submissions, notes = find_submissions(folder)
+def _refuse_inside(out: Path, folder: Path, submissions: list[Submission]) -> None:
+    """Raise ValueError if reports would be written into the class's folder or a submission."""
     if out.resolve() == folder.resolve():
         raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
-    submissions = [one for one in submissions if one.path.resolve() != out.resolve()]
     for one in submissions:
         if out.resolve().is_relative_to(one.path.resolve()):
             raise ValueError(
                 f"--out must not be inside the submission {one.student!r}, got {str(out)!r}"
             )
-    return submissions, notes
+
+
+def _marks_elsewhere(marks: Marks, chapters: list[Chapter]) -> list[str]:
+    """Say which marks are for exercises that are not graded here."""
+    graded = {exercise.id for chapter in chapters for exercise in chapter.exercises}
+    others = sorted({name for _, name in marks if name not in graded})
+    if not others:
+        return []
+    count = sum(name in others for _, name in marks)
+    return [f"Marks for exercises that are not graded here: {count} ({', '.join(others)})."]
+
+
+def _marks_for_nothing(marks: Marks, reports: Sequence[StudentReport]) -> list[str]:
+    """Say whose marks do not count because nothing was handed in that can be graded."""
+    names = [r.student for r in reports if r.nothing and any(who == r.student for who, _ in marks)]
+    if not names:
+        return []
+    return [f"Marks that do not count, since there is nothing to grade: {'; '.join(names)}."]
 
 
 def check_hidden(assignment: Assignment) -> None:

@@ -15,10 +15,12 @@ from autograder.checks.verdict import Verdict
 from autograder.diagnosis.given import below_and_not_given, mark_inherited, run_on_given, with_given
 from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.manifest import Chapter, load_chapters
+from autograder.marking.answers import texts_of
+from autograder.marking.marked_answers import hash_of
 from autograder.message import Message
 from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport
 from autograder.scores import Result, results_of, total
-from autograder.submissions.find import Submission
+from autograder.submissions.find import Submission, printable
 from autograder.submissions.stage import Staged, stage
 
 SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission, which usually needs about 2 s
@@ -40,23 +42,59 @@ def grade_submission(
     function, because it receives the files from another machine.
     """
     once = once or OnceForAll()
+    if submission.nothing:
+        return _nothing(assignment, submission, submission.nothing, submission.nothing)
     start = time.monotonic()
     try:
         with tempfile.TemporaryDirectory(prefix="submission-") as folder:
             box = Path(folder)
             chapters = load_chapters(assignment.root)
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
-            notes = _notes(staged, assignment.chapters, chapters, box)
+            if staged.nothing:
+                why = f"'{submission.path.name}': {staged.nothing}"
+                return _nothing(assignment, submission, why, staged.digest)
+            notes = [*submission.notes, *_notes(staged, assignment.chapters, chapters, box)]
             with (
                 with_given(assignment.given, [box], assignment.root) as engine,
                 tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
             ):
                 pairs = _all_results(assignment, once, engine, staged, box, Path(compiled))
-        report = _report(assignment, once, submission.student, pairs, notes)
-        report = replace(report, submission=staged.digest)
+            report = _report(assignment, once, submission.student, pairs, notes)
+            exercises = _with_answers(report.exercises, assignment.chapters, box)
+        report = replace(report, submission=staged.digest, exercises=exercises)
     except Exception as error:  # an error of the grader must not stop the rest of the class
         report = report_of_failure(assignment, submission.student, repr(error))
     return replace(report, seconds=round(time.monotonic() - start, 3))
+
+
+def _nothing(
+    assignment: Assignment, submission: Submission, why: str, digest: str
+) -> StudentReport:
+    """Build the report on a submission that contains nothing that can be graded."""
+    places = [f"{c.name}/{c.edited_files[0]}" for c in assignment.chapters if c.edited_files]
+    how = f"Hand in a folder or a zip file that contains folders of chapters: {', '.join(places)}"
+    none: list[tuple[list[Result], list[Result]]] = [([], []) for _ in assignment.chapters]
+    report = _report(assignment, OnceForAll(), submission.student, none, [how, *submission.notes])
+    return replace(
+        report,
+        status="nothing to grade",
+        nothing=printable(why),
+        score=None,
+        score_on_given=None,
+        submission=digest,
+        seconds=0.0,
+    )
+
+
+def _with_answers(
+    exercises: list[ExerciseReport], chapters: list[Chapter], box: Path
+) -> list[ExerciseReport]:
+    """Add the hash of each written answer, which shows later whether the answer has changed."""
+    hashes: dict[str, str] = {}
+    for chapter in chapters:
+        if any(exercise.kind == "written" for exercise in chapter.exercises):
+            hashes |= {name: hash_of(text) for name, (text, _) in texts_of(chapter, box).items()}
+    return [replace(exercise, answer=hashes.get(exercise.id, "")) for exercise in exercises]
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
@@ -87,6 +125,8 @@ def digest_of(assignment: Assignment, submission: Submission) -> str:
     The digest covers only the files that the grader reads. As long as it stays the same, the report
     from an earlier run can be reused.
     """
+    if submission.nothing:
+        return submission.nothing
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         chapters = load_chapters(assignment.root)
         return stage(submission.path, chapters, Path(folder), assignment.root).digest

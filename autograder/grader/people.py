@@ -1,47 +1,36 @@
-"""Match the submissions and marks of a class with its roster, and choose the names for reports."""
+"""Find out who is in a class for a command, and choose the names for the reports."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 
-from autograder.manifest import Chapter
-from autograder.reports.marks import Marks, read_marks, renamed
-from autograder.submissions.class_list import ClassList, match
-from autograder.submissions.codes import key_path, refuse_names, with_codes
-from autograder.submissions.find import Submission
-from autograder.submissions.roster import read_roster
+from autograder.reports.report import StudentReport
+from autograder.reports.results import read_result
+from autograder.submissions.class_list import ClassList, read_class
+from autograder.submissions.codes import CODE, key_path, refuse_names, with_codes
 
 
-def people_of(
-    submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
-) -> ClassList:
-    """Match the submissions with the students on the roster, and choose the names used in reports.
+def people_of(folder: Path, out: Path, roster: Path | None, *, anonymous: bool) -> ClassList:
+    """Find the students of a class and what they have handed in.
 
-    If the class is anonymous, the reports use codes instead of names.
+    If the class is anonymous, the reports in ``out`` use codes instead of names. The names of
+    reports that are there already are those of students who have handed in before.
 
     Raises:
-        ValueError: The roster or the key file contains a mistake, or ``out`` contains reports with
-            names although the class is anonymous.
-        OSError: The roster or the key file cannot be read or written.
+        ValueError: The submissions, the roster or the key file contain a mistake, or ``out``
+            contains reports with names although the class is anonymous.
+        OSError: A file cannot be read or written.
     """
-    people = match(submissions, read_roster(roster) if roster else None, roster)
+    people = read_class(folder, roster)
     if anonymous:
         refuse_names(out)
         people = with_codes(people, key_path(roster, out))
-    return people
-
-
-def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
-    """Read the points and comments that an instructor gave for students' written answers.
-
-    In marks.csv, a student may be entered under any known name, such as the login or the e-mail
-    address.
-
-    Raises:
-        ValueError: A line is not valid, or a student has two marks for the same exercise.
-    """
-    return renamed(read_marks(path, chapters, people.names), people.names, path)
+    earlier = [*out.glob("results/*.json"), *out.glob("earlier/results/*.json")]
+    reports = [report for path in earlier if (report := read_result(path))]
+    return replace(people, gone=frozenset(report.student for report in reports))
 
 
 def folder_with_names(out: Path, *, anonymous: bool) -> Path:
@@ -52,17 +41,26 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
     return out.resolve().with_name(f"{out.resolve().name}-named") if anonymous else out
 
 
-def differences(people: ClassList) -> list[str]:
-    """List students who handed in nothing, and submissions whose names are not on the roster.
+def differences(people: ClassList, reports: Sequence[StudentReport]) -> list[str]:
+    """List students who handed in nothing, or nothing to grade, or who are not on the roster.
 
     For example, if a submission is named "Ann Le" and the roster lists "Ann Lee", suggest how to
     rename the submission.
     """
+    nothing = [f"{report.student}: {report.nothing}" for report in reports if report.nothing]
+    changed = [
+        f"{report.student} {exercise.id}"
+        for report in reports
+        for exercise in report.exercises
+        if exercise.status == "changed"
+    ]
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (
             ("Nothing handed in", people.missing),
+            ("Handed in, nothing to grade", nothing),
             ("Not on the roster", people.unmatched),
+            ("Answers that have changed since they were marked", changed),
         )
         if names
     ]
@@ -73,10 +71,10 @@ def differences(people: ClassList) -> list[str]:
         if m.student and not m.submission and m.shown == m.student.name
     }
     for m in people.members:
-        if people.has_roster and m.submission and not m.student and m.shown == m.folder:
-            for name in get_close_matches(m.folder.lower(), absent, 1):
+        if people.has_roster and m.submission and not m.student and not CODE.fullmatch(m.shown):
+            for name in get_close_matches(m.shown.lower(), absent, 1):
                 if student := absent[name].student:
                     lines.append(
-                        f"If {m.folder} is {student.name}, rename the submission to {student.id}."
+                        f"If {m.shown} is {student.name}, rename the submission to {student.id}."
                     )
     return lines

@@ -11,10 +11,11 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.grader.class_run import ClassRun
-from autograder.reports.gradebook import as_cell
 from autograder.reports.report import ExerciseReport, RunKey, StudentReport
 from autograder.reports.results import keep_report, read_result, read_results
 from autograder.reports.texts import number
+from autograder.submissions.class_list import ClassList
+from autograder.submissions.csv_rows import as_cell
 from autograder.submissions.find import Submission, file_name
 
 LOG = "regrades.csv"
@@ -37,19 +38,18 @@ class Regrade:
     the grades remain comparable.
 
     Raises:
-        ValueError: The folder has no earlier run, or the student did not hand anything in.
+        ValueError: The folder has no earlier run, the name does not mean one student, or the
+            student did not hand anything in.
     """
 
-    def __init__(self, out: Path, student: str, submissions: Sequence[Submission]) -> None:
+    def __init__(self, out: Path, student: str, people: ClassList) -> None:
         self.out = out
         self.reports = read_results(out)
         self.changed = ""
-        self.submissions = [one for one in submissions if student in one.names]
-        self.student = self.submissions[0].student if self.submissions else student
-        if not self.submissions:
-            names = ", ".join(submission.student for submission in submissions)
-            raise ValueError(f"there is no submission of {student!r}. There are: {names}")
-
+        self.student = people.report_of(student)
+        if not self.student:
+            raise ValueError(f"there is no submission of {student!r}")
+        self.submissions = [one for one in people.submissions if one.student == self.student]
         self.kept = out / f".before-{file_name(self.student)}.json"
 
     @property

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from autograder.answers import FILE, Question, model_answer, questions_of
 from autograder.manifest import ROOT, Chapter, Exercise
+from autograder.marking.marked_answers import hash_of
 from autograder.student.written import flowing
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
@@ -31,12 +32,14 @@ class Answer:
         text: The answer. It may be the whole file answers.md if something is wrong with that file,
             because the answer could be anywhere in it.
         note: What is wrong with the file answers.md, if anything.
+        hash: A hash of the whole answer.
     """
 
-    student: str
+    submission: Submission
     code: str
     text: str
     note: str
+    hash: str
 
 
 @dataclass(frozen=True)
@@ -89,11 +92,22 @@ def _answers_of(
         staged = stage(submission.path, wanted, Path(folder), root)
         for chapter in wanted:
             refused = staged.missing.get(f"{chapter.name}.{FILE}", "")
-            for question in questions_of(chapter, [Path(folder)]):
-                name = question.exercise.id
-                text, note = _text_of(question, Path(folder) / chapter.name / FILE)
+            for name, (text, note) in texts_of(chapter, Path(folder)).items():
                 code = _code(submission.student, name)
-                yield name, Answer(submission.student, code, _shown(text), refused or note)
+                shown = _shown(text)
+                yield name, Answer(submission, code, shown, refused or note, hash_of(text))
+
+
+def texts_of(chapter: Chapter, engine: Path) -> dict[str, tuple[str, str]]:
+    """Return a student's answer to each written question of a chapter, and a note or "".
+
+    ``engine`` is the folder into which the submission has been staged.
+    """
+    file = engine / chapter.name / FILE
+    return {
+        question.exercise.id: _text_of(question, file)
+        for question in questions_of(chapter, [engine])
+    }
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:

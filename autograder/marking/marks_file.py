@@ -15,6 +15,7 @@ from pathlib import Path
 from autograder.manifest import Chapter
 from autograder.reports.marks import HEADER, Mark, Marks, read_marks, read_rows, row_of
 from autograder.reports.texts import replace_file
+from autograder.submissions.class_list import ClassList
 
 
 class ChangedError(Exception):
@@ -27,10 +28,10 @@ class MarksFile:
     Several people may be changing the file at the same time, for example on two marking pages.
     """
 
-    def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
+    def __init__(self, path: Path, chapters: list[Chapter], people: ClassList) -> None:
         self.path = path.resolve()  # the file itself, if the path is a link
         self.chapters = chapters
-        self.students = students
+        self.people = people
 
     def read(self) -> Marks:
         """Read all marks from marks.csv.
@@ -38,7 +39,8 @@ class MarksFile:
         Raises:
             ValueError: A line is invalid. The error gives its number.
         """
-        return read_marks(self.path, self.chapters, self.students)
+        marks, _ = read_marks(self.path, self.chapters, self.people)
+        return marks
 
     def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
         """Write a student's mark for an answer into marks.csv, or delete it if ``mark`` is None.
@@ -51,8 +53,8 @@ class MarksFile:
             ValueError: A line in the file is invalid. The file is left unchanged.
         """
         with self._alone():
-            separator, rows = read_rows(self.path, self.chapters, self.students)
-            old = next((r for r in rows if (r.student, r.exercise) == (student, exercise)), None)
+            separator, rows = read_rows(self.path, self.chapters, self.people)
+            old = next((r for r in rows if (r.report, r.exercise) == (student, exercise)), None)
             if (old.mark if old else None) != seen:
                 raise ChangedError
             if mark == seen:
@@ -81,7 +83,7 @@ class MarksFile:
             return [*file]
 
     def _line(self, student: str, exercise: str, mark: Mark, separator: str, newline: str) -> str:
-        cells = row_of(student, exercise, mark, self.students)
+        cells = row_of(student, exercise, mark, self.people)
         if separator == ";":  # where a spreadsheet would read 2.5 as May 2
             cells[2] = cells[2].replace(".", ",")
         text = io.StringIO(newline="")

@@ -13,10 +13,11 @@ from tornado.web import Application
 from autograder.local_server import Files, Handler, Site, is_own_page
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.marking.answers import Task, collect_tasks
+from autograder.marking.marked_answers import MarkedAnswers
 from autograder.marking.marks_file import ChangedError, MarksFile
-from autograder.reports.marks import Mark
+from autograder.reports.marks import Mark, read_marks
 from autograder.reports.texts import LONGEST
-from autograder.submissions.find import find_submissions
+from autograder.submissions.class_list import read_class
 
 PAGE = Path(__file__).parent / "page"
 LOOK = Path(__file__).parent.parent / "reports" / "templates"
@@ -28,14 +29,13 @@ class Marking(Site):
     All request handlers of the server share this object.
     """
 
-    def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
+    def __init__(self, tasks: list[Task], marks: MarksFile, marked: MarkedAnswers) -> None:
         super().__init__()
+        self.marked = marked
         self.tasks = {task.exercise.id: task for task in tasks}
         self.marks = marks
-        self.students = {
-            (task.exercise.id, answer.code): answer.student
-            for task in tasks
-            for answer in task.answers
+        self.answers = {
+            (task.exercise.id, answer.code): answer for task in tasks for answer in task.answers
         }
 
     def application(self) -> Application:
@@ -58,9 +58,11 @@ class Marking(Site):
         """
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
-        for (exercise, code), student in self.students.items():
-            if mark := marks.get((student, exercise)):
-                found[exercise][code] = vars(mark)
+        for (exercise, code), answer in self.answers.items():
+            if mark := marks.get((answer.submission.student, exercise)):
+                owner = answer.submission.owner
+                changed = self.marked.is_changed(owner, exercise, mark, answer.hash)
+                found[exercise][code] = {**vars(mark), "changed": changed}
         return found
 
 
@@ -117,14 +119,16 @@ class Marks(Handler):
         try:
             asked = json_decode(self.request.body)
             exercise, code = str(asked["exercise"]), str(asked["code"])
-            student = self.site.students[exercise, code]
+            answer = self.site.answers[exercise, code]
             points = self.site.tasks[exercise].exercise.points
             mark, seen = mark_of(asked["mark"], points), mark_of(asked["seen"], points)
         except (ValueError, KeyError, TypeError, RecursionError) as error:
             self.refuse(400, f"this is not a valid mark: {error}")
             return
         try:
-            self.site.marks.change(student, exercise, mark, seen)
+            self.site.marks.change(answer.submission.student, exercise, mark, seen)
+            if mark:
+                self.site.marked.marked_now(answer.submission.owner, exercise, mark, answer.hash)
         except ChangedError:
             self.answer(409, why="This mark has been changed on another page in the meantime.")
             return
@@ -171,27 +175,35 @@ def mark_of(value: Any, most: float) -> Mark | None:
     return Mark(float(points), comment)
 
 
-def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
+def mark(
+    folder: Path,
+    chapters: list[Chapter],
+    *,
+    roster: Path | None = None,
+    browser: bool = True,
+    root: Path = ROOT,
+) -> int:
     """Serve the page for marking a class's written answers until the instructor presses Ctrl-C.
 
     The marks are saved in marks.csv. The page shows only questions that belong to the exercises in
-    ``chapters``, which may be those of a single assignment.
+    ``chapters``, which may be those of a single assignment. With a roster, marks.csv has the names
+    that the gradebook has.
 
     Raises:
         ValueError: There is nothing to mark, or marks.csv contains a mistake.
     """
-    submissions, notes = find_submissions(folder)
+    people = read_class(folder, roster)
+    submissions = [one for one in people.submissions if not one.nothing]
     whole = {chapter.name: chapter for chapter in load_chapters(root)}
     asked = {exercise.id for chapter in chapters for exercise in chapter.exercises}
     tasks = collect_tasks(submissions, [whole[chapter.name] for chapter in chapters], root)
     tasks = [task for task in tasks if task.exercise.id in asked]
     if not tasks:
         raise ValueError("there are no written exercises to mark")
-    students = [submission.student for submission in submissions]
-    marks = MarksFile(folder / "marks.csv", load_chapters(root), students)
-    marks.read()
-    site = Marking(tasks, marks)
-    for note in notes:
+    marks = MarksFile(folder / "marks.csv", load_chapters(root), people)
+    _, unused = read_marks(marks.path, marks.chapters, people)
+    site = Marking(tasks, marks, MarkedAnswers(folder))
+    for note in [*people.notes, *unused]:
         print(note)
 
     async def serve() -> None:

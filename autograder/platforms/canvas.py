@@ -8,9 +8,9 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from autograder.reports.gradebook import FORMULA, as_cell
 from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList, Member
+from autograder.submissions.csv_rows import FORMULA, as_cell
 from autograder.text.clean import clean_line
 
 HEADER = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]

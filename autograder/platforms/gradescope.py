@@ -15,6 +15,7 @@ from pathlib import Path
 from autograder.checks.arrange import shared_by_checks
 from autograder.course.dates import deadline_to_json
 from autograder.course.model import Work
+from autograder.course.of_class import for_gradescope
 from autograder.files import replace_bytes
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.scores import possible, shown
@@ -54,13 +55,14 @@ def make_gradescope(
     there = {chapter.name: chapter for chapter in [*chapters, *given, *own]}
     files = [*_files(root, chapters, reference, list(there.values()))]
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
+    deadline = for_gradescope(work.deadline, work.roster) if work.deadline else None
     settings = {
         "chapters": [chapter.number for chapter in chapters],
         "given": [chapter.number for chapter in given],
         "points": {exercise.id: exercise.points for exercise in exercises},
         "extra": [exercise.id for exercise in exercises if exercise.extra],
         "seed": work.seed,
-        "deadline": deadline_to_json(work.deadline) if work.deadline else None,
+        "deadline": deadline_to_json(deadline) if deadline else None,
         "unsafe": unsafe,
     }
     contents = {file.relative_to(root).as_posix(): file.read_bytes() for file in files}

@@ -10,9 +10,9 @@ import io
 from collections.abc import Mapping
 from pathlib import Path
 
-from autograder.reports.gradebook import as_cell
 from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList
+from autograder.submissions.csv_rows import as_cell
 
 MOST = 100.0  # Moodle does not import larger grades, unless the site allows it
 NO_GRADE = "-"  # Moodle reads an empty cell as 0 if the column becomes a new grade item

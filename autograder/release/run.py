@@ -14,7 +14,7 @@ from rich.progress import track
 
 from autograder.diagnosis.given import has_reference
 from autograder.files import is_new
-from autograder.grader.people import people_of
+from autograder.grader.class_folder import graded_folder
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.release.compare import Compared, Texts, compare_exercise, compare_others
 from autograder.release.pages import write_page
@@ -22,7 +22,8 @@ from autograder.release.reference import chosen, write_reference
 from autograder.reports.report import StudentReport
 from autograder.reports.results import read_results
 from autograder.reports.texts import replace_file
-from autograder.submissions.find import Submission, find_submissions
+from autograder.submissions.class_list import ClassList, read_class
+from autograder.submissions.find import Submission, file_name
 from autograder.submissions.stage import stage
 from autograder.text.wrapping import plain_console
 
@@ -57,12 +58,16 @@ def release(
     released = chosen(chapters, exercises)
     if missing := [chapter.name for chapter in released if not has_reference(chapter, root)]:
         raise ValueError(f"the reference of {missing[0]} is not in this folder")
-    if (submissions is None) != (grades is None):
-        raise ValueError("--submissions and --grades belong together: give both or neither")
-    _prepare(out, submissions, root)
+    if submissions and not grades:
+        raise ValueError("--submissions needs the --grades of the same class")
+    if grades and not submissions:
+        submissions = graded_folder(grades)
+    if grades and not submissions:
+        raise ValueError(f"{grades} does not say which class it is about: name its --submissions")
     reports = read_results(grades) if grades else []
-    found, notes = find_submissions(submissions) if submissions else ([], [])
-    found = people_of(found, out, roster, anonymous=False).submissions
+    people = read_class(submissions, roster) if submissions else ClassList([])
+    found, notes = people.submissions, [*people.notes]
+    _prepare(out, submissions, found, root)
     whole = {chapter.name: chapter for chapter in chapters}
     texts = {c.name: write_reference(out, c, whole[c.name], root) for c in released}
     lines = [f"chapter {c.number}: {', '.join(e.id for e in c.exercises)}" for c in released]
@@ -90,7 +95,7 @@ def release(
     return 0
 
 
-def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
+def _prepare(out: Path, submissions: Path | None, found: Sequence[Submission], root: Path) -> None:
     """Prepare the folder ``out`` for the released solutions, and delete any earlier release in it.
 
     Raises:
@@ -108,6 +113,15 @@ def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
     record = out / RECORD
     if not record.is_file() and not is_new(out, record):
         raise ValueError(f"--out must be a new folder or an earlier release, got {str(out)!r}")
+    names = {file_name(one.student) for one in found}
+    others = [path.stem for path in (out / "students").glob("*.html") if path.stem not in names]
+    if others:
+        which = f"the class in {submissions}" if submissions else "this release, which has none"
+        raise ValueError(
+            f"{out} has the pages of {len(others)} students who are not in {which}, such as "
+            f"{others[0]}. Name their class with --submissions and --grades (make: SUBMISSIONS=, "
+            f"GRADES=), or use another --out (make: OUT=)"
+        )
     replace_file(record, UNFINISHED)  # so that a run that is killed can be started again
     for name in ("reference", "students"):
         shutil.rmtree(out / name, ignore_errors=True)

@@ -21,6 +21,7 @@ from autograder.reports.report import Chart, CheckReport, ExerciseReport, Studen
 from autograder.reports.scatter import Scatter, scatter
 from autograder.reports.texts import check_title, clean_all, replace_file
 from autograder.scores import PHYSICS_SHARE, place_on_chart, possible
+from autograder.submissions.class_list import ClassList
 from autograder.submissions.find import file_name
 
 SYMBOLS = {  # these stand beside the words, so that nobody has to tell a status by its color
@@ -31,8 +32,10 @@ SYMBOLS = {  # these stand beside the words, so that nobody has to tell a status
     "error": "!",
     "waiting": "…",
     "marked": "✎",
+    "changed": "✎",
     "graded": "✓",
     "error, retry": "!",
+    "nothing to grade": "∅",
 }
 MEANINGS = {
     "passed": "every check passes",
@@ -42,6 +45,7 @@ MEANINGS = {
     "error": "the grader failed: this does not count as zero and will be graded again",
     "waiting": "a person still has to mark it",
     "marked": "a person has marked it",
+    "changed": "it has changed since a person marked it, so the mark may be out of date",
 }
 TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first to last
 
@@ -116,14 +120,9 @@ def write_index(
     out: Path,
     chapters: list[Chapter],
     reports: Sequence[StudentReport],
-    missing: Sequence[str] = (),
-    unmatched: Sequence[str] = (),
+    people: ClassList,
 ) -> Path:
-    """Write index.html, the instructor's overview of a graded class, and return its path.
-
-    ``missing`` lists the students on the roster who have not handed in anything. ``unmatched``
-    lists the students who have handed in something but are not on the roster.
-    """
+    """Write index.html, the instructor's overview of a graded class, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     clean = [clean_all(report) for report in reports]
@@ -135,11 +134,13 @@ def write_index(
         "index.html",
         symbols=SYMBOLS,
         reports=[*zip(clean, links, strict=True)],
-        missing=missing,
-        unmatched=unmatched,
+        missing=people.missing,
+        unmatched=people.unmatched,
+        nothing=[report for report in clean if report.nothing],
+        changed=[(r, e.id) for r in clean for e in r.exercises if e.status == "changed"],
         chapters=chapters,
         late=any(report.late for report in clean),
-        errors=sum(report.status != "graded" for report in clean),
+        errors=sum(report.status == "error, retry" for report in clean),
         points=round(possible(exercises) - by_hand_points, 2),
         by_hand_points=by_hand_points,
         median=statistics.median(scores) if scores else None,

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import csv
 import io
-import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -15,32 +14,30 @@ from autograder.manifest import Chapter
 from autograder.reports.report import StudentReport
 from autograder.reports.texts import number, replace_file
 from autograder.scores import possible
-from autograder.text.clean import clean_line
+from autograder.submissions.class_list import ClassList
+from autograder.submissions.csv_rows import as_cell
 
 MISSING = "nothing handed in"
 UNMATCHED = "not on the roster"
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting"
 WITH_DUE_DATE = ["points", "late days", "penalty"]  # columns for an assignment with a due date
-# If a cell begins with one of these characters, even in full width or after spaces, a spreadsheet
-# takes it for a formula. In some countries a new cell also begins after each semicolon.
-FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
 def write_gradebook(
     out: Path,
     chapters: list[Chapter],
     reports: Sequence[StudentReport],
-    missing: Sequence[str] = (),
-    unmatched: Sequence[str] = (),
+    people: ClassList,
 ) -> Path:
     """Write gradebook.csv, the instructor's table of all grades, and return its path.
 
     The row below the header shows how many points each exercise is worth. A cell is empty if there
     is no grade, for example because nobody has marked the answer yet.
 
-    ``missing`` lists students who have handed in nothing, and ``unmatched`` lists those who are not
-    on the roster. If the assignment has a due date, three more columns show the points earned, the
-    days late and the penalty. The total is then the points earned minus the penalty.
+    The students of a group have a row each. Students who have handed in nothing come last, and the
+    status says who is not on the roster. If the assignment has a due date, three more columns show
+    the points earned, the days late and the penalty. The total is then the points earned minus the
+    penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -66,14 +63,24 @@ def write_gradebook(
             report.total,
             *(scores.get(exercise.id) for exercise in exercises),
         ]
-        status = f"{report.status}; {UNMATCHED}" if report.student in unmatched else report.status
-        rows.append([*map(as_cell, (report.student, status)), *map(number, cells)])
-    rows += [[as_cell(name), MISSING, *[""] * (len(rows[0]) - 2)] for name in missing]
+        for name in people.students_of(report.student) or [report.student]:
+            status = _status(report, is_unmatched=name in people.unmatched)
+            rows.append([*map(as_cell, (name, status)), *map(number, cells)])
+    rows += [[as_cell(name), MISSING, *[""] * (len(rows[0]) - 2)] for name in people.missing]
     text = io.StringIO(newline="")
     csv.writer(text).writerows(rows)
     path = out / "gradebook.csv"
     replace_file(path, text.getvalue())
     return path
+
+
+def _status(report: StudentReport, *, is_unmatched: bool) -> str:
+    """Say in which state a student is, and what a person should look at."""
+    changed = [exercise.id for exercise in report.exercises if exercise.status == "changed"]
+    parts = [f"handed in, nothing to grade: {report.nothing}" if report.nothing else report.status]
+    parts += [f"changed since marked: {', '.join(changed)}"] if changed else []
+    parts += [UNMATCHED] if is_unmatched else []
+    return "; ".join(parts)
 
 
 def _late(report: StudentReport) -> list[float | None]:
@@ -83,11 +90,3 @@ def _late(report: StudentReport) -> list[float | None]:
     """
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
-
-
-def as_cell(text: str) -> str:
-    """Convert text to a one-line CSV cell that no spreadsheet can interpret as a formula.
-
-    For example, the name "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
-    """
-    return FORMULA.sub(r"\1\2'", clean_line(text))

@@ -14,6 +14,7 @@ from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 from autograder.text.clean import clean_line
 
+BY_HAND = ("marked", "changed")
 OURS = "grader error, please retry: this is not the submission's fault and does not count as zero"
 
 
@@ -74,6 +75,8 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
     marks would be fair.
     """
     report = clean_all(report)
+    if report.status == "nothing to grade":  # without a score, Gradescope would report an error
+        return _results(_summary(report, failed=False), [], 0.0, report.seconds)
     failed = report.status != "graded" or report.score is None
     return _results(
         _summary(report, failed),
@@ -113,7 +116,9 @@ def _results(
 
 def _summary(report: StudentReport, failed: bool) -> str:
     lines = [OURS] if failed else []
-    if not failed:
+    if report.nothing:
+        lines.append(f"nothing to grade: {report.nothing}")
+    elif not failed:
         lines.append(f"checks: {number(report.score)} of {number(report.points)} points")
     if report.score_on_given is not None:
         lines.append(
@@ -145,7 +150,7 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
         output=_output(exercise),
         visibility="visible",
         score=exercise.score if has_score else None,
-        status=verdict if has_score and status != "marked" else None,  # people give no verdict
+        status=verdict if has_score and status not in BY_HAND else None,  # people give no verdict
     )
 
 
@@ -157,8 +162,9 @@ def _output(exercise: ExerciseReport) -> str:
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
         return f"waiting for a person to mark it: up to {number(exercise.points)} points"
-    if status == "marked":
-        return f"marked by a person\n{exercise.comment}".strip()
+    if status in BY_HAND:
+        words = "marked by a person" + (", and changed since" if status == "changed" else "")
+        return f"{words}\n{exercise.comment}".strip()
     lost = [check for check in checks if check.status != "passed"]
     blocks = [OURS] if status == "error" else []
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))

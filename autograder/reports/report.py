@@ -10,7 +10,8 @@ from autograder.checks.verdict import Point, Status
 from autograder.message import Message
 from autograder.scores import ExerciseStatus
 
-ReportStatus = Literal["graded", "error, retry"]
+# The last one means that something was handed in, but nothing that can be graded.
+ReportStatus = Literal["graded", "error, retry", "nothing to grade"]
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,8 @@ class ExerciseReport:
 
     A score is None if it is not known yet. ``score_on_given`` is the score that the student would
     get with our solutions to the earlier chapters. If ``extra`` is True, the exercise gives extra
-    credit, and its points are not part of the possible total.
+    credit, and its points are not part of the possible total. ``answer`` is a hash of the written
+    answer.
     """
 
     chapter: int
@@ -64,6 +66,7 @@ class ExerciseReport:
     checks: list[CheckReport]
     chart: Chart | None
     extra: bool = False
+    answer: str = ""
 
 
 @dataclass(frozen=True)
@@ -117,6 +120,7 @@ class StudentReport:
         submission: A hash of the graded files, which shows whether they have changed.
         seconds: How long grading took.
         late: How late the submission is. It is None if the work has no due date.
+        nothing: Why nothing of the submission could be graded, or "" if something could.
     """
 
     student: str
@@ -135,6 +139,7 @@ class StudentReport:
     seconds: float | None = None
     run: RunKey | None = None
     late: Late | None = None
+    nothing: str = ""
 
     @property
     def earned(self) -> float | None:

@@ -16,6 +16,7 @@ from autograder.reports.gradebook import write_gradebook
 from autograder.reports.gradescope import write_gradescope
 from autograder.reports.report import StudentReport
 from autograder.reports.texts import replace_file
+from autograder.submissions.class_list import ClassList
 from autograder.submissions.find import file_name
 
 
@@ -75,19 +76,15 @@ def write_class(
     out: Path,
     chapters: list[Chapter],
     reports: Sequence[StudentReport],
-    missing: Sequence[str] = (),
-    unmatched: Sequence[str] = (),
+    people: ClassList,
 ) -> list[Path]:
     """Write an overview and a gradebook of the class for its instructor.
-
-    ``missing`` lists the students on the roster who have not handed in anything. ``unmatched``
-    lists the students who have handed in something but are not on the roster.
 
     Returns:
         The paths of all files and folders that the instructor may want to open.
     """
-    index = write_index(out, chapters, reports, missing, unmatched)
-    gradebook = write_gradebook(out, chapters, reports, missing, unmatched)
+    index = write_index(out, chapters, reports, people)
+    gradebook = write_gradebook(out, chapters, reports, people)
     return [index, gradebook, *(out / name for name in ("feedback", "gradescope", "results"))]
 
 

@@ -10,7 +10,7 @@ from autograder.manifest import ROOT, Chapter
 from autograder.similarity.collect import collect, ground_of
 from autograder.similarity.compare import FEWEST, Work, compare
 from autograder.similarity.pages import write_pages
-from autograder.submissions.find import find_submissions
+from autograder.submissions.class_list import read_class
 from autograder.text.wrapping import plain_console
 
 
@@ -25,7 +25,8 @@ def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = RO
     """
     if out.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
-    submissions, notes = find_submissions(folder)
+    people = read_class(folder)
+    submissions, notes = people.submissions, [*people.notes]
     console = plain_console()
     ground = ground_of(chapters, root)
     works: list[Work] = []

@@ -1,16 +1,22 @@
-"""Find out who is in a class by matching the submissions with the students on the roster."""
+"""Find out who is in a class, and who has handed in what.
+
+Each student is in exactly one state: something was handed in that can be graded, something that
+cannot, or nothing. What cannot be decided is an error, and what is not used is in a note.
+"""
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 
-from autograder.submissions.find import Submission, printable
-from autograder.submissions.roster import Student, key, letters
-
-_Index = defaultdict[str, list[Student]]
+from autograder.submissions.find import Entry, Submission, find_entries, printable
+from autograder.submissions.names import Names, letters
+from autograder.submissions.owners import Owners, Who
+from autograder.submissions.platform_files import Uploads
+from autograder.submissions.roster import Student, read_roster
 
 
 @dataclass(frozen=True)
@@ -18,52 +24,38 @@ class Member:
     """A member of the class: a student on the roster, the author of a submission, or both.
 
     Attributes:
-        shown: The student's name in all reports.
+        shown: The student's name in all lists of students.
+        report: The name of the report on this student. Students of a group share one.
         student: The entry on the roster, or None if there is none.
         submission: The submission, or None if the student has not handed anything in.
+        known_as: All other names of the student.
     """
 
     shown: str
+    report: str
     student: Student | None
     submission: Submission | None
-
-    @property
-    def folder(self) -> str:
-        return self.submission.student if self.submission else ""
-
-    @property
-    def aliases(self) -> tuple[str, ...]:
-        """All names of this student, both on the submission and on the roster.
-
-        The student's id, e-mail address and login count as names too.
-        """
-        who = self.student
-        known = (who.name, who.id, who.email, who.login) if who else ()
-        return tuple(name for name in (self.folder, *known) if name)
+    known_as: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class ClassList:
     """All students of a class, from the roster and from the submissions.
 
-    Without a roster, the class consists of the students who have handed something in.
+    Without a roster, the class consists of the students who have handed something in. ``notes``
+    tells the instructor what was not used, and ``gone`` has the names of earlier reports.
     """
 
     members: list[Member]
     has_roster: bool = False
+    notes: list[str] = field(default_factory=list)
+    gone: frozenset[str] = frozenset()
 
     @property
     def submissions(self) -> list[Submission]:
-        """The submissions of the class, sorted by student.
-
-        Each submission is listed under the student's name in the reports.
-        """
-        renamed = [
-            replace(member.submission, student=member.shown, aliases=member.aliases)
-            for member in self.members
-            if member.submission
-        ]
-        return sorted(renamed, key=lambda submission: submission.student)
+        """The submissions of the class, sorted by their names in the reports."""
+        found = {m.report: m.submission for m in self.members if m.submission}
+        return [replace(found[report], student=report) for report in sorted(found)]
 
     @property
     def missing(self) -> list[str]:
@@ -75,96 +67,143 @@ class ClassList:
         """The names of the submissions that do not match any student on the class's roster."""
         return [m.shown for m in self.members if self.has_roster and not m.student]
 
-    @property
-    def names(self) -> dict[str, str]:
-        """A map from each name of a student, such as an id or a login, to the name used in reports.
+    @cached_property
+    def _names(self) -> Names[Member]:
+        return Names((m, m.shown, (m.shown, m.report, *m.known_as)) for m in self.members)
 
-        Names that two students share are left out. Students who have not handed anything in are
-        left out too.
+    def members_of(self, name: str) -> list[Member]:
+        """Return the student with this name, or all students of the group with this name.
+
+        Raises:
+            UnknownNameError: Nobody has this name.
+            ValueError: Students with different reports have it.
         """
-        claims = defaultdict(set)
-        for member in self.members:
-            for name in (member.shown, *member.aliases):
-                claims[name].add(member.shown)
-        submitted = {member.shown for member in self.members if member.submission}
-        return {
-            name: min(shown)
-            for name, shown in claims.items()
-            if len(shown) == 1 and shown <= submitted
-        }
+        found = self._names.all_of(name)
+        if len({member.report for member in found}) != 1:
+            raise self._names.problem(name, found)
+        return found
 
-    def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return a copy of the class list in which the students have new names for the reports.
+    def report_of(self, name: str) -> str:
+        """Return the name of a student's report, or "" if the student has handed in nothing.
 
-        ``name`` is a function that returns the new name of a member. Anonymous grading uses this
-        method to replace names with codes.
+        Raises:
+            ValueError: The name does not mean one student, as in ``members_of``.
         """
-        members = [replace(member, shown=name(member)) for member in self.members]
-        return replace(self, members=sorted(members, key=lambda member: member.shown))
+        if name in self.gone and not self._names.all_of(name):
+            return ""
+        member = self.members_of(name)[0]
+        return member.report if member.submission else ""
+
+    def students_of(self, report: str) -> list[str]:
+        """Return the names of the students whom a report is about."""
+        return [member.shown for member in self.members if member.report == report]
 
 
-def match(
-    submissions: list[Submission], roster: list[Student] | None, path: Path | None
-) -> ClassList:
-    """Match each submission with a student on the roster, and return the members of the class.
+def read_class(folder: Path, roster: Path | None = None) -> ClassList:
+    """Find the submissions in the folder of a class, and the student whom each one belongs to.
 
-    Submissions that match nobody are members too, and so are students who have not handed anything
-    in.
+    A submission is a folder or a .zip file. Its name is the student's name, or a name given by
+    Canvas, Moodle, Gradescope or GitHub. If a student uploaded several files to a platform, only
+    the last one counts.
 
     Raises:
-        ValueError: A submission matches two students, or a student matches two submissions. The
-            message gives the lines of the roster, which was read from ``path``.
+        ValueError: The folder or the roster cannot be used, nothing was handed in, or it is not
+            clear whom a submission belongs to. The message lists all such submissions.
+        OSError: A file cannot be read.
     """
-    if roster is None:
-        return ClassList([Member(one.student, None, one) for one in submissions])
-    by_key, by_name = _Index(list), _Index(list)
-    for student in roster:
-        for text in student.keys:
-            by_key[text].append(student)
-        for text in student.names - {""}:
-            by_name[text].append(student)
-    found: dict[int, Submission] = {}
-    members = []
-    for submission in submissions:
-        students = _students_of(submission, by_key, by_name)
-        if len(students) > 1:
-            lines = " and ".join(str(student.line) for student in students)
-            raise ValueError(
-                f"{path}, lines {lines}: both match the submission {submission.path.name!r}. "
-                "Rename it to its student's id"
-            )
-        if not students:
-            members.append(Member(submission.student, None, submission))
+    uploads = Uploads(folder)
+    owners = Owners(read_roster(roster) if roster else None, roster, uploads)
+    entries = find_entries(folder, owners.knows)
+    problems: list[str] = []
+    notes: list[str] = []
+    found: dict[Who, list[Entry]] = {}
+    for entry in entries:
+        try:
+            who = owners.of(entry)
+        except ValueError as error:
+            problems.append(str(error))
             continue
-        line = students[0].line
-        if line in found:
-            raise ValueError(
-                f"{path}, line {line}: {students[0].name} matches two submissions, "
-                f"{found[line].path.name!r} and {submission.path.name!r}. Keep one of them"
-            )
-        found[line] = submission
-    alike = Counter(letters(student.name) for student in roster)
-    for student in roster:
-        name = student.name
-        if alike[letters(name)] > 1:
-            name = f"{name} ({student.id})"
-        members.append(Member(printable(name), student, found.get(student.line)))
-    return ClassList(sorted(members, key=lambda member: member.shown), has_roster=True)
+        if entry.is_by_student or owners.are_listed(who):
+            found.setdefault(who, []).append(entry)
+        else:
+            notes.append(f"{printable(entry.path.name)} was left out: {entry.problem}")
+    submissions: dict[Who, Submission] = {}
+    for who, uploaded in found.items():
+        try:
+            submissions[who] = replace(_chosen(uploaded), owner=owners.lasting_name(who))
+        except ValueError as error:
+            problems.append(f"{owners.label(who)} {error}")
+    problems += owners.in_two(found)
+    if problems:
+        raise ValueError("\n".join(problems))
+    if not submissions:
+        raise ValueError(
+            f"{str(folder)!r} has no submissions: a folder or a .zip file named after each student"
+        )
+    notes += [*owners.notes, *uploads.notes([entry.path for entry in entries])]
+    return ClassList(_members(owners, submissions, uploads), owners.has_roster, notes)
 
 
-def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
-    """Find the students on the roster whose id or name matches a submission.
+def _chosen(entries: Sequence[Entry]) -> Submission:
+    """Choose what is graded of everything that a student or a group has handed in.
 
-    The result should contain at most one student. The caller reports several matches as an error.
+    Raises:
+        ValueError: There are several submissions, and a platform does not say which is the last.
     """
-    export = submission.export
-    identity = submission.student
-    if export:  # Moodle's number identifies a participant in one assignment, not a student
-        identity = export.number if export.platform == "canvas" else ""
-    alike = by_name[letters(export.name if export else submission.student)]
-    same = by_key[key(identity)]
-    if not same:
-        return alike
-    if export and alike and not any(student in alike for student in same):
-        return [*same, *alike]  # the id comes from another system
-    return same
+    usable = [entry for entry in entries if not entry.problem]
+    platforms = {entry.export.platform if entry.export else "" for entry in usable}
+    if len(usable) > 1 and (len(platforms) > 1 or "" in platforms):
+        names = " and ".join(repr(entry.path.name) for entry in usable)
+        raise ValueError(f"must hand in only once, got {names}. Keep one of them")
+    last = max(usable or entries, key=lambda e: e.export.order if e.export else (0, 0))
+    notes = []
+    for entry in entries:
+        if entry is not last and usable:
+            name = printable(entry.path.name)
+            why = entry.problem or "it was uploaded earlier. Put all files into one zip"
+            notes.append(f"'{printable(last.path.name)}' was graded, and '{name}' was not: {why}")
+    nothing = "; ".join(
+        f"'{printable(entry.path.name)}' cannot be graded: {entry.problem}"
+        for entry in ([] if usable else entries)
+    )
+    return Submission("", last.path, "", last.export, tuple(notes), nothing)
+
+
+def _members(
+    owners: Owners, submissions: Mapping[Who, Submission], uploads: Uploads
+) -> list[Member]:
+    """Make the list of all students, with the names under which they and their reports appear."""
+    alike = Counter(letters(student.name) for student in owners.roster)
+
+    def shown(who: Student | str) -> str:
+        if isinstance(who, str):
+            return who
+        return printable(f"{who.name} ({who.id})" if alike[letters(who.name)] > 1 else who.name)
+
+    members: list[Member] = []
+    for who in {**submissions, **dict.fromkeys(owners.absent(submissions))}:
+        submission = submissions.get(who)
+        names = [shown(one) for one in who]
+        report = owners.group_of(who, names)
+        for one, name in zip(who, names, strict=True):
+            student = one if isinstance(one, Student) else None
+            known = _known_as(student, submission, uploads)
+            members.append(Member(name, report, student, submission, known))
+    return sorted(members, key=lambda member: member.shown)
+
+
+def _known_as(
+    student: Student | None, submission: Submission | None, uploads: Uploads
+) -> tuple[str, ...]:
+    """Return all names of a student on the roster, on the submission and on the platform."""
+    names = [*student.names, student.group] if student else []
+    if submission:
+        path = submission.path
+        names += [path.name, path.stem]
+        if export := submission.export:
+            names += [export.student, export.name]
+            names += [export.number] if export.platform == "canvas" else []
+        upload = uploads.of(path)
+        if upload and len(upload.people) == 1:
+            names += upload.people[0]
+    return tuple(dict.fromkeys(filter(None, names)))

@@ -7,17 +7,20 @@ from __future__ import annotations
 
 import base64
 import csv
+import fcntl
 import hashlib
 import hmac
 import io
 import os
 import re
 import secrets
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
-from autograder.reports.gradebook import as_cell
 from autograder.submissions.class_list import ClassList, Member
-from autograder.submissions.csv_rows import read_csv
+from autograder.submissions.csv_rows import Mistakes, as_cell, read_csv
 
 COLUMNS = ["code", "id", "name", "email", "login", "submission"]
 CODE = re.compile(r"[a-z2-7]{5}-[a-z2-7]{5}")
@@ -39,17 +42,25 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
         ValueError: The key file is damaged.
         OSError: The key file cannot be read or written.
     """
-    secret = _secret_in(path) if path.exists() else "s" + secrets.token_hex(20)
-    coded = people.renamed(lambda member: _code(secret, member))
-    rows = [COLUMNS, [SECRET, secret]]
-    for member in coded.members:
-        who = member.student
-        known = [who.id, who.name, who.email, who.login] if who else [""] * 4
-        rows.append([member.shown, *map(as_cell, [*known, member.folder])])
-    text = io.StringIO(newline="")
-    csv.writer(text).writerows(rows)
-    _write_private(path, text.getvalue())
-    return coded
+    with _alone(path):
+        secret = _secret_in(path) if path.exists() else "s" + secrets.token_hex(20)
+        rows = {}
+        coded = []
+        for one in people.members:
+            member = _coded(one, secret)
+            coded.append(member)
+            who = one.student
+            known = [who.id, who.name, who.email, who.login] if who else [""] * 4
+            folder = one.submission.path.name if one.submission and who else one.shown
+            rows[member.shown] = [*known, folder if one.submission else ""]
+            if member.report != member.shown:
+                rows[member.report] = ["", one.report, "", "", folder if one.submission else ""]
+        table = [[code, *map(as_cell, rows[code])] for code in sorted(rows)]
+        text = io.StringIO(newline="")
+        csv.writer(text).writerows([COLUMNS, [SECRET, secret], *table])
+        _write_private(path, text.getvalue())
+    # Sorted by code, so that the order does not tell the names.
+    return replace(people, members=sorted(coded, key=lambda member: member.shown))
 
 
 def key_path(roster: Path | None, out: Path) -> Path:
@@ -86,21 +97,38 @@ def refuse_names(out: Path) -> None:
                 )
 
 
-def _code(secret: str, member: Member) -> str:
-    who = f"id {member.student.id}" if member.student else f"submission {member.folder}"
+def _coded(member: Member, secret: str) -> Member:
+    """Replace a student's name by a code. Tables may still contain the name."""
+    who = f"id {member.student.id}" if member.student else f"submission {member.shown}"
+    shown = _code(secret, who)
+    is_alone = member.report == member.shown
+    report = shown if is_alone else _code(secret, f"group {member.report}")
+    known_as = (*member.known_as, member.shown, member.report)
+    return replace(member, shown=shown, report=report, known_as=known_as)
+
+
+def _code(secret: str, who: str) -> str:
     digest = hmac.new(secret.encode(), who.encode("utf-8", "surrogatepass"), hashlib.sha256)
     letters = base64.b32encode(digest.digest()).decode().lower()
     return f"{letters[:5]}-{letters[5:10]}"
 
 
 def _secret_in(path: Path) -> str:
-    _, _, cells = next(read_csv(path).rows("cell"), (2, 2, ["", ""]))
+    _, _, cells = next(read_csv(path).rows("cell", Mistakes(path)), (2, 2, ["", ""]))
     if cells[0] != SECRET or not re.fullmatch(r"s[0-9a-f]{40}", cells[1]):
         raise ValueError(
             f"{path}, line 2: the secret is missing. Restore the file, or delete it to get new "
             "codes"
         )
     return cells[1]
+
+
+@contextmanager
+def _alone(path: Path) -> Iterator[None]:
+    """Lock the key file, so that two runs that begin together use the same secret."""
+    with path.with_name(f".{path.name}.lock").open("w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 def _write_private(path: Path, text: str) -> None:

@@ -1,15 +1,49 @@
 """Read a CSV file written by a person or a spreadsheet, such as a roster or marks.csv.
 
-The line number of each row is kept for use in error messages.
+The line number of each row is kept for use in error messages. A cell that is written must not look
+like a formula to a spreadsheet.
 """
 
 from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+
+from autograder.text.clean import clean_line
+
+# If a cell begins with one of these characters, even in full width or after spaces, a spreadsheet
+# takes it for a formula. In some countries a new cell also begins after each semicolon.
+FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
+
+
+def as_cell(text: str) -> str:
+    """Convert text to a one-line CSV cell that no spreadsheet can interpret as a formula.
+
+    For example, the name "=1+1" becomes "'=1+1", which a spreadsheet shows as plain text.
+    """
+    return FORMULA.sub(r"\1\2'", clean_line(text))
+
+
+class Mistakes:
+    """Collects the mistakes in a table, so that the instructor sees all of them at once."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.found: list[tuple[int, str]] = []
+
+    def add(self, line: int, words: str) -> None:
+        """Record a mistake in a line of the table."""
+        self.found.append((line, words))
+
+    def raise_any(self) -> None:
+        """Raise a ValueError that lists the mistakes by line, if there are any."""
+        if self.found:
+            lines = [f"{self.path}, line {line}: {words}" for line, words in sorted(self.found)]
+            raise ValueError("\n".join(lines))
 
 
 @dataclass(frozen=True)
@@ -25,16 +59,13 @@ class Table:
     first_line: str
     header: list[str]
 
-    def rows(self, longest: str) -> Iterator[tuple[int, int, list[str]]]:
+    def rows(self, longest: str, mistakes: Mistakes) -> Iterator[tuple[int, int, list[str]]]:
         """Yield the rows below the header of a CSV file, each with its first and last line number.
 
         Blank rows are skipped, and missing cells at the end of a row are empty. A row with too many
-        cells is an error. The usual cause is a cell that contains a separator but is not in quotes.
-        ``longest`` is the error message's name for this cell, such as "comment".
-
-        Raises:
-            ValueError: A row is too long, or a quote is never closed. The message gives the line
-                number.
+        cells is a mistake. The usual cause is a cell that contains a separator but is not in
+        quotes. ``longest`` is the message's name for this cell, such as "comment". A quote that is
+        never closed is a mistake too.
         """
         # If this were not strict, a quote that is never closed would hide all rows below it.
         source = io.StringIO(self.text, newline="")
@@ -47,15 +78,13 @@ class Table:
                 while cells and not cells[-1]:
                     cells.pop()  # spreadsheets pad rows
                 if line > 1 and len(cells) > width:
-                    raise ValueError(
-                        f"{self.path}, line {line}: there must be {width} cells, got {len(cells)}. "
-                        f"Put a {longest} that contains {self.separator!r} in quotes"
-                    )
-                if line > 1 and cells:
+                    words = f"there must be {width} cells, got {len(cells)}. Put a {longest} that "
+                    mistakes.add(line, f"{words}contains {self.separator!r} in quotes")
+                elif line > 1 and cells:
                     yield line, reader.line_num, cells + [""] * (width - len(cells))
                 line = reader.line_num + 1
         except csv.Error as error:
-            raise ValueError(f"{self.path}, line {line}: {error}. Close the quote") from error
+            mistakes.add(line, f"{error}. Close the quote")
 
 
 def read_csv(path: Path) -> Table:

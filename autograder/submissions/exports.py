@@ -1,4 +1,4 @@
-"""Parse the file names of submissions that an instructor has downloaded from Canvas or Moodle.
+"""Parse the names of submissions that an instructor has downloaded from Canvas or Moodle.
 
 The platform puts the name of the student and the number of the upload into the file name.
 """
@@ -6,6 +6,8 @@ The platform puts the name of the student and the number of the upload into the 
 from __future__ import annotations
 
 import re
+from collections import defaultdict
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -52,7 +54,7 @@ def read_export(name: str) -> Exported | None:
     """Parse the name that Canvas or Moodle has given to a student's submission.
 
     ``name`` is the name without a final .zip. The result is None if the name does not have the
-    format of either platform.
+    format of either platform. Other names may have the format of Canvas by chance.
     """
     if found := MOODLE.fullmatch(name):
         order = 0, _resubmission(found["file"] or "")
@@ -65,6 +67,23 @@ def read_export(name: str) -> Exported | None:
             return Exported("canvas", "anon", found["anonymous"], late, order)
         return Exported("canvas", found["name"], found["id"], late, order)
     return None
+
+
+def look_like_canvas(exports: Iterable[Exported | None]) -> bool:
+    """Return True if these names are those of a whole download from Canvas.
+
+    Then each number belongs to one name, and the names are those of several students. Names such as
+    hw_1_1_cat and hw_1_2_dan are not, which seem to be two uploads of one student.
+    """
+    names: defaultdict[str, set[str]] = defaultdict(set)
+    seen = [*exports]
+    for export in seen:
+        if export is None or export.platform != "canvas":
+            return False
+        names[export.number].add(export.name)
+    together = set().union(*names.values())
+    are_people = len(together) > 1 or together == {"anon"} or len(seen) == 1
+    return are_people and all(len(of_one) == 1 for of_one in names.values())
 
 
 def _resubmission(file: str) -> int:

@@ -1,16 +1,18 @@
-"""Find the submissions of a class, and choose file names for the reports on the students."""
+"""Find what the students of a class have handed in, and choose names for the reports on them."""
 
 from __future__ import annotations
 
 import hashlib
 import re
 import stat
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from autograder.submissions.exports import Exported, read_export
+from autograder.submissions.exports import Exported, look_like_canvas, read_export
 from autograder.text.clean import visible
 
+RECORD = "run.json"  # in a folder of reports; records the class, the seed and so on
 LONGEST_NAME = 100  # bytes without the suffix; file systems allow 255 in all
 SILENT = (
     *("__pycache__", "__MACOSX", "README.md", "course.toml"),
@@ -19,28 +21,55 @@ SILENT = (
 )
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
+SUFFIX = re.compile(r"(\.tar)?\.[A-Za-z0-9]{1,5}$", re.IGNORECASE)
+# What students hand in by mistake. A file of another type could be the instructor's own.
+BY_STUDENTS = re.compile(
+    r"\.(pdf|docx?|odt|rar|7z|tar|tgz|gz|bz2|xz|zst|py|ipynb|png|jpe?g)$", re.IGNORECASE
+)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A folder or file in the folder of a class.
+
+    Attributes:
+        name: The name without the suffix of a file, such as ann for ann.zip.
+        problem: Why it cannot be graded, such as "it is a symbolic link", or "".
+        export: The parsed name, if Canvas or Moodle gave it.
+    """
+
+    path: Path
+    name: str
+    problem: str = ""
+    export: Exported | None = None
+
+    @property
+    def is_by_student(self) -> bool:
+        """True if it was surely handed in, even if nobody on a roster has this name."""
+        return not self.problem or bool(self.export) or bool(BY_STUDENTS.search(self.path.name))
 
 
 @dataclass(frozen=True)
 class Submission:
-    """The folder or zip file that a student has handed in.
+    """What a student, or a group of students, has handed in.
 
     Attributes:
-        student: The student's name in the reports.
+        student: The name of the student or of the group in the reports.
         path: The path of the folder or zip file.
+        owner: What the student or group is called in records, whatever the name of the report is.
         export: The parsed name if Canvas or Moodle created it, otherwise None.
-        aliases: The student's other names, from the submission and from the roster.
+        notes: What the student and the instructor should know, such as other files that were not
+            used.
+        nothing: Why nothing of it can be graded, such as "'report.pdf' is neither a folder nor a
+            .zip file", or "".
     """
 
     student: str
     path: Path
+    owner: str = ""
     export: Exported | None = None
-    aliases: tuple[str, ...] = ()
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """All names of the student, starting with the one used in the reports."""
-        return (self.student, *self.aliases)
+    notes: tuple[str, ...] = ()
+    nothing: str = ""
 
     @property
     def late(self) -> bool:
@@ -48,63 +77,32 @@ class Submission:
         return self.export is not None and self.export.late
 
 
-def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
-    """Find the students' submissions in the folder of a class, with notes on everything else in it.
+def find_entries(folder: Path, is_known: Callable[[Exported], bool]) -> list[Entry]:
+    """List what was handed in, without the instructor's own files, hidden files and caches.
 
-    A submission is a folder or a .zip file. Its name is the student's name or a name given by
-    Canvas or Moodle. If a student uploaded several files to one of these platforms, only the last
-    one counts. Links are never followed. Hidden files, caches and the instructor's own files are
-    skipped without a note.
-
-    Returns:
-        The submissions, sorted by student, and the notes.
+    Links are never followed. A name of Moodle's is recognized by itself. One of Canvas's counts as
+    such if all folders and zips look like one download, or if ``is_known`` says that the student is
+    on the roster.
 
     Raises:
-        ValueError: The path is not a folder, it contains no submissions, or it contains two by the
-            same student.
+        ValueError: The path is not a folder.
         OSError: The folder cannot be read.
     """
     if not folder.is_dir():
         raise ValueError(f"the submissions must be in a folder, got {str(folder)!r}")
-    found: dict[str, Submission] = {}
-    notes: list[str] = []
-    for path in sorted(folder.iterdir()):
-        if path.name.startswith(".") or path.name in SILENT:
-            continue
-        mode = path.lstat().st_mode
-        is_zip = stat.S_ISREG(mode) and path.suffix.lower() == ".zip"
-        if not is_zip and not stat.S_ISDIR(mode):
-            what = "a symbolic link" if stat.S_ISLNK(mode) else "neither a folder nor a .zip file"
-            notes.append(f"{printable(path.name)} was left out: it is {what}")
-            continue
-        name = printable(path.stem if is_zip else path.name)
-        export = read_export(name)
-        if export and not export.is_file:
-            notes.append(f"{name} was left out: it is text that was typed into the platform")
-            continue
-        new = Submission(export.student if export else name, path, export)
-        # Keyed by the name of the report, so that no report overwrites another one
-        # (if the file system distinguishes A from a).
-        old = found.setdefault(file_name(new.student), new)
-        if old is new:
-            continue
-        if not (old.export and new.export):
-            raise ValueError(
-                f"a student must hand in only once, got {old.path.name!r} and {path.name!r} "
-                f"in {str(folder)!r}"
-            )
-        first, last = sorted((old, new), key=_order)
-        found[file_name(new.student)] = last
-        notes.append(
-            f"{printable(first.path.name)} was left out: {printable(last.path.name)} by the same "
-            f"student was used instead. If they belong together, put both in a folder named "
-            f"{printable(last.path.stem)}"
-        )
-    if not found:
-        raise ValueError(
-            f"{str(folder)!r} has no submissions: a folder or a .zip file named after each student"
-        )
-    return sorted(found.values(), key=lambda submission: submission.student), notes
+    paths = [path for path in sorted(folder.iterdir()) if not _is_skipped(path.name)]
+    entries = [_entry(path) for path in paths]
+    zips = [one for one in entries if not one.problem]
+    is_download = look_like_canvas(one.export for one in zips) and not any(
+        one.path.is_dir()
+        for one in zips  # Canvas has only files
+    )
+    return [
+        one
+        if not one.export or one.export.platform == "moodle" or is_download or is_known(one.export)
+        else replace(one, export=None)
+        for one in entries
+    ]
 
 
 def file_name(student: str) -> str:
@@ -131,12 +129,25 @@ def printable(text: str) -> str:
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
-def _order(submission: Submission) -> tuple[int, int]:
-    """Return a sort key that puts a student's uploads in order, oldest first.
+def _entry(path: Path) -> Entry:
+    mode = path.lstat().st_mode
+    is_zip = stat.S_ISREG(mode) and path.suffix.lower() == ".zip"
+    name = printable(path.stem if is_zip else path.name)
+    problem = ""
+    if not is_zip and not stat.S_ISDIR(mode):
+        is_link = stat.S_ISLNK(mode)
+        problem = "it is a symbolic link" if is_link else "it is neither a folder nor a .zip file"
+        name = SUFFIX.sub("", name)
+    elif (path / RECORD).is_file() and (path / "results").is_dir():
+        problem = "it has the reports of a graded class"
+    export = read_export(name)
+    if export and not export.is_file:
+        problem = "it is text that was typed into the platform"
+    return Entry(path, name, problem, export)
 
-    Only the last upload is graded.
-    """
-    return submission.export.order if submission.export else (0, 0)
+
+def _is_skipped(name: str) -> bool:
+    return name.startswith(".") or name in SILENT
 
 
 def _clean(name: str) -> str:

@@ -35,6 +35,7 @@ class Staged:
         missing: The rejected modules, such as ch02_vectors.vector, each with the reason.
         notes: Notes for the instructor. They may quote the names of files and folders, but nothing
             else that the student wrote.
+        nothing: Why nothing of the submission can be graded, or "" if something was found.
         digest: A hash of everything that was accepted or rejected. Submissions with the same digest
             get the same grade.
     """
@@ -42,6 +43,7 @@ class Staged:
     missing: dict[str, str]
     notes: list[str]
     digest: str
+    nothing: str = ""
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
@@ -55,7 +57,9 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     Raises:
         OSError: The folder cannot be written, or a file of the repository cannot be read.
     """
-    found, notes = _search(submission, chapters)
+    found, notes, nothing = _search(submission, chapters)
+    if not found:
+        nothing = "it contains no folder of a chapter, at most three levels down"
     missing: dict[str, str] = {}
     digest = hashlib.sha256()
     for chapter in chapters:
@@ -77,13 +81,15 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
                 reason = rejection(chapter.name, name, error)
                 missing[module_of(chapter.name, name)] = reason
             digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode() + content)
-    return Staged(missing, [printable(note) for note in notes], digest.hexdigest())
+    shown = [printable(note) for note in notes]
+    return Staged(missing, shown, digest.hexdigest(), printable(nothing))
 
 
-def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
+def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str], str]:
     """Find the files of all chapters in a student's submission, with notes on any problems.
 
-    The submission may be a folder, a zip file, or a folder with zips in it.
+    The last result is the reason if nothing at all can be taken, or "". The submission may be a
+    folder, a zip file, or a folder with zips in it.
     """
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
@@ -91,16 +97,16 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
         if stat.S_ISLNK(mode):
             raise NotTakenError("the submission is a symbolic link")
         if not stat.S_ISDIR(mode):
-            return search_zip(submission, wanted)
+            return *search_zip(submission, wanted), ""
         found, notes = search_folder(submission, wanted)
         inside, more = search_zips_in(submission, wanted)
-        return found + inside, notes + more
+        return found + inside, notes + more, ""
     except OSError as error:
         refused = NotTakenError(f"the submission cannot be read: {cause(error)}")
     except NotTakenError as error:
         refused = error
     everything = [refuse_all((name,), files, str(refused)) for name, files in wanted.items()]
-    return list(itertools.chain(*everything)), [f"nothing was taken: {refused}"]
+    return list(itertools.chain(*everything)), [f"nothing was taken: {refused}"], str(refused)
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:

@@ -15,7 +15,7 @@ from autograder.checks.arrange import Behind
 from autograder.checks.runner import Limits, run_checks
 from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.submissions.find import find_submissions
+from autograder.submissions.class_list import read_class
 from autograder.submissions.stage import stage
 from studies.timing import Measurement, Target, both, timer, versus
 
@@ -79,7 +79,7 @@ def _sample_class(behind: Behind) -> Measurement:
 
     Some of the submissions contain endless loops, which run until the time limit stops them.
     """
-    submissions, _ = find_submissions(ROOT / "sample_class")
+    submissions = read_class(ROOT / "sample_class").submissions
     chapters = load_chapters()
 
     def grade(where: Behind | None) -> None:

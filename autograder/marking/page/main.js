@@ -20,8 +20,9 @@ let questions = [];
 let timer = 0;
 
 const element = (name, words, more = {}) => Object.assign(document.createElement(name), {textContent: words, ...more});
-const isMarked = (question, answer) => savedMark(question.id, answer.code) !== null;
-const isOpen = (question, answer) => (markOf(question.id, answer.code)?.points ?? null) === null;
+const hasChanged = (question, answer) => savedMark(question.id, answer.code)?.changed === true;
+const isMarked = (question, answer) => savedMark(question.id, answer.code) !== null && !hasChanged(question, answer);
+const isOpen = (question, answer) => (markOf(question.id, answer.code)?.points ?? null) === null || hasChanged(question, answer);
 const linesOf = (comment) => comment.split("\n").filter((line) => line.trim());
 const current = () => [here.question.id, here.answer.code];
 const entered = () => markOf(...current()) ?? {points: null, comment: ""};
@@ -45,10 +46,15 @@ function showAnswer(answer, {focus = true} = {}) {
   $("text").textContent = answer.text || "Nothing was written here.";
   history.replaceState(null, "", `#${here.question.id}/${answer.code}`);
   showMark();
-  say(isMarked(here.question, answer) ? "This answer has a mark." : "This answer has no mark yet.");
+  say(stateOf(here.question, answer));
   trouble();
   if (hasDraft(...current())) store();
   if (focus) $("which").focus();
+}
+
+function stateOf(question, answer) {
+  if (hasChanged(question, answer)) return "This answer has changed since it was marked. Give its points again.";
+  return isMarked(question, answer) ? "This answer has a mark." : "This answer has no mark yet.";
 }
 
 function showMark() {

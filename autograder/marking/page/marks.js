@@ -1,6 +1,6 @@
 // The marks: what is in the file, what is not saved yet, and saving, one change after another.
 
-const known = {}; // by question, then by code: {points, comment}, as the server has them
+const known = {}; // by question, then by code: {points, comment, changed}, as the server has them
 const drafts = new Map(); // by "question/code", what a person has entered and is not saved
 let queue = Promise.resolve();
 
@@ -46,7 +46,7 @@ export function save(question, code) {
     const seen = savedMark(question, code);
     if (mark === undefined) return {};
     if (mark?.points === null) return {why: "A comment is saved together with points. Give some."};
-    if (same(mark, seen)) {
+    if (same(mark, seen) && !seen?.changed) {
       drafts.delete(place);
       return {};
     }

@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from autograder.reports.gradebook import as_cell, write_gradebook
+from autograder.reports.gradebook import write_gradebook
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.report import StudentReport
+from autograder.submissions.csv_rows import as_cell
 from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
 
 FULL_WIDTH = "\uff1d\uff0b\uff0d\uff20"  # = + - @ as Chinese and Japanese keyboards write them

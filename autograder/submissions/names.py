@@ -1,0 +1,102 @@
+"""Find the student whom a name means: a cell of a table, a key in a file, or a folder's name.
+
+All commands and tables use it, so that a name means the same student everywhere.
+"""
+
+from __future__ import annotations
+
+import difflib
+import unicodedata
+from collections import defaultdict
+from collections.abc import Hashable, Iterable, Sequence
+from typing import Generic, TypeVar
+
+from autograder.submissions.csv_rows import as_cell
+
+T = TypeVar("T", bound=Hashable)
+MOST_SUGGESTED = 3
+
+
+class UnknownNameError(ValueError):
+    """Raised if no student has a name."""
+
+
+class Names(Generic[T]):
+    """All names of some students: full names, ids, e-mail addresses, logins and folders.
+
+    ``people`` has for each student an object that stands for the student, a label for error
+    messages, and the names.
+    """
+
+    def __init__(self, people: Iterable[tuple[T, str, Sequence[str]]]) -> None:
+        self.labels: dict[T, str] = {}
+        self._exact: defaultdict[str, dict[T, None]] = defaultdict(dict)
+        self._alike: defaultdict[str, dict[T, None]] = defaultdict(dict)
+        self._plain: dict[str, T] = {}
+        for who, label, names in people:
+            self.labels[who] = label
+            for name in filter(None, names):
+                self._exact[_exact(name)][who] = None
+                self._plain.setdefault(_plain(name), who)
+                for form in {*_forms(name), *_forms(as_cell(name))}:
+                    self._alike[form][who] = None
+
+    def all_of(self, text: str) -> list[T]:
+        """Return everyone whom a name fits.
+
+        If it is exactly the name of someone, only exact names count. Otherwise, capital letters,
+        spaces, punctuation, leading zeros of a number and "Doe, Jane" for "Jane Doe" make no
+        difference. Accents do: a name without them may be another student's.
+        """
+        if found := self._exact.get(_exact(text)):
+            return [*found]
+        return [*{who: None for form in _forms(text) for who in self._alike.get(form, ())}]
+
+    def problem(self, text: str, found: Sequence[T]) -> ValueError:
+        """Say why a name does not mean one student. ``found`` is everyone whom it fits."""
+        if found:
+            labels = " and ".join(self.labels[who] for who in found)
+            return ValueError(f"{text!r} could be {labels}. Write the id or the email")
+        return UnknownNameError(f"there is no student {text!r}. {self._nearest(text)}".strip())
+
+    def _nearest(self, text: str) -> str:
+        close = difflib.get_close_matches(_plain(text), self._plain, 2 * MOST_SUGGESTED, 0.7)
+        labels = [*dict.fromkeys(self.labels[self._plain[each]] for each in close)]
+        return f"Did you mean {' or '.join(labels[:MOST_SUGGESTED])}?" if labels else ""
+
+
+def key(text: str) -> str:
+    """Normalize a student's id, e-mail address or login, so that it can be compared.
+
+    Comparisons then ignore case, and treat the two encodings of an accented letter as equal.
+    """
+    return _exact(text).casefold()
+
+
+def letters(name: str) -> str:
+    """Reduce a student's name to its letters and digits, in lower case, so that it can be compared.
+
+    Platforms drop all other characters from the names of the files that students upload.
+    """
+    text = unicodedata.normalize("NFKC", name).casefold()
+    return "".join(character for character in text if character.isalnum())
+
+
+def _exact(text: str) -> str:
+    return unicodedata.normalize("NFC", text.strip())
+
+
+def _forms(text: str) -> set[str]:
+    """Return the forms of a name in which two spellings of it are equal."""
+    last, comma, first = text.partition(",")
+    forms = {key(text), letters(first + last if comma else text)}
+    if text.strip().isdecimal():  # a spreadsheet makes 42 of 00042
+        forms.add(text.strip().lstrip("0"))
+    return forms - {""}
+
+
+def _plain(name: str) -> str:
+    """Return a name without accents, with its words in order, to find similar names."""
+    text = unicodedata.normalize("NFKD", name).casefold()
+    bare = "".join(character for character in text if not unicodedata.combining(character))
+    return " ".join(sorted(bare.replace(",", " ").split()))

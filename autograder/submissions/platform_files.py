@@ -1,0 +1,139 @@
+"""Read who handed in and when from the files that a platform adds to a download.
+
+They are submission_metadata.yml of Gradescope, and the grades.csv of GitHub Classroom.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from autograder.course.dates import parse_time
+
+OF_GRADESCOPE = "submission_metadata.yml"
+OF_GITHUB = "grades.csv"  # instructors save the grades of GitHub Classroom under this name
+REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
+IDENTIFIER = "roster_identifier"
+
+
+@dataclass(frozen=True)
+class Upload:
+    """What a platform's file says about one submission.
+
+    Attributes:
+        source: The platform.
+        people: The students who handed in together. Each has all names that the platform knows,
+            the surest first.
+        at: The time of the submission, or None if it is unknown.
+    """
+
+    source: str
+    people: tuple[tuple[str, ...], ...] = ()
+    at: datetime | None = None
+
+    @property
+    def together(self) -> str:
+        """The names of all students, such as "Ann Lee, Bo Chen"."""
+        return ", ".join(names[-1] for names in self.people)
+
+
+class Uploads:
+    """What the platforms' files in the folder of a class say about its submissions.
+
+    Raises:
+        ValueError: A file is not valid YAML or CSV.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        of_github, of_gradescope = folder / OF_GITHUB, folder / OF_GRADESCOPE
+        self._by_name = dict([*_of_github(of_github), *_of_gradescope(of_gradescope)])
+
+    def of(self, path: Path) -> Upload | None:
+        """Return what is known about the submission at this path."""
+        return self._by_name.get(path.name) or self._by_name.get(path.stem)
+
+    def name_of(self, path: Path) -> str:
+        """Return the students' names on the platform, or "" if they are not known.
+
+        If students of other submissions have the same names, the name of the submission follows.
+        """
+        upload = self.of(path)
+        if not upload or not upload.people:
+            return ""
+        alike = [other for other in self._by_name.values() if other.together == upload.together]
+        return f"{upload.together} ({path.stem})" if len(alike) > 1 else upload.together
+
+    def notes(self, paths: Iterable[Path]) -> list[str]:
+        """Say which rows of the files are about no submission at one of these paths."""
+        there = {name for path in paths for name in (path.name, path.stem)}
+        unknown = [name for name in self._by_name if name not in there]
+        if not unknown:
+            return []
+        some = ", ".join(unknown[:5]) + (", ..." if len(unknown) > 5 else "")
+        words = f"submissions of the platform's files are not in {self._folder}"
+        return [f"{len(unknown)} {words}: {some}"]
+
+
+def _of_gradescope(path: Path) -> Iterator[tuple[str, Upload]]:
+    if not path.is_file():
+        return
+    import yaml  # type: ignore[import-untyped] # only here, since Gradescope's own machine lacks it
+
+    with _readable(path):
+        try:
+            data = yaml.safe_load(path.read_text(encoding="utf-8"))
+        except yaml.YAMLError as error:
+            raise ValueError(str(error)) from error
+    for name, about in data.items() if isinstance(data, dict) else ():
+        about = about if isinstance(about, dict) else {}
+        said = about.get(":submitters")
+        people = [_names_of(one) for one in said] if isinstance(said, list) else []
+        upload = Upload("Gradescope", tuple(filter(None, people)), _time(about.get(":created_at")))
+        yield str(name), upload
+
+
+def _names_of(submitter: Any) -> tuple[str, ...]:
+    """Return the id, the e-mail address and the name of a submitter, as far as they are known."""
+    if not isinstance(submitter, dict):
+        return ()
+    values = [submitter.get(name) for name in (":sid", ":email", ":name")]
+    return tuple(str(value) for value in values if value)
+
+
+def _of_github(path: Path) -> Iterator[tuple[str, Upload]]:
+    if not path.is_file():
+        return
+    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file, _readable(path):
+        rows = [*csv.DictReader(file)]
+    for row in rows:
+        if name := row.get(REPOSITORY):
+            identifier = (row.get(IDENTIFIER) or "").strip()
+            people = ((identifier,),) if identifier else ()
+            yield name, Upload("GitHub Classroom", people, _time(row.get(SUBMITTED)))
+
+
+def _time(value: Any) -> datetime | None:
+    """Parse a submission time from a platform, or return None if the value is not a time.
+
+    A time without a time zone is taken to be in UTC, which is what platforms use.
+    """
+    try:
+        return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
+    except ValueError:
+        return None
+
+
+@contextmanager
+def _readable(path: Path) -> Iterator[None]:
+    """Return a context manager that adds the path of a file to errors about invalid CSV or YAML."""
+    try:
+        yield
+    except (csv.Error, ValueError, RecursionError) as error:
+        kind = "YAML" if path.suffix == ".yml" else "CSV"
+        raise ValueError(f"{path} is not valid {kind}: {error}") from error
